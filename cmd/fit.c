@@ -15,7 +15,7 @@ struct fit {
 /* Adds a block of points to the extremes that are the chunk's output. */
 static void take_extremes(const struct job *j, struct chunk *c)
 {
-	const struct fit *fit = j->with;
+	const struct fit *fit = j->data;
 	bool flat = j->transform.in == 2;
 	/* in two dimensions z is not used: x stands in for it */
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
@@ -34,7 +34,7 @@ static void take_extremes(const struct job *j, struct chunk *c)
 /* Merges the extremes of a chunk into those of all points. */
 static void collect_extremes(const struct job *j, const struct chunk *c)
 {
-	struct fit *fit = j->with;
+	struct fit *fit = j->data;
 
 	if (c->size > 0)
 		extremes_merge(&fit->extremes, &fit->directions,
@@ -45,9 +45,9 @@ static void collect_extremes(const struct job *j, const struct chunk *c)
 static void fit_read_points(const struct options *o, struct document *d)
 {
 	static struct fit fit;
-	static struct job j = { .take = take_extremes,
-		.collect = collect_extremes,
-		.with = &fit };
+	static struct job j = { .take_block = take_extremes,
+		.collect_chunk = collect_extremes,
+		.data = &fit };
 
 	memset(&fit.extremes, 0, sizeof fit.extremes);
 	if (d->flat) {

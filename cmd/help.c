@@ -21,7 +21,7 @@ enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
  * the types of the object that have it. */
 static void print_member(const struct member *row, const char *const *types)
 {
-	char list[LISTED], type[2 * LISTED];
+	char list[LIST_ROOM], type[2 * LIST_ROOM];
 	const char *unit = row->unit, *before = " (";
 
 	snprintf(type, sizeof type, "%s%s%s", member_type(row, list),
@@ -30,11 +30,11 @@ static void print_member(const struct member *row, const char *const *types)
 	if (strlen(type) > TYPE_WIDTH)
 		print("\n%*s", NAME_WIDTH + 2 + TYPE_WIDTH, "");
 	print(" %s", row->about);
-	if (row->before != NULL)
-		print("; default %s, else %.*s", row->before,
-		    (int)strlen(row->usual) - 2, row->usual + 1);
-	else if (row->usual != NULL)
-		print("; default %s", row->usual);
+	if (row->default_from != NULL)
+		print("; default %s, else %.*s", row->default_from,
+		    (int)strlen(row->fallback) - 2, row->fallback + 1);
+	else if (row->fallback != NULL)
+		print("; default %s", row->fallback);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
 		if (row->kinds >> i & 1) {
 			print("%s%s", before, types[i]);
@@ -130,7 +130,7 @@ static void print_convention_row(const char *name, const bool *choices)
 			if (strlen(m->words[i]) > width)
 				width = strlen(m->words[i]);
 		print(" %-*s", m[1].name != NULL ? (int)width : 0,
-		    choices != NULL ? m->words[choices[m->at]] : m->name);
+		    choices != NULL ? m->words[choices[m->offset]] : m->name);
 	}
 	print("\n");
 }

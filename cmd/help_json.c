@@ -30,7 +30,7 @@ static void put_words(struct printer *p, const char *name,
 /* Opens an object in a line of its own, as the next element of an array. */
 static void open_line(struct printer *p)
 {
-	p->between = *p->between != '\0' ? ",\n    " : "\n    ";
+	p->separator = *p->separator != '\0' ? ",\n    " : "\n    ";
 	put_open(p, "{");
 }
 
@@ -92,9 +92,9 @@ static void put_option(struct printer *p, const struct option_row *r,
 /* Puts the range of a member's numbers under the names of JSON Schema. */
 static void put_range(struct printer *p, const struct value_range *r)
 {
-	put_name(p, r->above ? "exclusiveMinimum" : "minimum");
+	put_name(p, r->min_excluded ? "exclusiveMinimum" : "minimum");
 	put_number(p, r->min);
-	put_name(p, r->below ? "exclusiveMaximum" : "maximum");
+	put_name(p, r->max_excluded ? "exclusiveMaximum" : "maximum");
 	put_number(p, r->max);
 }
 
@@ -103,7 +103,7 @@ static void put_range(struct printer *p, const struct value_range *r)
 static void put_member(struct printer *p, const struct member *row,
     const char *in, const char *const *types)
 {
-	char type[LISTED];
+	char type[LIST_ROOM];
 
 	open_line(p);
 	put_text_member(p, "name", row->name);
@@ -113,9 +113,9 @@ static void put_member(struct printer *p, const struct member *row,
 	if (row->range != NULL)
 		put_range(p, row->range);
 	put_name(p, "default");
-	put_open(p, row->usual != NULL ? row->usual : "null");
+	put_open(p, row->fallback != NULL ? row->fallback : "null");
 	put_close(p, "");
-	put_text_member(p, "before", row->before);
+	put_text_member(p, "before", row->default_from);
 	put_text_member(p, "about", row->about);
 	put_words(p, "words", row->words, ~0u);
 	if (row->kinds != 0)
@@ -130,7 +130,7 @@ static void put_ways(struct printer *p, const char *in, const struct ways *w,
 	open_line(p);
 	put_text_member(p, "in", in);
 	put_words(p, "ways", w->way, ~0u);
-	if (w->fit)
+	if (w->own_fit)
 		put_words(p, "fit", w->fit_way, ~0u);
 	if (w->kinds != 0)
 		put_words(p, "types", types, w->kinds);
@@ -166,7 +166,8 @@ static void put_conventions(struct printer *p)
 		put_text_member(p, "name", convention_names[i]);
 		for (const struct member *m = convention_members;
 		     m->name != NULL; m++)
-			put_text_member(p, m->name, m->words[choice[m->at]]);
+			put_text_member(p, m->name,
+			    m->words[choice[m->offset]]);
 		put_close(p, "}");
 	}
 	put_close(p, "]");
@@ -175,7 +176,7 @@ static void put_conventions(struct printer *p)
 void help_json(const struct command *commands, const char *version)
 {
 	static char text[1 << 17];
-	struct printer p = { .at = text, .between = "{" };
+	struct printer p = { .at = text, .separator = "{" };
 
 	put_text_member(&p, "version", version);
 	p.level = 1; /* each member from here on begins a line */

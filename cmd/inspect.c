@@ -129,7 +129,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 	    projection_is_open(&r->scene.projection) ? "null" : /* no near */
 		r->reverse_z ? "true" :
 			       "false");
-	put_sides(p, "planes", 4, r->plane, 0);
+	put_sides(p, "planes", 4, r->near_edge, 0);
 	put_rows(p, "frustum", r->corner[0], 8, 3, false);
 	put_sides(p, "frustum_planes", 6, r->frustum_plane[0], 4);
 	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3,
@@ -249,7 +249,7 @@ void run_inspect(const struct command *c, const struct options *o)
 	struct printer p = { .at = text,
 		.style = options_style(o),
 		.compact = o->out == FORMAT_JSON,
-		.between = "" };
+		.separator = "" };
 	struct document d;
 
 	read_document(c, o, &d);

@@ -134,9 +134,9 @@ static void *run_scenes(void *with)
 	jmp_buf bad;
 
 	if (o->scenes && o->keep_going && !is_binary(options_output(o)))
-		message_state.refused = &bad;
+		message_state.on_refusal = &bad;
 	if (setjmp(bad) != 0)
-		answer_no_scene(options_output(o));
+		answer_refused_scene(options_output(o));
 	while (params_next(o)) {
 		run->command->run(run->command, o);
 		if (ex_has_overflowed())

@@ -27,7 +27,7 @@ static void put_elements(struct printer *p, const struct elements *m,
 		if (is_binary(out.format)) {
 			little_put(p->at, out.format == FORMAT_F64, v);
 		} else {
-			p->between = "";
+			p->separator = "";
 			put_number(p, v);
 			*p->at++ = j + 1 < m->columns ? out.separator : '\n';
 		}
@@ -80,9 +80,9 @@ void print_matrix(const struct options *o, const struct document *d,
 	bool column = answer_convention(&d->scene)->column;
 	struct printer p = { .at = text,
 		.style = options_style(o),
-		.single = single,
+		.floats = single,
 		.compact = true,
-		.between = "" };
+		.separator = "" };
 	struct elements m = elements_of(d, t, floats,
 	    column && !is_binary(o->out));
 

@@ -47,14 +47,14 @@ static struct hit *hit_at(char *text, size_t at)
 static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
-	const struct hits *h = j->with;
+	const struct hits *h = j->data;
 	char *at = chunk_reserve(c,
 	    hit_stride(line->size + 8 * NUMBER_MAX + 128));
 	char *const text = hit_at(at, 0)->text;
 	struct printer p = { .at = text,
 		.style = h->style,
 		.compact = true,
-		.between = "" };
+		.separator = "" };
 
 	if (h->json) {
 		put_name(&p, "distance");
@@ -78,7 +78,7 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 /* Appends the points of a block that are within the radius, and its csv headers. */
 static void hits_take(const struct job *j, struct chunk *c)
 {
-	const struct hits *h = j->with;
+	const struct hits *h = j->data;
 	size_t points = c->block_points;
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2] };
 	double(*v)[POINTS_BLOCK] = c->image;
@@ -105,10 +105,10 @@ static void hits_take(const struct job *j, struct chunk *c)
 			.line = (long long)number };
 
 		if (isnan(to[0]) || isnan(to[1]) ||
-		    !pick_holds(&h->picker, hit.point, to))
+		    !pick_is_within(&h->picker, hit.point, to))
 			continue;
 		if (!computed) {
-			frustum_out_all(&j->frustum, in, outside, points);
+			frustum_outside_all(&j->frustum, in, outside, points);
 			if (h->finite_near)
 				points_map(&h->picker.depth, PRECISION_EXACT,
 				    in, view, points);
@@ -125,7 +125,7 @@ static void hits_take(const struct job *j, struct chunk *c)
 
 static void hits_collect(const struct job *j, const struct chunk *c)
 {
-	struct hits *h = j->with;
+	struct hits *h = j->data;
 	const size_t end = h->size + c->size;
 
 	if (end > h->room) {
@@ -179,7 +179,7 @@ static size_t hits_first(struct hit *const *hit, size_t n)
 /* Prints the hits, the nearest first. Hits at one distance keep their order. */
 static void print_hits(const struct job *j)
 {
-	struct hits *h = j->with;
+	struct hits *h = j->data;
 	/* there is room: a line number is shorter than the struct that it replaces */
 	char *const out = xrealloc(NULL, h->size), *at = out;
 	struct hit **hit = xrealloc(NULL, (h->n + 1) * sizeof(struct hit *));
@@ -223,10 +223,10 @@ void run_pick(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct hits hits;
-	static struct job j = { .take = hits_take,
-		.collect = hits_collect,
+	static struct job j = { .take_block = hits_take,
+		.collect_chunk = hits_collect,
 		.flush = print_hits,
-		.with = &hits };
+		.data = &hits };
 
 	hits.json = o->has_out && o->out == FORMAT_JSON;
 	hits.style = options_style(o);

@@ -55,7 +55,7 @@ static void project_check_alone(const struct options *o, enum space from,
 
 	if (from != to || o->has_from == o->has_to)
 		return;
-	die(EXIT_USAGE,
+	die_at(EXIT_USAGE, &(struct place){ .of_scene = o->has_from },
 	    "--%s %s alone goes from %s to %s; write --from %s --to world, or "
 	    "--from world --to %s%s",
 	    o->has_to ? "to" : "from", name, name, name, name, name,

@@ -27,7 +27,7 @@ struct images {
 static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {
-	const struct trace *trace = j->with;
+	const struct trace *trace = j->data;
 	const double *const from[4] = { &c->in[0][p], &c->in[1][p],
 		&c->in[2][p], &c->in[3][p] };
 
@@ -40,7 +40,7 @@ static void images_transform(struct images *m, const struct job *j,
 			number_texts(v[k], n, j->layout.single,
 			    j->layout.style[k], m->text[s][k]);
 	}
-	frustum_out_all(&j->frustum, from, m->outside, n);
+	frustum_outside_all(&j->frustum, from, m->outside, n);
 }
 
 /* Writes the image of point p of m in space s, in JSON as an array. A number beyond the
@@ -50,7 +50,7 @@ static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {
 	const struct layout *l = &j->layout;
-	int n = ((const struct trace *)j->with)->to[s].out, finite = 0;
+	int n = ((const struct trace *)j->data)->to[s].out, finite = 0;
 	bool json = l->out.format == FORMAT_JSON;
 
 	for (int k = 0; m != NULL && k < n; k++)
@@ -79,9 +79,9 @@ static char *trace_put_image(char *at, const struct job *j,
 static void trace_put(const struct job *j, struct chunk *c,
     const struct line *line, const struct images *m, size_t p)
 {
-	const struct trace *trace = j->with;
+	const struct trace *trace = j->data;
 	unsigned outside = m != NULL ? m->outside[p] : OUT_NAN;
-	const struct word *word = chunk_word(c, outside);
+	const struct word *word = chunk_flags(c, outside);
 	bool json = j->layout.out.format == FORMAT_JSON;
 	char *at;
 
@@ -130,7 +130,7 @@ static void trace_take(const struct job *j, struct chunk *c)
 /* Writes a chunk, without the blank line before the first point. */
 static void trace_collect(const struct job *j, const struct chunk *c)
 {
-	struct trace *trace = j->with;
+	struct trace *trace = j->data;
 	bool first = !trace->printed && j->layout.out.format == FORMAT_TEXT;
 
 	if (c->size == 0)
@@ -142,9 +142,9 @@ static void trace_collect(const struct job *j, const struct chunk *c)
 void run_trace(const struct command *c, const struct options *o)
 {
 	static struct trace trace;
-	static struct job j = { .take = trace_take,
-		.collect = trace_collect,
-		.with = &trace };
+	static struct job j = { .take_block = trace_take,
+		.collect_chunk = trace_collect,
+		.data = &trace };
 	struct document d;
 
 	read_document(c, o, &d);

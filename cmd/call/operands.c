@@ -77,7 +77,7 @@ bool has_points(const struct command *c, const struct options *o,
 	bool none = o->n_points == 0 && d->points == NULL;
 
 	if (none && o->of_points != NULL)
-		die(EXIT_USAGE,
+		die_at(EXIT_USAGE, &(struct place){ .of_scene = true },
 		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
 		    c->name, o->of_points);
@@ -210,8 +210,6 @@ static void name_values(struct layout *l, const char *space)
 static void prepare_job(struct job *j, const struct options *o)
 {
 	/* a ray is read as its position x y, and written as a point and a direction */
-	const int ray_reads = 2, ray_writes = 6;
-
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
 		.out = dialect_of(options_output(o), o->separator),
@@ -219,8 +217,8 @@ static void prepare_job(struct job *j, const struct options *o)
 		    o->no_header    ? HEADER_NONE :
 				      HEADER_MAYBE,
 		.columns = o->columns,
-		.reads = j->rays ? ray_reads : j->transform.in,
-		.writes = j->rays ? ray_writes : j->transform.out,
+		.reads = j->rays ? 2 : j->transform.in,
+		.writes = j->rays ? 6 : j->transform.out,
 		.flags = o->flags,
 		.append = o->append,
 		.record = o->in_record,
@@ -237,10 +235,10 @@ static void prepare_job(struct job *j, const struct options *o)
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs;
-	answer_progress(o->progress);
+	answer_start_progress(o->progress);
 	pipe_enlarge(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
-	check_layout(o, &j->layout, j->take == NULL);
+	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
 /* Runs the job on the lines that document_points or document_read returned: they are
@@ -295,12 +293,14 @@ void run_points(const struct options *o, const struct document *d,
     struct job *j)
 {
 	prepare_job(j, o);
-	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
-		die(EXIT_USAGE,
-		    "PARAMS and POINTS are both standard input, "
-		    "and the document has no points; name a file for one of "
-		    "them");
-	j->layout.two = d->source.two;
+	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params)) {
+		const struct place p = source_place(&d->source, "/points");
+
+		die_at(EXIT_USAGE, &p,
+		    "missing, and PARAMS and POINTS are both standard input; "
+		    "name a file for one of them");
+	}
+	j->layout.two = d->source.hint_for_two;
 	if (o->n_points == 0 && d->points != NULL)
 		run_json(o, j, d->source.name, d->points, d->points_size);
 	else

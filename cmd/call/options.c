@@ -23,7 +23,7 @@ static void option_read_word(struct options *o, const struct option_row *r,
 {
 	unsigned *at = r->global != NULL ? r->global :
 					   (void *)((char *)o + r->at);
-	char all[LISTED];
+	char all[LIST_ROOM];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
 		if (strcmp(r->words[i], word) == 0) {
@@ -300,7 +300,7 @@ const struct option_row *option_named(const char *name)
 	return NULL;
 }
 
-const char *option_takers(const struct option_row *r, char list[LISTED])
+const char *option_takers(const struct option_row *r, char list[LIST_ROOM])
 {
 	/* in the order of the bits of enum command_kind */
 	static const char *const names[] = { "the 3D matrix commands",

@@ -89,7 +89,7 @@ void options_read_first(char **words);
 const struct option_row *option_named(const char *name);
 
 /* Writes the commands that take an option: "project and trace". Returns list. */
-const char *option_takers(const struct option_row *, char list[LISTED]);
+const char *option_takers(const struct option_row *, char list[LIST_ROOM]);
 
 bool option_is_for(const struct option_row *, const struct command *);
 

@@ -49,7 +49,7 @@ static const struct option_row *long_option(const struct command *c,
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
 	const struct option_row *r = option_named(name);
-	char list[LISTED];
+	char list[LIST_ROOM];
 	int count = option_names(c, name, names);
 
 	if (r != NULL && option_is_for(r, c) && strcmp(r->name, name) == 0)

@@ -71,9 +71,9 @@ static bool skip_spaces(void)
 
 	do {
 		s = next;
-		next = skip_mark(json_space(s, end), end);
+		next = skip_mark(json_skip_blanks(s, end), end);
 	} while (next != s);
-	json_count(params.text.s + params.begin, s, &params.line,
+	json_count_lines(params.text.s + params.begin, s, &params.line,
 	    &params.column);
 	params.begin = params.end = (size_t)(s - params.text.s);
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
@@ -123,8 +123,8 @@ static bool next_scene(void)
 		}
 	params.end_line = params.line;
 	params.end_column = params.column;
-	json_count(params.text.s + params.begin, params.text.s + params.end,
-	    &params.end_line, &params.end_column);
+	json_count_lines(params.text.s + params.begin,
+	    params.text.s + params.end, &params.end_line, &params.end_column);
 	const bool found = params.begin < params.end;
 
 	message_state.scene.number = found ? params.number : 0;

@@ -132,7 +132,7 @@ static _Noreturn void refuse_synonym(const struct command *c,
 {
 	const struct option_row *r = *hint == '-' ? option_named(hint + 2) :
 						    NULL;
-	char list[LISTED];
+	char list[LIST_ROOM];
 
 	if (*hint == ':')
 		die(EXIT_USAGE, "%s; %s", unknown, hint + 2);

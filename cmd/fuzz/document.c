@@ -137,8 +137,8 @@ static void run(char *text, size_t size, int mode)
 static void keep_literals(const struct member *row)
 {
 	for (; row != NULL && row->name != NULL; row++) {
-		if (row->usual != NULL)
-			value_literal(row->usual);
+		if (row->fallback != NULL)
+			value_literal(row->fallback);
 		keep_literals(row->members);
 	}
 }

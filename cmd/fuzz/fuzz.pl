@@ -21,21 +21,27 @@ sub seed {
 	spew("$build/corpus/$fuzzer/seed-" . $name =~ tr{/}{-}r, $text);
 }
 
-# The first byte of layout.h: the same format in and out.
-my %formats = (text => 0, csv => 6, json => 12, f64 => 18, f32 => 24);
+# The numbers of the formats. The first byte of layout.h is the input's number, and as
+# many times the output's as there are formats.
+my @formats = map { lc } slurp('cmd/lines/formats.h') =~ /^\tFORMAT_(\w+),/mg;
+my %number = map { $formats[$_] => $_ } 0 .. $#formats;
 
 sub seed_lines {
-	my ($name, $format, $text) = @_;
+	my ($name, $in, $text) = @_;
 	for my $fuzzer (qw(line stream)) {
-		seed($fuzzer, $name, pack('C4', $format, 0, 0, 1) . $text);
-		seed($fuzzer, "$name-json", pack('C4', $format / 6 + 10, 0, 0,
-		    1) . $text);
+		for my $out ($in, 'json') {
+			my $both = $number{$in} + @formats * $number{$out};
+			seed($fuzzer, $out eq $in ? $name : "$name-json",
+			    pack('C4', $both, 0, 0, 0) . $text);
+		}
+		seed($fuzzer, "$name-more", pack('C4',
+		    $number{$in} * (1 + @formats), 0, 0, 64) . $text);
 	}
 }
 
 for my $case (map { transcript($_) } glob 'testdata/transcripts/*.txt') {
 	my ($name, $command) = @$case{qw(name command)};
-	my $format = $command =~ /-i (\w+)/ && $formats{$1} || 0;
+	my $format = $command =~ /-i (\w+)/ && exists $number{$1} ? $1 : 'text';
 	my $input = input($command);
 	seed_lines($name, $format, $input) if $input ne '';
 	seed('document', $name, "\0$1") if $command =~ /'(\{.*?\})'/s;

@@ -159,6 +159,24 @@ static struct scene scene(void)
 	return d.scene;
 }
 
+/* Sets --append where input and output are one format of lines, or records of four
+ * numbers in binary. */
+static void set_more(struct layout *l)
+{
+	const enum format in = l->in.format, out = l->out.format;
+
+	if (is_binary(in) && l->reads == l->writes) {
+		l->record = 4;
+		l->keeps = in == out;
+		l->flags = false;
+	}
+	l->append = !is_binary(in) && in == out;
+	for (int k = 0; l->append && k < l->writes; k++) {
+		memmove(l->name[k] + 2, l->name[k], NAME_ROOM - 2);
+		memcpy(l->name[k], "a_", 2);
+	}
+}
+
 /* Sets a transform for as many coordinates as layout_of chose. */
 static void set_job(struct job *j, const struct scene *s, uint8_t b)
 {
@@ -175,6 +193,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 		flat_frustum_of(s, FLAT_WINDOW, &j->frustum);
 	else
 		frustum_of(s, from, false, &j->frustum);
+	if (b & 64)
+		set_more(&j->layout);
 	if (j->rays)
 		j->layout.flags = false;
 	j->visible = !j->rays && b & 1;
@@ -185,17 +205,18 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 
 /* Does what stream and answer.c do, on a single chunk. As there, a newline
  * comes before the output if the last line of the source before had none. Returns
- * false where a header is refused, which ends the program. */
+ * false where the source is refused, which ends the program: stream, to which this
+ * function is the truth, does not get it, and to quit there is a finding. */
 static bool do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;
 	static size_t bad;
 	struct chunk *c = chunk_new();
 
-	c->first = is_binary(j->layout.in.format) ? FIRST_IS_READ : FIRST_LINE;
+	c->first = FIRST_BYTE;
 	piece_resize(&c->piece, size);
 	memcpy(c->piece.text, text, size);
-	c->piece.whole = size;
+	c->piece.whole_size = size;
 	job_do(j, c);
 	bool refused = c->refused;
 

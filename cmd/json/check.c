@@ -11,34 +11,31 @@
 
 enum {
 	LEVELS_MAX = 100,
-	/* cJSON reads a number of at most so many characters. */
+	/* The characters of the longest number that cJSON reads. */
 	CJSON_NUMBER_MAX = 63,
 };
 
-/* A function below that returns bool and is named after a part of JSON, such as
- * string, checks the part that begins at s->at. If it is right, the function moves
- * s->at to its end and returns true. Else it writes s->reason, leaves s->at at the
- * error and returns false. */
+/* Each function check_PART below checks a part of JSON that begins at s->at. If the
+ * part is valid, the function moves s->at to its end and returns true. If not, the
+ * function moves s->at to the error, writes s->reason and returns false. */
 
 static bool is_letter(char c)
 {
 	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/* Returns whether c is the next character. */
-static bool at(const struct json_check *s, char c)
+static bool next_is(const struct json_check *s, char c)
 {
 	return s->at < s->end && *s->at == c;
 }
 
-/* Moves s->at past blanks. */
-static void blanks(struct json_check *s)
+static void skip_space(struct json_check *s)
 {
-	s->at = json_space(s->at, s->end);
+	s->at = json_skip_blanks(s->at, s->end);
 }
 
-/* Appends n bytes to the copy, if there is one. */
-static void copy(struct json_check *s, const char *from, size_t n)
+/* Appends n bytes to s->copy unless s->copy is NULL. */
+static void append_copy(struct json_check *s, const char *from, size_t n)
 {
 	if (s->copy != NULL)
 		s->copy = (char *)memcpy(s->copy, from, n) + n;
@@ -51,7 +48,7 @@ static bool in_token(char c)
 	    strchr(":[]{}\"'/#", c) == NULL;
 }
 
-/* Returns the end of the word or number at s->at, else of the one character there. */
+/* Returns the end of the word or number, or else of the one character, at s->at. */
 static const char *token_end(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -63,7 +60,7 @@ static const char *token_end(const struct json_check *s)
 	return p > s->at ? p : p + (n > 0 ? n : 1);
 }
 
-void json_count(const char *text, const char *at, long long *line,
+void json_count_lines(const char *text, const char *at, long long *line,
     size_t *column)
 {
 	*column += (size_t)(at - text);
@@ -74,7 +71,7 @@ void json_count(const char *text, const char *at, long long *line,
 		}
 }
 
-/* Returns whether the last character before s->at that is not a blank is a comma. */
+/* Returns whether the last character before s->at, blanks aside, is a comma. */
 static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -84,7 +81,7 @@ static bool after_comma(const struct json_check *s)
 	return p > s->text && p[-1] == ',';
 }
 
-/* Returns a hint about the character at s->at, which is wrong there; or NULL. */
+/* Returns a hint for the wrong character at s->at, or NULL if there is none. */
 static const char *hint_of(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -102,9 +99,9 @@ static const char *hint_of(const struct json_check *s)
 	return NULL;
 }
 
-/* Returns false. Writes as the reason what is wanted at s->at, the text that is there,
- * and hint_of or else the hint, unless both are NULL. */
-static bool expected(struct json_check *s, const char *wanted, const char *hint)
+/* Returns false. Writes as s->reason what is expected at s->at, what is there instead,
+ * and a hint: that of hint_of or else the parameter, which may be NULL. */
+static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
 	const char *other = ends ? NULL : hint_of(s);
@@ -120,9 +117,9 @@ static bool expected(struct json_check *s, const char *wanted, const char *hint)
 	return false;
 }
 
-/* Checks an escape, from its backslash on. json_unescape makes U+FFFD of half of a
- * surrogate pair, \ud800 to \udfff: such an escape is wrong in a document. */
-static bool escape(struct json_check *s)
+/* Checks an escape in a string. A document may hold neither \u0000 nor half of a
+ * surrogate pair, \ud800 to \udfff; json_unescape makes U+FFFD of such a half. */
+static bool check_escape(struct json_check *s)
 {
 	const char *p = s->at, *next = p;
 	bool is_u = s->end - p > 1 && p[1] == 'u';
@@ -134,40 +131,39 @@ static bool escape(struct json_check *s)
 	if (next - p < (is_u ? 6 : 2) ||
 	    (is_u && s->kind == JSON_DOCUMENT &&
 		(c[0] == '\0' || (c[0] == '\xef' && (p[2] | 0x20) == 'd'))))
-		return expected(s, "an escape for a character",
+		return refuse(s, "an escape for a character",
 		    "a backslash itself is \\\\");
 	s->at = next;
 	return true;
 }
 
-/* Checks a character of a string. */
-static bool character(struct json_check *s)
+static bool check_character(struct json_check *s)
 {
 	unsigned code;
 	int n = s->kind == JSON_DOCUMENT ? utf8_read(s->at, s->end, &code) : 1;
 
 	if (*s->at == '\\')
-		return escape(s);
+		return check_escape(s);
 	if (n == 0 || (unsigned char)*s->at < ' ')
-		return expected(s, "text or '\"' in a string",
+		return refuse(s, "text or '\"' in a string",
 		    "write a control character as this escape");
 	s->at += n;
 	return true;
 }
 
-/* Checks a string, from its first quotation mark on. */
-static bool string(struct json_check *s)
+/* Checks a string, which begins with a quotation mark. */
+static bool check_string(struct json_check *s)
 {
 	const char *start = s->at++;
 
-	while (!at(s, '"')) {
+	while (!next_is(s, '"')) {
 		if (s->at == s->end)
-			return expected(s, "text or '\"' in a string", NULL);
-		if (!character(s))
+			return refuse(s, "text or '\"' in a string", NULL);
+		if (!check_character(s))
 			return false;
 	}
 	s->at++;
-	copy(s, start, (size_t)(s->at - start));
+	append_copy(s, start, (size_t)(s->at - start));
 	return true;
 }
 
@@ -184,27 +180,26 @@ const char *json_scalar_end(const char *p, const char *end)
 	return json_number(p, end, NULL);
 }
 
-/* Copies the number from s->at to end. A number that is too long for cJSON is copied as
- * the shortest text of its double. */
+/* Appends the number at s->at to the copy or, if the number is too long for cJSON, the
+ * shortest text of the same double. */
 static void copy_number(struct json_check *s, const char *end)
 {
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
-	char text[NUMBER_MAX];
+	char text[NUMBER_MAX] = "1e999", *text_end = text + 5;
 	double v;
 
 	if (end - s->at <= CJSON_NUMBER_MAX) {
-		copy(s, s->at, (size_t)(end - s->at));
+		append_copy(s, s->at, (size_t)(end - s->at));
 		return;
 	}
 	number_read(s->at, end, &v);
 	if (isfinite(v))
-		copy(s, text, (size_t)(number_write(text, v, shortest) - text));
-	else
-		copy(s, "1e999", 5);
+		text_end = number_write(text, v, shortest);
+	append_copy(s, text, (size_t)(text_end - text));
 }
 
 /* Checks a number, true, false or null. */
-static bool scalar(struct json_check *s)
+static bool check_scalar(struct json_check *s)
 {
 	const char *end = json_scalar_end(s->at, s->end), *hint = NULL;
 
@@ -214,7 +209,7 @@ static bool scalar(struct json_check *s)
 		else if (s->at < s->end && is_letter(*s->at))
 			hint = "a word is true, false, null or \"text\" in "
 			       "quotes";
-		return expected(s, "a value", hint);
+		return refuse(s, "a value", hint);
 	}
 	if (s->copy != NULL)
 		copy_number(s, end);
@@ -222,28 +217,28 @@ static bool scalar(struct json_check *s)
 	return true;
 }
 
-static bool list(struct json_check *s, const char *path);
+static bool check_brackets(struct json_check *s, const char *path);
 
-/* Checks a value. path is the rest of the pointer after the tokens that led to the
- * value; NULL if the pointer leads elsewhere. */
-static bool value(struct json_check *s, const char *path)
+/* Checks a value. path is the part of s->pointer after the tokens that led to the
+ * value, or NULL if s->pointer leads elsewhere. */
+static bool check_value(struct json_check *s, const char *path)
 {
 	const char *start = s->at;
 	bool good;
 
 	if (path != NULL)
 		s->found.s = start;
-	if (at(s, '{') || at(s, '['))
-		good = list(s, path);
+	if (next_is(s, '{') || next_is(s, '['))
+		good = check_brackets(s, path);
 	else
-		good = at(s, '"') ? string(s) : scalar(s);
+		good = next_is(s, '"') ? check_string(s) : check_scalar(s);
 	if (s->found.s == start)
 		s->found.end = s->at;
 	return good;
 }
 
-/* Returns the rest of the path after its first token if the token is the name, or,
- * where name.s is NULL, the index; else NULL. */
+/* Returns path without its first token if this token is the name or, if name.s is NULL,
+ * the index. Returns NULL if the token is another or path has none. */
 static const char *path_after(const char *path, struct span name, long index)
 {
 	struct span token = { path, path };
@@ -257,29 +252,29 @@ static const char *path_after(const char *path, struct span name, long index)
 	    NULL;
 }
 
-static bool member(struct json_check *s, const char *path)
+static bool check_member(struct json_check *s, const char *path)
 {
 	struct span name = { .s = s->at };
 
-	if (!at(s, '"'))
-		return expected(s, "a member's name in \"double quotes\"",
+	if (!next_is(s, '"'))
+		return refuse(s, "a member's name in \"double quotes\"",
 		    after_comma(s) && json_number(s->at, s->end, NULL) != NULL ?
 			"several numbers stand in brackets: [1,2,3]" :
 			NULL);
-	if (!string(s))
+	if (!check_string(s))
 		return false;
 	name.end = s->at;
-	blanks(s);
-	if (!at(s, ':'))
-		return expected(s, "':' after the member's name", NULL);
-	copy(s, s->at++, 1);
-	blanks(s);
-	return value(s, path_after(path, name, 0));
+	skip_space(s);
+	if (!next_is(s, ':'))
+		return refuse(s, "':' after the member's name", NULL);
+	append_copy(s, s->at++, 1);
+	skip_space(s);
+	return check_value(s, path_after(path, name, 0));
 }
 
-/* Refuses the text after a value in the array or object that begins at open. Returns
- * false. */
-static bool no_comma(struct json_check *s, const char *open)
+/* Returns false. Refuses the text at s->at, which follows a value in the array or
+ * object that begins at open, but is neither a comma nor the closing bracket. */
+static bool refuse_no_comma(struct json_check *s, const char *open)
 {
 	const char *wanted = *open == '{' ? "',' or '}'" : "',' or ']'";
 	long long line = s->line;
@@ -287,52 +282,52 @@ static bool no_comma(struct json_check *s, const char *open)
 	char hint[60];
 
 	if (s->at < s->end)
-		return expected(s, wanted,
+		return refuse(s, wanted,
 		    strchr("/*+", *s->at) ? "JSON has no arithmetic" : NULL);
-	json_count(s->text, open, &line, &column);
+	json_count_lines(s->text, open, &line, &column);
 	snprintf(hint, sizeof hint, "the '%c' is on line %lld", *open, line);
-	return expected(s, wanted, hint);
+	return refuse(s, wanted, hint);
 }
 
-/* Checks an array or object, from its opening bracket on. */
-static bool list(struct json_check *s, const char *path)
+/* Checks an array or object, which begins with a bracket. */
+static bool check_brackets(struct json_check *s, const char *path)
 {
 	const char *open = s->at;
 	const bool object = *open == '{';
 	const char close = object ? '}' : ']';
 
 	if (++s->level > LEVELS_MAX)
-		return expected(s, "at most 100 levels of brackets", NULL);
-	copy(s, s->at++, 1);
-	blanks(s);
+		return refuse(s, "at most 100 levels of brackets", NULL);
+	append_copy(s, s->at++, 1);
+	skip_space(s);
 
-	/* s->copy is NULL during a value that is not copied; nor is its comma copied */
-	char *const first = s->copy;
-	const bool skips = path != NULL && *path == '\0' && !object;
+	/* s->copy is NULL while a value that is left out of the copy is checked */
+	char *const copy_start = s->copy;
+	const bool omits = path != NULL && *path == '\0' && !object;
 	long index = 0;
 
-	for (bool empty = at(s, close); !empty; blanks(s)) {
-		char *before = s->copy;
+	for (bool empty = next_is(s, close); !empty; skip_space(s)) {
+		char *copy_before = s->copy;
 
-		if (skips || (object && s->end - s->at > 1 && s->at[1] == '_'))
+		if (omits || (object && s->end - s->at > 1 && s->at[1] == '_'))
 			s->copy = NULL;
-		else if (before != first)
-			copy(s, ",", 1);
+		else if (copy_before != copy_start)
+			append_copy(s, ",", 1);
 		if (!(object ?
-			    member(s, path) :
-			    value(s,
+			    check_member(s, path) :
+			    check_value(s,
 				path_after(path, (struct span){ 0 }, index++))))
 			return false;
 		if (s->copy == NULL)
-			s->copy = before;
-		blanks(s);
-		if (at(s, close))
+			s->copy = copy_before;
+		skip_space(s);
+		if (next_is(s, close))
 			break;
-		if (!at(s, ','))
-			return no_comma(s, open);
+		if (!next_is(s, ','))
+			return refuse_no_comma(s, open);
 		s->at++;
 	}
-	copy(s, s->at++, 1);
+	append_copy(s, s->at++, 1);
 	s->level--;
 	return true;
 }
@@ -340,9 +335,9 @@ static bool list(struct json_check *s, const char *path)
 bool json_check(struct json_check *s)
 {
 	s->at = s->text;
-	blanks(s);
-	if (!value(s, s->pointer))
+	skip_space(s);
+	if (!check_value(s, s->pointer))
 		return false;
-	blanks(s);
-	return s->at == s->end || expected(s, "the end of the text", NULL);
+	skip_space(s);
+	return s->at == s->end || refuse(s, "the end of the text", NULL);
 }

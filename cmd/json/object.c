@@ -6,11 +6,12 @@
 
 #include "../message/utf8.h"
 
-/* The most rows of a table: members are bits. */
+/* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether kinds, a row's bits, have the kind; 0 stands for all kinds. */
-static bool is_of(unsigned kinds, int kind)
+/* Returns whether kinds has bit kind; true if kinds is 0 (all kinds) or kind ANY_KIND.
+ */
+static bool has_kind(unsigned kinds, int kind)
 {
 	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
 }
@@ -19,13 +20,13 @@ const struct member *member_of(const struct member *row, int kind,
     const char *name)
 {
 	for (; row->name != NULL; row++)
-		if (is_of(row->kinds, kind) && strcmp(row->name, name) == 0)
+		if (has_kind(row->kinds, kind) && strcmp(row->name, name) == 0)
 			return row;
 	return NULL;
 }
 
 uint64_t member_bits(const struct member *table, int kind, const char *names,
-    bool needed)
+    bool required)
 {
 	uint64_t bits = 0;
 	char name[ESCAPED_MAX];
@@ -38,7 +39,7 @@ uint64_t member_bits(const struct member *table, int kind, const char *names,
 		names += n;
 		const struct member *row = member_of(table, kind, name);
 
-		if (row != NULL && !(needed && *names == '?'))
+		if (row != NULL && !(required && *names == '?'))
 			bits |= UINT64_C(1) << (row - table);
 	}
 	return bits;
@@ -50,13 +51,13 @@ const struct member *member_named(const struct member *table, int kind,
 	const struct member *row = member_of(table, kind, name);
 
 	for (; row == NULL && table->name != NULL; table++)
-		if (table->aliases != NULL && is_of(table->kinds, kind) &&
+		if (table->aliases != NULL && has_kind(table->kinds, kind) &&
 		    word_is_one_of(name, table->aliases))
 			row = table;
 	return row;
 }
 
-const char *member_type(const struct member *row, char out[LISTED])
+const char *member_type(const struct member *row, char out[LIST_ROOM])
 {
 	if (row->type->name != NULL)
 		return row->type->name;
@@ -64,7 +65,7 @@ const char *member_type(const struct member *row, char out[LISTED])
 		return "object";
 	if (row->words != NULL)
 		return list_words(out, row->words, " or ", "");
-	if (row->type->size == sizeof(bool))
+	if (row->type->number_size == sizeof(bool))
 		return "true or false";
 	const char *one = row->range == &range_positive            ? "size" :
 	    row->unit != NULL && strcmp(row->unit, "degrees") == 0 ? "angle" :
@@ -72,37 +73,38 @@ const char *member_type(const struct member *row, char out[LISTED])
 
 	if (row->n == 0)
 		return one;
-	snprintf(out, LISTED, "%zu %ss", row->n, one);
+	snprintf(out, LIST_ROOM, "%zu %ss", row->n, one);
 	return out;
 }
 
-/* Lists the names of the members in bits that objects of that kind have. */
+/* Lists in names, which NULL ends, the members in bits that have the kind. */
 static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
 	int n = 0;
 
 	for (; row->name != NULL; row++, bits >>= 1)
-		if ((bits & 1) != 0 && is_of(row->kinds, kind))
+		if ((bits & 1) != 0 && has_kind(row->kinds, kind))
 			names[n++] = row->name;
 	names[n] = NULL;
 }
 
-/* Refuses an unknown member, unless it may stand beside the members of the table. The
- * message names the first of these that exists: the member with that alias, the other
- * objects of the scene that have the member, the scene itself, the member with the
- * nearest name; else all members. */
+/* Refuses v, a member that is not in the table, unless any document may have it. The
+ * message names the first of these that exists: the member with this alias; the objects
+ * of the scene that have the member; the object beside which the scene has the member;
+ * the member with the nearest name; else all members. */
 static void check_unknown(const struct value *v, const struct member *table,
     int kind)
 {
 	const struct member *row = member_named(table, kind, v->name);
-	const struct member *s = v->source->scene;
-	const struct member *beside = member_of(s, 0, v->name);
+	const struct member *s = v->source->scene_members;
+	const struct member *of_scene = member_of(s, 0, v->name);
 	const char *names[MEMBERS_MAX + 1];
-	char all[LISTED];
+	char all[LIST_ROOM];
 	int n = 0;
 
-	if (beside != NULL && beside->beside && v->in->in == NULL)
+	if (of_scene != NULL && of_scene->in_any_document &&
+	    v->parent->parent == NULL)
 		return;
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"%s%s%s?",
@@ -117,9 +119,9 @@ static void check_unknown(const struct value *v, const struct member *table,
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
 		    list_words(all, names, " or ", "\""));
-	if (v->in->in != NULL && beside != NULL)
+	if (v->parent->parent != NULL && of_scene != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
-		    v->in->name);
+		    v->parent->name);
 	list_names(table, kind, ALL_MEMBERS, names);
 	const char *near = nearest_word(v->name, names);
 
@@ -129,40 +131,39 @@ static void check_unknown(const struct value *v, const struct member *table,
 	    list_words(all, names, " and ", "\""));
 }
 
-/* Reads the default of a member. */
-static void read_usual(const struct member *row, void *to)
+static void read_default(const struct member *row, void *to)
 {
-	struct value usual = value_literal(row->usual);
+	struct value fallback = value_literal(row->fallback);
 
-	row->type->read(&usual, row, to);
+	row->type->read(&fallback, row, to);
 }
 
 void object_read_member(const struct value *v, const struct member *row,
     void *base)
 {
-	row->type->read(v, row, (char *)base + row->at);
-	if (row->has != 0)
-		*(bool *)((char *)base + row->has) = true;
+	row->type->read(v, row, (char *)base + row->offset);
+	if (row->flag != 0)
+		*(bool *)((char *)base + row->flag) = true;
 }
 
-/* A list of ways as bits of members, for one kind of object. */
+/* A list of ways (see struct ways) for one kind of object. Each member is a bit. */
 struct way_bits {
 	const char *const *list;
 	const struct member *table;
 	int kind;
 	size_t n;
-	uint64_t any;            /* the members of all ways */
-	uint64_t all[WAYS_MAX];  /* the members of each way */
-	uint64_t must[WAYS_MAX]; /* those of them that may not be missing */
+	uint64_t all_members;        /* members of all ways */
+	uint64_t members[WAYS_MAX];  /* members of each way */
+	uint64_t required[WAYS_MAX]; /* without optional members */
 };
 
-/* Returns the bits of a list of ways for a kind, made once and kept: reading a scene
- * needs about ten lists. The tables have 24 pairs of a list and a kind. */
-static const struct way_bits *list_bits(const struct member *table, int kind,
-    const char *const *list)
+/* Returns the bits of a list of ways for a kind. They are made once and kept, as each
+ * scene needs about ten lists. The tables have 24 pairs of a list and a kind. */
+static const struct way_bits *find_way_bits(const struct member *table,
+    int kind, const char *const *list)
 {
-	static struct way_bits known[64];
-	struct way_bits *b = known;
+	static struct way_bits kept[64];
+	struct way_bits *b = kept;
 
 	while (b->list != NULL && (b->list != list || b->kind != kind))
 		b++;
@@ -170,15 +171,15 @@ static const struct way_bits *list_bits(const struct member *table, int kind,
 		return b;
 	*b = (struct way_bits){ .list = list, .table = table, .kind = kind };
 	for (; *list != NULL; list++, b->n++) {
-		b->all[b->n] = member_bits(table, kind, *list, false);
-		b->must[b->n] = member_bits(table, kind, *list, true);
-		b->any |= b->all[b->n];
+		b->members[b->n] = member_bits(table, kind, *list, false);
+		b->required[b->n] = member_bits(table, kind, *list, true);
+		b->all_members |= b->members[b->n];
 	}
 	return b;
 }
 
 /* Writes the names of the members in bits. Returns out. */
-static const char *write_names(char out[LISTED], const struct way_bits *b,
+static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
     uint64_t bits)
 {
 	const char *names[MEMBERS_MAX + 1];
@@ -187,68 +188,69 @@ static const char *write_names(char out[LISTED], const struct way_bits *b,
 	return list_words(out, names, " and ", "\"");
 }
 
-/* Writes "give ..." with each way: its members that may not be missing, and its other
- * members that are seen. */
-static void write_ways(char out[LISTED], const struct way_bits *b,
-    uint64_t seen)
+/* Writes "give A and B, or C": each way without optional members that are not given. */
+static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
+    uint64_t given)
 {
-	char all[LISTED];
+	char all[LIST_ROOM];
 	size_t n = 0;
 
-	for (size_t i = 0; i < b->n && n < LISTED; i++) {
-		write_names(all, b, b->all[i] & (b->must[i] | seen));
-		n += (size_t)snprintf(out + n, LISTED - n, "%s%s",
+	for (size_t i = 0; i < b->n && n < LIST_ROOM; i++) {
+		write_names(all, b, b->members[i] & (b->required[i] | given));
+		n += (size_t)snprintf(out + n, LIST_ROOM - n, "%s%s",
 		    i > 0 ? ", or " : "give ",
 		    *all != '\0' ? all : "none of them");
 	}
 }
 
-/* Refuses an object for the first of members. If way is 0, this member is missing. Else
- * way has the given members of a complete way, to which this member does not belong. */
+/* Refuses an object because of the first member in members. If way is 0, that member is
+ * missing. Otherwise way has the given members of a way that is complete, and that
+ * member does not belong to this way. */
 static _Noreturn void refuse_way(const struct value *v,
-    const struct way_bits *b, uint64_t seen, uint64_t members, uint64_t way)
+    const struct way_bits *b, uint64_t given, uint64_t members, uint64_t way)
 {
 	const int first = __builtin_ctzll(members);
 	const struct value *m = VALUE_MISSING(v, b->table[first].name);
-	char ways[LISTED], rivals[LISTED];
+	char ways[LIST_ROOM], rivals[LIST_ROOM];
 	uint64_t others = way;
 
-	write_ways(ways, b, seen);
+	write_ways(ways, b, given);
 	if (way == 0)
 		value_refuse(m, "missing; %s", ways);
 	for (size_t i = 0; i < b->n; i++)
-		if (b->all[i] >> first & 1)
-			others &= ~b->all[i];
+		if (b->members[i] >> first & 1)
+			others &= ~b->members[i];
 	value_refuse(m, "does not go with %s; %s",
 	    write_names(rivals, b, others != 0 ? others : way), ways);
 }
 
 int object_way(const struct value *v, const struct member *table, int kind,
-    uint64_t seen, const struct ways *w)
+    uint64_t given, const struct ways *w)
 {
-	bool fit = v->source->fit && w->fit && !v->unused;
-	const struct way_bits *b = list_bits(table, kind,
+	bool fit = v->source->for_fit && w->own_fit && !v->unused;
+	const struct way_bits *b = find_way_bits(table, kind,
 	    fit ? w->fit_way : w->way);
 	uint64_t extra = 0, lacking = 0, way = 0;
 
-	seen &= b->any;
+	given &= b->all_members;
 	for (size_t i = 0; i < b->n; i++) {
-		uint64_t missing = b->must[i] & ~seen, in = b->all[i] & seen;
+		uint64_t missing = b->required[i] & ~given,
+			 in = b->members[i] & given;
 
-		if (missing == 0 && in == seen)
+		if (missing == 0 && in == given)
 			return (int)i;
 		if (missing == 0 && in != 0 && extra == 0) {
-			extra = seen & ~in;
+			extra = given & ~in;
 			way = in;
 		}
-		if (missing != b->must[i] && lacking == 0)
+		if (missing != b->required[i] && lacking == 0)
 			lacking = missing;
 	}
 	if (b->n == 0)
 		return 0;
 	if (extra == 0 && lacking == 0)
-		lacking = b->must[0];
-	refuse_way(v, b, seen, extra != 0 ? extra : lacking, way);
+		lacking = b->required[0];
+	refuse_way(v, b, given, extra != 0 ? extra : lacking, way);
 }
 
 uint64_t object_read(const struct value *v, const struct member *row, int kind,
@@ -256,60 +258,60 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 {
 	const struct member *table = row->members;
 	const struct ways *w = row->ways;
-	uint64_t seen = 0;
+	uint64_t given = 0;
 
 	if (!value_is(v, JSON_OBJECT))
-		value_wrong(v, "an object");
+		value_refuse_type(v, "an object");
 	for (const struct member *m = table; m->name != NULL; m++)
-		if (base != NULL && m->usual != NULL && m->type->size > 0 &&
-		    is_of(m->kinds, kind))
-			read_usual(m, (char *)base + m->at);
+		if (base != NULL && m->fallback != NULL &&
+		    m->type->number_size > 0 && has_kind(m->kinds, kind))
+			read_default(m, (char *)base + m->offset);
 	struct value m = value_child(v), first;
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *of = member_of(table, kind, m.name);
+		const struct member *known = member_of(table, kind, m.name);
 
 		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;
-		if (of == NULL)
+		if (known == NULL)
 			check_unknown(&m, table, kind);
 		value_member(v, m.name, &first);
 		if (first.item != m.item)
 			value_refuse(&m, "repeated; give it once");
-		if (of == NULL)
+		if (known == NULL)
 			continue;
-		seen |= UINT64_C(1) << (of - table);
+		given |= UINT64_C(1) << (known - table);
 		if (base != NULL)
-			object_read_member(&m, of, base);
+			object_read_member(&m, known, base);
 	}
 	for (; w != NULL && w->way[0] != NULL; w++) {
-		if (!is_of(w->kinds, kind))
+		if (!has_kind(w->kinds, kind))
 			continue;
-		int way = object_way(v, table, kind, seen, w);
+		int way = object_way(v, table, kind, given, w);
 
-		if (base != NULL && w->at != 0)
-			*(unsigned *)(void *)((char *)base + w->at) = w->first +
-			    (unsigned)way;
+		if (base != NULL && w->offset != 0)
+			*(unsigned *)(void *)((char *)base +
+			    w->offset) = w->way_0 + (unsigned)way;
 	}
-	return seen;
+	return given;
 }
 
-/* Returns whether the member with the value *at is left out, because it has its default
- * or is a size of 0. */
-static bool is_usual(const struct member *row, const void *at)
+/* Returns whether a member with the value *at is not printed: the value is the default,
+ * or 0 as a size, which means that the size was not given. */
+static bool is_omitted(const struct member *row, const void *at)
 {
 	const double *v = at;
-	double usual[4];
+	double fallback[4];
 
-	if (row->usual == NULL && row->range == &range_positive)
+	if (row->fallback == NULL && row->range == &range_positive)
 		return *v == 0;
-	if (row->usual == NULL || row->shown || row->type->size == 0)
+	if (row->fallback == NULL || row->shown || row->type->number_size == 0)
 		return false;
-	read_usual(row, usual);
-	if (row->type->size != sizeof *v)
-		return memcmp(usual, at, row->type->size) == 0;
+	read_default(row, fallback);
+	if (row->type->number_size != sizeof *v)
+		return memcmp(fallback, at, row->type->number_size) == 0;
 	for (size_t i = 0; i == 0 || i < row->n; i++)
-		if (v[i] != usual[i])
+		if (v[i] != fallback[i])
 			return false;
 	return true;
 }
@@ -321,23 +323,23 @@ void object_print(struct printer *p, const struct member *row, int kind,
 	const char *at = base;
 
 	for (; w != NULL && w->way[0] != NULL; w++) {
-		if (w->at == 0 || !is_of(w->kinds, kind))
+		if (w->offset == 0 || !has_kind(w->kinds, kind))
 			continue;
-		const struct way_bits *b = list_bits(row->members, kind,
+		const struct way_bits *b = find_way_bits(row->members, kind,
 		    w->way);
-		const unsigned *way = (const void *)(at + w->at);
+		const unsigned *way = (const void *)(at + w->offset);
 
-		bits &= ~b->any | b->all[*way - w->first];
+		bits &= ~b->all_members | b->members[*way - w->way_0];
 	}
 	put_open(p, "{");
 	for (row = row->members; row->name != NULL; row++, bits >>= 1) {
-		bool has = row->has == 0 || *(const bool *)(at + row->has);
+		bool has = row->flag == 0 || *(const bool *)(at + row->flag);
 
-		if ((bits & 1) == 0 || !has || !is_of(row->kinds, kind) ||
-		    is_usual(row, at + row->at))
+		if ((bits & 1) == 0 || !has || !has_kind(row->kinds, kind) ||
+		    is_omitted(row, at + row->offset))
 			continue;
 		put_name(p, row->name);
-		row->type->print(p, row, at + row->at);
+		row->type->print(p, row, at + row->offset);
 	}
 	put_close(p, "}");
 }

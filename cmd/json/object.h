@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Objects of a document. A table of members says for each what it may be, its place in
- * a struct, and what the help tells of it. */
+/* Reads and prints the objects of a document by tables. Each row of a table describes a
+ * member: its values, its field in a struct, and its texts in the help. */
 #ifndef OBJECT_H
 #define OBJECT_H
 
@@ -11,124 +11,122 @@
 
 struct member;
 
-/* Members of a table as bits: row i has bit i. */
+/* All members of a table as bits: row i is bit i. */
 #define ALL_MEMBERS (~UINT64_C(0))
 
-/* The type of a member. Its functions get the address of the member in the struct. */
+/* The type of a member. read and print get the row, and the address of the field. */
 struct type {
-	const char *name; /* for the help; NULL: see member_type */
+	const char *name; /* in the help; NULL: see member_type */
 	void (*read)(const struct value *, const struct member *, void *);
-	/* NULL if such members are never printed. */
+	/* NULL: members of this type are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
 	size_t
-	    size; /* bytes of one number in the struct; 0: members have no default */
+	    number_size; /* in bytes, in the struct; 0: there are no defaults */
 };
 
+/* A row of a table. */
 struct member {
 	const char *name; /* NULL ends a table */
 	const struct type *type;
-	size_t at; /* offset in the struct */
-	/* Offset of a bool of the struct which is set when the member is read; a member
-	 * is printed only if it is set. 0: there is none. */
-	size_t has;
-	size_t n; /* numbers in an array; 0: one number */
+	size_t offset; /* of the field in the struct */
+	/* Offset of a bool in the struct that is set when the member is read. If the
+	 * bool is false, the member is not printed. 0: there is no bool. */
+	size_t flag;
+	size_t n; /* length of an array of numbers; 0: one number */
 	const struct value_range *range; /* of numbers; NULL: range_any */
-	const char *const *words;        /* of a string; NULL ends them */
-	unsigned first;                  /* the value of words[0] */
+	const char *const *words;        /* possible strings; NULL ends them */
+	unsigned word_0;                 /* the field's value for words[0] */
 	/* The kinds of objects that have the member, as bits; 0: all kinds. Kinds are
-	 * the words of the table's first row, such as the types of projections. Members
-	 * of different kinds may have the same name. */
+	 * the words of the table's first row, such as the types of projections. Several
+	 * rows may have the same name if their kinds differ. */
 	unsigned kinds;
 	/* The default as JSON, with angles in degrees; or NULL. A member that has its
 	 * default is printed only if shown is set. */
-	const char *usual;
+	const char *fallback;
 	bool shown;
-	/* For the help: a source of the default that comes before usual; or NULL. */
-	const char *before;
-	/* Names in other programs, with blanks between them: in lower case, without
-	 * _ and -. */
+	/* For the help: whose default is used before fallback, as "-c's"; or NULL. */
+	const char *default_from;
+	/* Names of the member in other programs, in lower case without _ and -, with
+	 * blanks between the names; or NULL. */
 	const char *aliases;
 	/* A hint for users who gave an alias; or NULL. */
 	const char *note;
-	/* The unit, or NULL, with degrees for all angles; and a description, for the
-	 * help. */
+	/* For the help: the unit, "degrees" for all angles, or NULL; a description. */
 	const char *unit, *about;
-	/* For a member of a scene: its own members, the ways to combine them, an
-	 * example of its value, and an example of a command that reads it. */
+	/* For an object of a scene: the table of its members, the ways to combine them,
+	 * an example of the object, and a command that reads the example. */
 	const struct member *members;
 	const struct ways *ways;
 	const char *example, *command;
-	/* A document may be the value of one member of a scene, such as a camera. The
-	 * member may then stand among the members of this value. */
-	bool beside;
+	/* For a member of a scene: it may also stand in a document that is not a scene
+	 * but one of its objects, such as a camera. */
+	bool in_any_document;
 };
 
-/* A row of a table: the member has this name and type, and is read to this field of
- * struct in. */
-#define ROW(in, label, of, field, ...)                        \
-	{                                                     \
-		.name = label, .type = &(of),                 \
-		.at = offsetof(struct in, field), __VA_ARGS__ \
+/* The row of the member label, which is read to a field of struct object. */
+#define ROW(object, label, value_type, field, ...)                    \
+	{                                                             \
+		.name = label, .type = &(value_type),                 \
+		.offset = offsetof(struct object, field), __VA_ARGS__ \
 	}
 
 /* The ways to combine members of an object. A way is a list of names with blanks
- * between them; ? after a name marks an optional member. An object must have all
- * members of one way but the optional ones, and no member that only other ways list. */
+ * between them; ? after a name marks an optional member. An object must have the
+ * members of one way, except optional ones, and no member that only other ways list. */
 enum { WAYS_MAX = 10 };
 struct ways {
-	const char *
-	    way[WAYS_MAX + 1]; /* NULL ends them; way[0] = NULL ends an array */
-	/* The ways for the command fit, if fit is set. If there are none, the members
-	 * may be combined freely. */
-	bool fit;
+	/* NULL ends the list. An array of struct ways ends with an empty list. */
+	const char *way[WAYS_MAX + 1];
+	/* If own_fit is set, the command fit takes the ways of fit_way or, if that
+	 * list is empty, any combination. */
+	bool own_fit;
 	const char *fit_way[WAYS_MAX + 1];
-	unsigned
-	    kinds; /* of objects that have these ways, as bits; 0: all kinds */
-	/* Offset in the struct of an unsigned, which becomes first plus the index of
-	 * the object's way; 0: no field is set. */
-	size_t at;
-	unsigned first;
+	unsigned kinds; /* as in struct member */
+	/* Offset of an unsigned in the struct, which becomes way_0 plus the index
+	 * of the object's way; 0: there is no such field. */
+	size_t offset;
+	unsigned way_0;
 };
 
-/* Returns the members that an object of that kind has, as bits, and reads them to the
- * struct at base after all defaults; if base is NULL, reads no values. The row has the
- * object's members, and its ways, whose indices are set. kind is 0 if there are no
- * kinds. Ignores members that begin with _, $schema, and those that may stand beside.
- * Refuses other members that are unknown, of another kind, or repeated, and objects
- * that fit no way. */
+/* Reads an object of the kind to the struct at base: all defaults, the members that are
+ * given, and for each struct ways of the row the index of the object's way. Returns the
+ * given members as bits. If base is NULL, reads no values. row has the table of the
+ * object's members; kind is 0 if the table has no kinds. Ignores $schema, members that
+ * begin with _, and those that any document may have. Refuses members that are unknown,
+ * of another kind or repeated, and objects that fit no way. */
 uint64_t object_read(const struct value *, const struct member *row, int kind,
     void *base);
 
-/* Reads the value of a member to its place in the struct at base. */
+/* Reads the value of a member to its field in the struct at base. */
 void object_read_member(const struct value *, const struct member *,
     void *base);
 
-/* Prints an object with those members in bits that the kind has, that belong to no
- * way or to the ways whose indices the struct has, and that differ from their defaults.
- * A size of 0 was not given, and is left out. */
+/* Prints the struct at base as an object with those members in bits that the kind has.
+ * Leaves out members of ways that the struct does not have, members with their
+ * defaults, and sizes of 0, which were not given. */
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
-/* Returns the member of that name that objects of that kind have, or NULL. member_named
- * also finds a member by an alias. */
+/* Returns the row of the member with the name that objects of the kind have, or NULL.
+ * member_named also finds a member by an alias. */
 enum { ANY_KIND = -1 };
 const struct member *member_of(const struct member *, int kind,
     const char *name);
 const struct member *member_named(const struct member *, int kind,
     const char *name);
 
-/* Returns the type for the help, such as "3 numbers", "size", "left or right". out is
- * room for it, which may stay unused. */
-const char *member_type(const struct member *, char out[LISTED]);
+/* Returns the words for a member's type in the help, such as "3 numbers", "size", "left
+ * or right". The words may be written to out. */
+const char *member_type(const struct member *, char out[LIST_ROOM]);
 
-/* Returns as bits those members of a way, names, that objects of that kind have; if
- * needed is set, without the optional ones. */
+/* Returns the members of a way, names, that objects of the kind have, as bits. If
+ * required is set, leaves out optional members. */
 uint64_t member_bits(const struct member *, int kind, const char *names,
-    bool needed);
+    bool required);
 
-/* Returns the index of the way to which the members seen, as bits, belong. Refuses an
- * object that lacks members of each way, or has members of several. */
+/* Returns the index of the way that an object with the members given, as bits, has.
+ * Refuses an object that lacks members of each way, or has members of several. */
 int object_way(const struct value *, const struct member *, int kind,
-    uint64_t seen, const struct ways *);
+    uint64_t given, const struct ways *);
 
 #endif

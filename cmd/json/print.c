@@ -13,9 +13,9 @@ void put_text(struct printer *p, const char *s)
 
 void put_open(struct printer *p, const char *bracket)
 {
-	put_text(p, p->between);
+	put_text(p, p->separator);
 	put_text(p, bracket);
-	p->between = "";
+	p->separator = "";
 	p->level++;
 }
 
@@ -24,16 +24,16 @@ void put_close(struct printer *p, const char *bracket)
 	if (--p->level == 0 && *bracket == '}' && !p->compact)
 		put_text(p, "\n");
 	put_text(p, bracket);
-	p->between = p->compact ? "," : ", ";
+	p->separator = p->compact ? "," : ", ";
 }
 
 void put_name(struct printer *p, const char *name)
 {
 	if (p->level == 1 && !p->compact)
-		p->between = *p->between == ',' ? ",\n  " : "\n  ";
+		p->separator = *p->separator == ',' ? ",\n  " : "\n  ";
 	put_string(p, name);
 	put_text(p, p->compact ? ":" : ": ");
-	p->between = "";
+	p->separator = "";
 }
 
 void put_string(struct printer *p, const char *s)
@@ -54,7 +54,7 @@ void put_literal(struct printer *p, const char *word)
 void put_number(struct printer *p, double v)
 {
 	put_open(p, isfinite(v) ? "" : "null");
-	if (isfinite(v) && p->single)
+	if (isfinite(v) && p->floats)
 		p->at = number_write_float(p->at, (float)v, p->style);
 	else if (isfinite(v))
 		p->at = number_write(p->at, v, p->style);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints JSON, in lines for people or in one line without blanks. */
+/* Prints JSON to memory, in lines for people or in one line without blanks. */
 #ifndef PRINT_H
 #define PRINT_H
 
@@ -8,32 +8,32 @@
 #include "../number/number.h"
 
 struct printer {
-	char *at; /* the next byte; there must be room */
+	char *at; /* where the next byte is put; the caller provides room */
 	struct number_style style;
-	bool single; /* numbers are floats */
-	bool column; /* matrices are for column vectors, not row vectors */
-	/* Everything is in one line, without blanks after commas and colons. Else each
-	 * member of the outermost object begins a line. */
+	bool floats;         /* numbers are printed as floats */
+	bool column_vectors; /* matrices are for column, not row, vectors */
+	/* If set, everything is in one line, without blanks after commas and colons. If
+	 * not, each member of the outermost object begins a line. */
 	bool compact;
 	int level; /* the number of open brackets */
-	/* The text before the next value: "" before the first value of the output, of
-	 * an array or of an object; else a comma. */
-	const char *between;
+	/* What is put before the next value: "" before the first value of the output,
+	 * of an array or of an object, otherwise a comma and perhaps blanks. */
+	const char *separator;
 };
 
-/* Prints text as it is, without a comma before it. */
+/* Prints text as it is, without the separator before it. */
 void put_text(struct printer *, const char *);
 
-/* Print the brackets around the values of an array or the members of an object. */
+/* Print the brackets that open and close an array or object. */
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 
-/* Prints the name of a member, which needs no escapes; a value has to follow. */
+/* Prints the name of a member. The caller prints the value of the member next. */
 void put_name(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *);
-void put_literal(struct printer *, const char *word); /* null, true, false */
-void put_number(struct printer *, double v); /* null where not finite */
+void put_literal(struct printer *, const char *word); /* such as null */
+void put_number(struct printer *, double v); /* null if v is not finite */
 void put_numbers(struct printer *, const double *v, int n);
 
 #endif

@@ -13,8 +13,8 @@ static bool is_digit(char c)
 	return c >= '0' && c <= '9';
 }
 
-/* Returns the end of the digits at s; NULL if there is none. */
-static const char *digits(const char *s, const char *end)
+/* Returns the end of the digits at s, or NULL if there is no digit at s. */
+static const char *digits_end(const char *s, const char *end)
 {
 	const char *first = s;
 
@@ -29,27 +29,27 @@ const char *json_number(const char *s, const char *end, double *v)
 
 	s += s < end && *s == '-';
 	first = s;
-	s = digits(s, end);
+	s = digits_end(s, end);
 	if (s == NULL || (*first == '0' && s > first + 1))
 		return NULL;
 	if (s < end && *s == '.')
-		s = digits(s + 1, end);
+		s = digits_end(s + 1, end);
 	if (s != NULL && s < end && (*s == 'e' || *s == 'E')) {
 		s++;
 		s += s < end && (*s == '+' || *s == '-');
-		s = digits(s, end);
+		s = digits_end(s, end);
 	}
 	return s != NULL && v != NULL ? number_read(start, s, v) : s;
 }
 
-const char *json_string(const char *s, const char *end)
+const char *json_string_end(const char *s, const char *end)
 {
 	for (s++; s < end && *s != '"'; s++)
 		s += *s == '\\' && s + 1 < end;
 	return s < end ? s + 1 : end;
 }
 
-const char *json_skip(const char *s, const char *end)
+const char *json_item_end(const char *s, const char *end)
 {
 	long level = 0;
 
@@ -59,7 +59,7 @@ const char *json_skip(const char *s, const char *end)
 		if (level == 0 && (closes || *s == ','))
 			return s;
 		if (*s == '"')
-			s = json_string(s, end) - 1;
+			s = json_string_end(s, end) - 1;
 		else
 			level += (*s == '[' || *s == '{') - closes;
 	}
@@ -83,11 +83,12 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 	return s;
 }
 
-/* code >> 10 for the two halves of a surrogate pair */
+/* code >> 10 of the first and of the second half of a surrogate pair */
 enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
 
-/* Reads the digits at s, which follow \u; if they are the first half of a surrogate
- * pair, also the escape of the second half. Returns the end of what it has read. */
+/* Reads the hexadecimal digits at s, which follow \u, to *code. If they are the first
+ * half of a surrogate pair, also reads the escape of the second half. *code becomes
+ * U+FFFD for half a pair alone. Returns the end of the text that was read. */
 static const char *unescape_unicode(const char *s, const char *end,
     unsigned *code)
 {

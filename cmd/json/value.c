@@ -20,15 +20,15 @@ const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* Returns the place of a byte of the source's text. */
+/* Returns the place of the byte at in text, which is the text of source. */
 static struct place source_place_at(const struct source *source,
     const char *text, const char *at)
 {
 	struct place p = { .file = source->name,
-		.line = source->line + 1,
-		.column = source->before + 1 };
+		.line = source->lines_before + 1,
+		.column = source->bytes_before + 1 };
 
-	json_count(text, at, &p.line, &p.column);
+	json_count_lines(text, at, &p.line, &p.column);
 	return p;
 }
 
@@ -42,27 +42,27 @@ struct place source_place(const struct source *source, const char *pointer)
 	if (source->text != NULL && json_check(&c))
 		p = source_place_at(source, c.text, c.found.s);
 	p.pointer = pointer;
-	p.of_scene = !source->operand;
+	p.of_scene = !source->is_operand;
 	return p;
 }
 
-struct value value_parse_without(struct source *source, const char *pointer,
+struct value value_parse_document(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
-	/* A refusal does not return to free the values of the last document. */
+	/* static, as a refusal jumps out of the function without freeing them */
 	static cJSON *parsed;
-	static char *kept[2];
-	char **keep = &kept[source->operand], *copy = xrealloc(NULL, size);
+	static char *texts[2];
+	char **kept = &texts[source->is_operand], *copy = xrealloc(NULL, size);
 	struct json_check c = { .text = text,
 		.end = text + size,
-		.line = source->line + 1,
+		.line = source->lines_before + 1,
 		.pointer = pointer,
 		.copy = copy };
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
 	if (message_state.json) {
-		source->text = *keep = memcpy(xrealloc(*keep, size), text,
+		source->text = *kept = memcpy(xrealloc(*kept, size), text,
 		    size);
 		source->end = source->text + size;
 	}
@@ -77,7 +77,7 @@ struct value value_parse_without(struct source *source, const char *pointer,
 
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
-	/* cJSON takes all that passes the check, and fails only without memory */
+	/* cJSON takes every text that json_check accepts, unless memory runs out */
 	if (parsed == NULL)
 		die(EXIT_SYSTEM, "out of memory");
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
@@ -96,7 +96,7 @@ const char *value_peek(struct value *v, const char *s, const char *end)
 		return number_read(s, end, &item.valuedouble);
 	}
 	item.type = 1 << (strchr(begins, *s) - begins);
-	return *s == '"' ? json_string(s, end) : s + (*s == 'f' ? 5 : 4);
+	return *s == '"' ? json_string_end(s, end) : s + (*s == 'f' ? 5 : 4);
 }
 
 struct value value_literal(const char *text)
@@ -105,7 +105,7 @@ struct value value_literal(const char *text)
 	static struct {
 		const char *text;
 		const struct cJSON *item;
-	} known[LITERALS];
+	} known[LITERALS_MAX];
 	size_t i = 0;
 
 	while (known[i].item != NULL && known[i].text != text)
@@ -124,7 +124,7 @@ struct value value_child(const struct value *v)
 	const cJSON *item = v->item->child;
 
 	return (struct value){ .source = v->source,
-		.in = v,
+		.parent = v,
 		.name = item != NULL ? item->string : NULL,
 		.unused = v->unused,
 		.item = item };
@@ -165,13 +165,13 @@ size_t value_count(const struct value *v)
  * with its / has at most TOKEN_MAX bytes: a longer name is cut. */
 enum { TOKENS_MAX = 5, TOKEN_MAX = 64 };
 
-/* Writes the pointer to a value, such as /camera/eye/0, in which ~ is ~0 and / is ~1
- * (RFC 6901), and returns its end. */
+/* Writes the pointer to a value (RFC 6901), such as /camera/eye/0, in which ~ is ~0 and
+ * / is ~1. Returns the end of the pointer. */
 static char *write_pointer(const struct value *v, char *out)
 {
-	if (v->in == NULL)
+	if (v->parent == NULL)
 		return out;
-	out = write_pointer(v->in, out);
+	out = write_pointer(v->parent, out);
 	if (v->name == NULL)
 		return out + sprintf(out, "/%zu", v->index);
 	const char *const start = out;
@@ -200,7 +200,7 @@ void value_refuse(const struct value *v, const char *format, ...)
 	va_end(args);
 }
 
-void value_wrong(const struct value *v, const char *wanted)
+void value_refuse_type(const struct value *v, const char *wanted)
 {
 	static const char *const names[] = { "false", "true", "null",
 		"a number", "a string", "an array", "an object" };
@@ -212,8 +212,8 @@ void value_wrong(const struct value *v, const char *wanted)
 	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
-/* Returns whether x is in the range. In radians a limit is PI or PI / 2, the largest
- * double below pi or pi/2: it is always in the range. */
+/* Returns whether x is in the range. In radians, 180 and 90 degrees become PI and PI /
+ * 2, the largest doubles below pi and pi/2, so the limits are always in the range. */
 static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;
@@ -222,19 +222,20 @@ static bool is_within(double x, const struct value_range *r, bool radians)
 		min = min == SIZE_MIN ? min : min / 180 * PI;
 		max = max / 180 * PI;
 	}
-	return (x > min || (x == min && (radians || !r->above))) &&
-	    (x < max || (x == max && (radians || !r->below)));
+	return (x > min || (x == min && (radians || !r->min_excluded))) &&
+	    (x < max || (x == max && (radians || !r->max_excluded)));
 }
 
 double value_number(const struct value *v, const struct value_range *range)
 {
-	bool radians = range->by_radians != NULL && v->source->unit == RADIANS;
-	const char *wanted = radians ? range->by_radians : range->wanted;
+	bool radians = range->wanted_radians != NULL &&
+	    v->source->unit == RADIANS;
+	const char *wanted = radians ? range->wanted_radians : range->wanted;
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
 	if (!value_is(v, JSON_NUMBER))
-		value_wrong(v, "a number");
+		value_refuse_type(v, "a number");
 	if (v->unused || is_within(x, range, radians))
 		return x;
 	if (isinf(x))
@@ -254,7 +255,7 @@ void value_numbers(const struct value *v, const struct value_range *range,
 	if (!array || count != n)
 		snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
 	if (!array)
-		value_wrong(v, wanted);
+		value_refuse_type(v, wanted);
 	if (count != n)
 		value_refuse(v, "has %zu element%s; %s is wanted", count,
 		    count == 1 ? "" : "s", wanted);
@@ -264,14 +265,14 @@ void value_numbers(const struct value *v, const struct value_range *range,
 		*out++ = value_number(&e, range);
 }
 
-const char *list_words(char out[LISTED], const char *const *words,
+const char *list_words(char out[LIST_ROOM], const char *const *words,
     const char *last, const char *quote)
 {
 	size_t at = 0;
 
 	*out = '\0';
-	for (int i = 0; words[i] != NULL && at < LISTED; i++)
-		at += (size_t)snprintf(out + at, LISTED - at, "%s%s%s%s",
+	for (int i = 0; words[i] != NULL && at < LIST_ROOM; i++)
+		at += (size_t)snprintf(out + at, LIST_ROOM - at, "%s%s%s%s",
 		    i == 0                   ? "" :
 			words[i + 1] == NULL ? last :
 					       ", ",
@@ -282,11 +283,11 @@ const char *list_words(char out[LISTED], const char *const *words,
 int value_word(const struct value *v, const char *const *words)
 {
 	const char *s = value_string(v);
-	char all[LISTED];
+	char all[LIST_ROOM];
 
 	list_words(all, words, " or ", "\"");
 	if (s == NULL)
-		value_wrong(v, all);
+		value_refuse_type(v, all);
 	for (int i = 0; words[i] != NULL; i++)
 		if (strcmp(s, words[i]) == 0)
 			return i;

@@ -9,7 +9,7 @@
 
 struct cut cut_value(struct span value, const char *end)
 {
-	const char *s = json_space(value.s + 1, end);
+	const char *s = json_skip_blanks(value.s + 1, end);
 
 	return (struct cut){ .in = { FORMAT_JSON, ',' },
 		.s = *s == ']' || *s == '}' ? NULL : s,

@@ -121,15 +121,15 @@ static void next_of_json(struct cut *c, struct field *f)
 
 	f->whole.s = s;
 	if (c->members) {
-		f->name = (struct span){ s, json_string(s, c->end) };
-		s = json_space(f->name.end, c->end);
-		s = json_space(s + 1, c->end);
+		f->name = (struct span){ s, json_string_end(s, c->end) };
+		s = json_skip_blanks(f->name.end, c->end);
+		s = json_skip_blanks(s + 1, c->end);
 	}
-	const char *after = json_skip(s, c->end);
+	const char *after = json_item_end(s, c->end);
 
 	f->value = trimmed(c->in, (struct span){ s, after });
 	f->whole.end = c->from = f->value.end;
-	f->next = *after == ',' ? json_space(after + 1, c->end) : NULL;
+	f->next = *after == ',' ? json_skip_blanks(after + 1, c->end) : NULL;
 }
 
 /* Returns whether each quote that opens a field is closed on the line. */

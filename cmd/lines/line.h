@@ -39,9 +39,9 @@ struct columns {
 	bool by_header; /* there is no --columns */
 };
 
-/* Which special line comes next: the first line of a source that is neither blank nor a
- * comment, the first row after a header, or none. */
-enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW };
+/* What comes next: the first byte of a source, its first line that is neither blank nor
+ * a comment, the first row after a header, or no special line. */
+enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
 /* Whether csv has a header: FIRST by --header, NONE by --no-header, else MAYBE. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };

@@ -277,7 +277,7 @@ static void cut_behind(struct cut *c, const char *s)
 	after = skip_blanks(c->in, s + (s < end && *s == '"'), end);
 	c->s = after < end && *after == c->in.separator ? after + 1 : NULL;
 	if (c->s != NULL && c->bracket != NULL)
-		c->s = json_space(c->s, end);
+		c->s = json_skip_blanks(c->s, end);
 }
 
 /* Writes the numbers of a binary record that are not coordinates. */

@@ -433,7 +433,7 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 		more = pass_field(p, d, &f, t, k);
 	for (; more == MORE; k++)
 		more = pass_field(p, d, &f, t, k);
-	if (more == ODD)
+	if (more == ODD || (d.format != FORMAT_JSON && p->found != f.n))
 		return false;
 	if (d.format == FORMAT_CSV)
 		return t->walk->fields != 0 ?
@@ -441,7 +441,7 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 		    k - (p->text[p->at - 1] == d.separator) <= t->walk->most;
 	if (d.format != FORMAT_TEXT)
 		return true;
-	return p->found == f.n && (f.commas == 0 || f.commas == f.separators) &&
+	return (f.commas == 0 || f.commas == f.separators) &&
 	    ends_text(p, d, f.n, f.commas > 0);
 }
 
@@ -501,7 +501,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 		return pass_brackets(p, f, t) && p->found == n &&
 		    stands(p, '\n');
 	return p->text[p->at] != '#' && pass_fields(p, d, f, t) &&
-	    (d.format == FORMAT_TEXT || (p->found == n && stands(p, '\n')));
+	    (d.format == FORMAT_TEXT || stands(p, '\n'));
 }
 
 /* Sets the places of line i, which is left to line_read, to bytes that can be read. */

@@ -13,8 +13,8 @@ static bool is_invisible(unsigned code)
 	    (code >= 0x2060 && code <= 0x2064) || code == 0xfeff;
 }
 
-/* Returns whether a character is a C0 or C1 control, ends a line, or is a mark,
- * embedding, override or isolate of UAX 9, tables 1 to 4. */
+/* Returns whether a character is a C0 or C1 control, ends a line, or controls the
+ * direction of writing (UAX 9, tables 1 to 4). */
 static bool is_control(unsigned code)
 {
 	return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x061c ||
@@ -23,7 +23,7 @@ static bool is_control(unsigned code)
 	    (code >= 0x2066 && code <= 0x2069);
 }
 
-unsigned escape_invisible(const char *s)
+unsigned escape_find_invisible(const char *s)
 {
 	unsigned code;
 
@@ -33,8 +33,8 @@ unsigned escape_invisible(const char *s)
 	return 0;
 }
 
-/* Writes the character at *s, escaped if need be, and moves *s past it. Returns the
- * length of what it wrote. */
+/* Writes the character at *s, escaped if necessary, and moves *s past it. Returns the
+ * number of bytes written. */
 static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s,
     const char *end, bool json)
 {

@@ -27,22 +27,22 @@ bool is_colored(int fd)
 	    strcmp(term, "dumb") != 0 && isatty(fd);
 }
 
-/* MESSAGE_MAX: a longer message, file name or pointer is cut; no path that can be
- * opened is as long. LINE_ROOM: a line has these three, each byte of which may become
- * JSON_ESCAPE_MAX bytes, and fixed text that is shorter than one of them. */
+/* A message, file name or pointer is cut at MESSAGE_MAX bytes; no path that can be
+ * opened is as long. A line has room for all three, each byte of which may become
+ * JSON_ESCAPE_MAX bytes, and as much again for fixed text, which needs less. */
 enum {
 	MESSAGE_MAX = 4096,
 	LINE_ROOM = 4 * JSON_ESCAPE_MAX * MESSAGE_MAX,
 };
 
-/* The line that print_line makes, to write it at once, as other processes may write to
+/* The line that print_line makes and writes at once, as other processes may write to
  * standard error. It is too large for a thread's stack; flockfile(stderr) guards it. */
 static struct {
 	char s[LINE_ROOM];
 	size_t n;
 } line;
 
-static void __attribute__((format(printf, 1, 2))) add(const char *format, ...)
+static void __attribute__((format(printf, 1, 2))) addf(const char *format, ...)
 {
 	va_list args;
 
@@ -58,39 +58,39 @@ static void add_escaped(const char *s, size_t n)
 	    n < MESSAGE_MAX ? n : MESSAGE_MAX, message_state.json, "");
 }
 
-/* Adds the message as text: behind its place or, if the place has join, before it. */
+/* Adds the message as text, after its place or, if before_place is set, before it. */
 static void add_text(int status, const struct place *p,
     struct scene_place scene, const char *message)
 {
-	static const char *const paint[] = { "\033[1m", "\033[1;31m" };
+	static const char *const colors[] = { "\033[1m", "\033[1;31m" };
 	bool colored = is_colored(STDERR_FILENO);
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
 
-	add("%sprojcalc:%s ", colored ? paint[status > 0] : "",
+	addf("%sprojcalc:%s ", colored ? colors[status > 0] : "",
 	    colored ? "\033[0m" : "");
-	if (p->join != NULL) {
+	if (p->before_place != NULL) {
 		add_escaped(message, strlen(message));
-		add("%s", p->join);
+		addf("%s", p->before_place);
 	}
 	if (scene.number > 0)
-		add("scene %ld, line %ld: ", scene.number, scene.line);
+		addf("scene %ld, line %ld: ", scene.number, scene.line);
 	if (p->file != NULL)
 		add_escaped(p->file, strlen(p->file));
 	if (p->line > 0 && !pointer)
-		add(p->of_points ? ": point %lld" : ":%lld", p->line);
-	if (p->join != NULL)
+		addf(p->of_points ? ": point %lld" : ":%lld", p->line);
+	if (p->before_place != NULL)
 		return;
 	if (p->file != NULL)
-		add(": ");
+		addf(": ");
 	if (pointer) {
 		add_escaped(p->pointer, strlen(p->pointer));
-		add(": ");
+		addf(": ");
 	}
 	add_escaped(message, strlen(message));
 }
 
 /* Returns the length of a message before its hint: up to the first "; " outside of
- * quotes. A quote begins the message or follows a blank, unlike an apostrophe. */
+ * quotes. An opening quote is first or after a blank, unlike an apostrophe. */
 static size_t reason_length(const char *message)
 {
 	const char *s;
@@ -108,27 +108,27 @@ static size_t reason_length(const char *message)
 
 static void add_member(const char *name, const char *s, size_t n)
 {
-	add("%s\"%s\":\"", line.n > 1 ? "," : "", name);
+	addf("%s\"%s\":\"", line.n > 1 ? "," : "", name);
 	add_escaped(s, n);
-	add("\"");
+	addf("\"");
 }
 
-/* Adds the message as a JSON object, up to the end of its reason or hint. */
+/* Adds the message as a JSON object, up to the quote that ends its reason or hint. */
 static void add_json(const struct place *p, struct scene_place scene,
     const char *message)
 {
 	const size_t reason = reason_length(message);
 
-	add("{");
+	addf("{");
 	if (scene.number > 0)
-		add("\"scene\":%ld,\"scene_line\":%ld", scene.number,
+		addf("\"scene\":%ld,\"scene_line\":%ld", scene.number,
 		    scene.line);
 	if (p->file != NULL)
 		add_member("file", p->file, strlen(p->file));
 	if (p->line > 0)
-		add(",\"%s\":%lld", p->of_points ? "point" : "line", p->line);
+		addf(",\"%s\":%lld", p->of_points ? "point" : "line", p->line);
 	if (p->column > 0)
-		add(",\"column\":%zu", p->column);
+		addf(",\"column\":%zu", p->column);
 	if (p->pointer != NULL && *p->pointer != '\0')
 		add_member("pointer", p->pointer, strlen(p->pointer));
 	add_member("reason", message, reason);
@@ -153,14 +153,14 @@ static void print_line(int status, const struct place *place,
 		add_json(p, scene, message);
 	else
 		add_text(status, p, scene, message);
-	unsigned invisible = escape_invisible(line.s);
+	unsigned invisible = escape_find_invisible(line.s);
 
-	line.n -= message_state.json; /* the quote that ends the string */
+	line.n -= message_state.json; /* drops the last quote */
 	if (invisible != 0)
-		add(" (U+%04X is invisible)", invisible);
+		addf(" (U+%04X is invisible)", invisible);
 	if (message_state.json)
-		add("\",\"status\":%d}", status);
-	add("\n");
+		addf("\",\"status\":%d}", status);
+	addf("\n");
 	fwrite(line.s, 1, line.n, stderr);
 	funlockfile(stderr);
 }
@@ -174,9 +174,9 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	va_end(args);
 }
 
-/* Returns in the first thread that calls it, and stops any other: of several threads
- * that fail together, one prints its message and ends the program. */
-static void end_once(void)
+/* Returns in the first thread that calls it, and stops all others: if several threads
+ * fail together, one prints its message and ends the program. */
+static void wait_unless_first(void)
 {
 	static atomic_flag ending = ATOMIC_FLAG_INIT;
 
@@ -188,13 +188,13 @@ void vdie_at(int status, const struct place *place, const char *format,
     va_list args)
 {
 	bool goes_on = place != NULL && place->of_scene &&
-	    message_state.refused != NULL;
+	    message_state.on_refusal != NULL;
 
 	if (!goes_on)
-		end_once();
-	print_line(status, place, format, args);
+		wait_unless_first();
+	print_line(goes_on ? EXIT_INPUT : status, place, format, args);
 	if (goes_on)
-		longjmp(*message_state.refused, 1);
+		longjmp(*message_state.on_refusal, 1);
 	exit(status);
 }
 
@@ -209,7 +209,7 @@ void die_at(int status, const struct place *place, const char *format, ...)
 
 void quit(int status)
 {
-	end_once();
+	wait_unless_first();
 	exit(status);
 }
 

@@ -6,7 +6,7 @@
 #include <strings.h>
 
 /* Returns whether start has three letters or more and word begins with start. */
-static bool begins(const char *word, const char *start)
+static bool begins_with(const char *word, const char *start)
 {
 	size_t n = strlen(start);
 
@@ -42,7 +42,7 @@ const char *nearest_word(const char *word, const char *const *words)
 			if (edits_reach(word, *w, n))
 				return *w;
 	for (; *words != NULL; words++)
-		if (begins(word, *words) || begins(*words, word))
+		if (begins_with(word, *words) || begins_with(*words, word))
 			return *words;
 	return NULL;
 }

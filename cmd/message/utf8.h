@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Spans of text, and the characters of UTF-8. */
+/* Spans of text, characters of UTF-8, escapes, and the nearest of several words. */
 #ifndef UTF8_H
 #define UTF8_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The characters from s to before end. */
+/* The bytes from s to end - 1. */
 struct span {
 	const char *s, *end;
 };
@@ -19,7 +19,7 @@ int utf8_read(const char *s, const char *end, unsigned *code);
  * length of the character in bytes. */
 int utf8_write(unsigned code, char out[4]);
 
-/* Escapes in text of the user that messages show: control characters and invisible
+/* Messages show text of the user with escapes: control characters and invisible
  * characters become \u001b, and bytes that are not UTF-8 become \xff. So the text can't
  * move a terminal's cursor, end the line, or change the direction of writing. */
 
@@ -32,25 +32,23 @@ enum { JSON_ESCAPE_MAX = 6 }; /* bytes that one character may become */
 size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
     const char *ellipsis);
 
-/* Copies s[0..n) with escapes, and "..." where it is cut. Returns out. */
+/* Copies s[0..n) with escapes, and with "..." if the copy is cut. Returns out. */
 enum { ESCAPED_MAX = 64 };
 const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 
 /* Returns the code of the first invisible character in a string with escapes, or 0. */
-unsigned escape_invisible(const char *);
-
-/* The known word that an unknown one may stand for. */
+unsigned escape_find_invisible(const char *);
 
 /* Returns the word of the list words, which NULL ends, that is the fewest edits from
- * word. An edit changes, adds or drops a letter, or swaps two neighbours. At most one
- * edit is made in a word of two to five letters, two in one of up to eight, three in a
- * longer one. If there is no such word, returns the first that begins with word or is
- * its beginning, of three letters or more; else NULL. Case does not count. */
+ * word. An edit changes, adds or drops a letter, or swaps two neighbours. In a word of
+ * two to five letters one edit is allowed, in one of up to eight two, in a longer one
+ * three. If no word is so near, returns the first that begins with word, or with which
+ * word begins, if the beginning has three letters or more; else NULL. Case does not
+ * count. */
 const char *nearest_word(const char *word, const char *const *words);
 
-/* Returns whether a word is one of words, which are in lower case with blanks between
- * them. Case, _ and - in the word do not count: LookAt, look_at and look-at are
- * lookat. */
+/* Returns whether word is one of words, which are in lower case with blanks between
+ * them. Case, _ and - in word do not count: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
 
 #endif

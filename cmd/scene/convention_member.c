@@ -28,7 +28,7 @@ static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
 #define CHOICE(label, list, field, first, alias, what)          \
 	ROW(convention, label, type_flag, field, .words = list, \
-	    .usual = "\"" first "\"", .aliases = alias, .about = what)
+	    .fallback = "\"" first "\"", .aliases = alias, .about = what)
 
 const struct member convention_members[] = {
 	CHOICE("handedness", hands, right_handed, "left", "hand handed hands",
@@ -75,7 +75,7 @@ const struct type type_convention = { "a name or an object",
 
 void check_axes(const struct value *in, const char *name)
 {
-	if (!in->unused && !in->source->axes)
+	if (!in->unused && !in->source->has_axes)
 		value_refuse(VALUE_MISSING(in, name),
 		    "needs a \"convention\"; of x, y and z in view space, "
 		    "opencv is right, down, forward and webgpu right, up, "

@@ -28,7 +28,7 @@ static const char *element_end(struct value *e, const char *s, const char *end,
 	if (coordinate && *s != 'n')
 		value_number(e, &range_any);
 	else if (*s == '[' || *s == '{')
-		value_wrong(e, "a number, a string or null");
+		value_refuse_type(e, "a number, a string or null");
 	return stop;
 }
 
@@ -38,29 +38,31 @@ static const char *element_end(struct value *e, const char *s, const char *end,
 static const char *move_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
-	struct value e = { .source = v->source, .in = v, .unused = v->unused };
+	struct value e = { v->source, .parent = v, .unused = v->unused };
 	int n = 0;
 
 	if (*s != '[') {
 		value_peek(v, s, end);
-		value_wrong(v, "an array of coordinates");
+		value_refuse_type(v, "an array of coordinates");
 	}
 	*(*out)++ = '[';
-	for (s = json_space(s + 1, end); *s != ']'; e.index++) {
+	for (s = json_skip_blanks(s + 1, end); *s != ']'; e.index++) {
 		const char *stop = element_end(&e, s, end, n++ < coordinates);
 
 		memmove(*out, s, (size_t)(stop - s));
 		*out += stop - s;
-		s = json_space(stop, end);
+		s = json_skip_blanks(stop, end);
 		if (*s == ',') {
 			*(*out)++ = ',';
-			s = json_space(s + 1, end);
+			s = json_skip_blanks(s + 1, end);
 		}
 	}
 	if (n < coordinates)
 		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
 		    n, n == 1 ? "" : "s", coordinates,
-		    n == 2 && v->source->two != NULL ? v->source->two : "");
+		    n == 2 && v->source->hint_for_two != NULL ?
+			v->source->hint_for_two :
+			"");
 	*(*out)++ = ']';
 	*(*out)++ = '\n';
 	return s + 1;
@@ -73,21 +75,21 @@ static const char *move_point(struct value *v, const char *s, const char *end,
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	struct value e = { .source = v->source, .in = v, .unused = v->unused };
+	struct value e = { v->source, .parent = v, .unused = v->unused };
 	const char *s = array->s, *end = array->end;
 	char *out = (char *)array->s;
 
 	if (!value_is(v, JSON_ARRAY))
-		value_wrong(v, "an array of points");
-	s = json_space(s + 1, end);
+		value_refuse_type(v, "an array of points");
+	s = json_skip_blanks(s + 1, end);
 	if (*s != '[' && *s != ']') {
 		e = *v;
 		s = array->s;
 	}
 	for (; s < end && *s != ']'; e.index++) {
 		s = move_point(&e, s, end, coordinates, &out);
-		s = json_space(s, end);
-		s = s < end && *s == ',' ? json_space(s + 1, end) : s;
+		s = json_skip_blanks(s, end);
+		s = s < end && *s == ',' ? json_skip_blanks(s + 1, end) : s;
 	}
 	return (size_t)(out - array->s);
 }
@@ -100,7 +102,7 @@ static unsigned find_members(struct document *d, const struct value *root,
 	unsigned seen = 0;
 
 	if (!value_is(root, JSON_OBJECT))
-		value_wrong(root, "an object, {...},");
+		value_refuse_type(root, "an object, {...},");
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		if (value_member(root, scene_members[i].name, &m[i]))
 			seen |= 1u << i;
@@ -205,19 +207,19 @@ void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants)
 {
 	struct source source = { .name = name,
-		.line = wants->line,
-		.before = wants->column,
-		.two = wants->two,
-		.scene = scene_members };
+		.lines_before = wants->line,
+		.bytes_before = wants->column,
+		.hint_for_two = wants->two,
+		.scene_members = scene_members };
 	struct document_wants w = *wants;
 	struct span points;
-	struct value root = value_parse_without(&source, "/points", text, size,
+	struct value root = value_parse_document(&source, "/points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
 	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
-	source.fit = w.fit;
-	source.implied = (unsigned)w.projection;
+	source.for_fit = w.fit;
+	source.implied_type = (unsigned)w.projection;
 	*d = (struct document){ .source = source };
 	unsigned seen = find_members(d, &root, wants, m);
 
@@ -235,13 +237,13 @@ void document_read(struct document *d, const char *name, char *text,
 	    *w.convention :
 	    conventions[CONVENTION_D3D];
 	read_members(d, m, seen & first);
-	source.axes = w.convention != NULL ||
+	source.has_axes = w.convention != NULL ||
 	    convention_gives(&m[ROW_OF(CONVENTION)]) != 0;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention,
 		sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
-	source.column = d->scene.convention.column;
+	source.column_vectors = d->scene.convention.column;
 	source.unit = d->unit;
 	check_needed(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
@@ -258,11 +260,11 @@ char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *two, size_t *points_size)
 {
 	struct source source = { .name = name,
-		.two = two,
-		.operand = true,
-		.scene = scene_members };
+		.hint_for_two = two,
+		.is_operand = true,
+		.scene_members = scene_members };
 	struct span points;
-	struct value root = value_parse_without(&source, "", text, size,
+	struct value root = value_parse_document(&source, "", text, size,
 	    &points);
 
 	*points_size = take_points(&root, &points, coordinates);
@@ -298,7 +300,7 @@ void document_check(const struct document *d, const char *why)
 static void put_document(struct printer *p, const struct document *d,
     unsigned bits)
 {
-	p->column = d->scene.convention.column;
+	p->column_vectors = d->scene.convention.column;
 	object_print(p, &scene_row, 0, bits, d);
 }
 
@@ -318,7 +320,7 @@ void put_device(struct printer *p, const struct device *d)
 void print_scene(const struct document *d, bool compact)
 {
 	static char text[1 << 16];
-	struct printer p = { .at = text, .compact = compact, .between = "" };
+	struct printer p = { .at = text, .compact = compact, .separator = "" };
 	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
 
 	put_document(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));

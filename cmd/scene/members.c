@@ -37,13 +37,13 @@ static const struct member camera_members[] = {
 		       "rotationmatrix worldtocamera worldtocam w2c",
 	    .note = "world to view, [R|t]",
 	    .about = "matrix from world to view, such as [R|t]"),
-	ROW(camera, "up", type_numbers, up, .n = 3, .usual = "[0, 1, 0]",
+	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .shown = true, .about = "direction that points up in the image"),
 	ROW(camera, "roll", type_numbers, roll, .range = &range_any,
-	    .unit = "degrees", .usual = "0",
+	    .unit = "degrees", .fallback = "0",
 	    .about = "angle by which the image is turned counterclockwise"),
 	ROW(camera, "orthonormalize", type_flag, orthonormalize,
-	    .usual = "false",
+	    .fallback = "false",
 	    .about = "replace the 3x3 part by the nearest rotation"),
 	{ .name = NULL },
 };
@@ -55,12 +55,12 @@ static const struct ways camera_ways[] = {
 		"eye orientation roll?", "eye rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .fit = true,
+	    .own_fit = true,
 	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
 		"eye? orientation roll?", "eye? rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .at = offsetof(struct camera, kind),
+	    .offset = offsetof(struct camera, kind),
 	},
 	{ .way = { NULL } },
 };
@@ -69,16 +69,16 @@ static const struct ways camera_ways[] = {
 	ROW(in, label, type_numbers, field, .range = &range_positive, \
 	    __VA_ARGS__)
 
-#define RECTANGLE(in)                                                \
-	ROW(in, "x", type_numbers, x, .aliases = "left",             \
-	    .unit = "device units", .usual = "0", .shown = true,     \
-	    .about = "least device x"),                              \
-	    ROW(in, "y", type_numbers, y, .aliases = "top",          \
-		.unit = "device units", .usual = "0", .shown = true, \
-		.about = "least device y"),                          \
-	    SIZE(in, "width", width, .unit = "device units",         \
-		.about = "width, required"),                         \
-	    SIZE(in, "height", height, .unit = "device units",       \
+#define RECTANGLE(in)                                                   \
+	ROW(in, "x", type_numbers, x, .aliases = "left",                \
+	    .unit = "device units", .fallback = "0", .shown = true,     \
+	    .about = "least device x"),                                 \
+	    ROW(in, "y", type_numbers, y, .aliases = "top",             \
+		.unit = "device units", .fallback = "0", .shown = true, \
+		.about = "least device y"),                             \
+	    SIZE(in, "width", width, .unit = "device units",            \
+		.about = "width, required"),                            \
+	    SIZE(in, "height", height, .unit = "device units",          \
 		.about = "height, required")
 
 /* the fields scale and scales of struct viewport */
@@ -100,7 +100,7 @@ static void read_scale(const struct value *v, const struct member *row,
 	if (value_is(v, JSON_ARRAY))
 		value_numbers(v, &range_positive, 2, s->by);
 	else if (value_string(v) == NULL)
-		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
+		value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
 	else
 		s->kind = (unsigned)value_word(v, row->words);
 }
@@ -123,12 +123,12 @@ static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
 	ROW(viewport, "min_z", type_numbers, min_z,
 	    .aliases = "near mindepth zmin minz", .unit = "device units",
-	    .usual = "0", .about = "device z of the near plane"),
+	    .fallback = "0", .about = "device z of the near plane"),
 	ROW(viewport, "max_z", type_numbers, max_z,
 	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
-	    .usual = "1", .about = "device z of the far plane"),
+	    .fallback = "1", .about = "device z of the far plane"),
 	ROW(viewport, "scale", type_scale, scale, .words = scales,
-	    .usual = "\"fill\"",
+	    .fallback = "\"fill\"",
 	    .about = "device units for one unit of ndc x and y"),
 	{ .name = NULL },
 };
@@ -136,8 +136,8 @@ static const struct member viewport_members[] = {
 static const struct member device_members[] = {
 	RECTANGLE(device),
 	ROW(device, "origin", type_flag, top_left, .words = origins,
-	    .usual = "\"bottom-left\"", .shown = true,
-	    .before = "-c's or the convention's",
+	    .fallback = "\"bottom-left\"", .shown = true,
+	    .default_from = "-c's or the convention's",
 	    .about = "corner where x and y are least"),
 	{ .name = NULL },
 };
@@ -166,15 +166,15 @@ static const struct member window_members[] = {
 	ROW(window, "top", type_numbers, top, .unit = "window units",
 	    .about = "top edge, greater than bottom"),
 	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
-	    .usual = "[0, 0]",
+	    .fallback = "[0, 0]",
 	    .about = "distance that the window moves along x and y"),
-	SIZE(window, "zoom", zoom, .usual = "1",
+	SIZE(window, "zoom", zoom, .fallback = "1",
 	    .about = "factor of magnification; 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
-	    .has = offsetof(struct window, has_about), .unit = "window units",
+	    .flag = offsetof(struct window, has_about), .unit = "window units",
 	    .about = "point that zoom does not move; if absent, centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
-	    .usual = "\"stretch\"",
+	    .fallback = "\"stretch\"",
 	    .about = "adaptation to a device of another shape"),
 	{ .name = NULL },
 };
@@ -182,10 +182,10 @@ static const struct member window_members[] = {
 static const struct ways window_ways[] = {
 	{
 	    .way = { "center width height", "left right bottom top" },
-	    .fit = true,
+	    .own_fit = true,
 	    .fit_way = { "center? width? height?",
 		"left? right? bottom? top?" },
-	    .at = offsetof(struct window, by_edges),
+	    .offset = offsetof(struct window, by_edges),
 	},
 	{ .way = { NULL } },
 };
@@ -225,14 +225,14 @@ static const struct member bounds_members[] = {
 static const struct ways bounds_ways[] = {
 	{
 	    .way = { "min max", "center radius" },
-	    .at = offsetof(struct bounds, sphere),
+	    .offset = offsetof(struct bounds, sphere),
 	},
 	{ .way = { NULL } },
 };
 
 static const struct member pick_members[] = {
 	ROW(pick, "at", type_numbers, at, .n = 2,
-	    .has = offsetof(struct pick, has_at), .aliases = "position center",
+	    .flag = offsetof(struct pick, has_at), .aliases = "position center",
 	    .unit = "device units", .about = "centre of the circle"),
 	SIZE(pick, "radius", radius, .unit = "device units",
 	    .about = "radius of the circle"),
@@ -246,31 +246,33 @@ static const struct member pick_members[] = {
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
 	.wanted = "a number from 0 to below 0.5 is wanted",
-	.below = true };
+	.max_excluded = true };
 
 /* The row of a member that is an object and a field of struct scene, which has a bool
  * has_... for it. */
 #define PART(label, field, table, like, ...)                            \
 	ROW(document, label, type_object, scene.field, .example = like, \
-	    .has = offsetof(struct document, scene.has_##field),        \
+	    .flag = offsetof(struct document, scene.has_##field),       \
 	    .members = table, __VA_ARGS__)
 
 const struct member scene_members[] = {
 	ROW(document, "convention", type_convention, scene.convention,
 	    .members = convention_members, .example = "\"d3d\"",
-	    .words = convention_names, .usual = "\"d3d\"", .shown = true,
-	    .before = "-c's", .about = "convention in which the scene is read",
+	    .words = convention_names, .fallback = "\"d3d\"", .shown = true,
+	    .default_from = "-c's",
+	    .about = "convention in which the scene is read",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "angle_unit", type_word, unit,
 	    .aliases = "angleunits unit units angles radians degrees",
-	    .words = angle_units, .beside = true, .usual = "\"degrees\"",
+	    .words = angle_units, .in_any_document = true,
+	    .fallback = "\"degrees\"",
 	    .about = "unit of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_affine, scene.world, .aliases = "model",
-	    .has = offsetof(struct document, scene.has_world),
-	    .example = WORLD_EXAMPLE, .usual = WORLD_EXAMPLE,
+	    .flag = offsetof(struct document, scene.has_world),
+	    .example = WORLD_EXAMPLE, .fallback = WORLD_EXAMPLE,
 	    .about = "matrix from model to world, affine",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
@@ -302,15 +304,15 @@ const struct member scene_members[] = {
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
-	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
+	    .flag = offsetof(struct document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .ways = bounds_ways,
 	    .example = BOUNDS_EXAMPLE, .unit = "model units",
 	    .about = "volume that fit holds, in place of the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
 	ROW(document, "pick", type_object, pick,
-	    .has = offsetof(struct document, has_pick), .members = pick_members,
-	    .example = PICK_EXAMPLE,
+	    .flag = offsetof(struct document, has_pick),
+	    .members = pick_members, .example = PICK_EXAMPLE,
 	    .about = "circle on the device; or use --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"projection\": " PERSP_EXAMPLE
@@ -318,7 +320,7 @@ const struct member scene_members[] = {
 		       ", \"pick\": " PICK_EXAMPLE "}' '[[0,0,0], [1,1,1]]'"),
 	ROW(document, "margin", type_numbers, scene.margin,
 	    .aliases = "padding border", .example = "0.1", .range = &margins,
-	    .usual = "0",
+	    .fallback = "0",
 	    .about = "fraction of the picture left free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE ", \"margin\": 0.1}'"),

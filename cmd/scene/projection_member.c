@@ -7,26 +7,26 @@
 #include "../message/utf8.h"
 
 /* The range of an angle, with the words for it in degrees and in radians. */
-#define ANGLE_RANGE(label, least, most, degrees, radians, ...)          \
-	static const struct value_range label = { .min = least,         \
-		.max = most,                                            \
-		.wanted = "an angle " degrees " degrees is wanted",     \
-		.by_radians = "an angle " radians " radians is wanted", \
+#define ANGLE_RANGE(label, least, most, degrees, radians, ...)              \
+	static const struct value_range label = { .min = least,             \
+		.max = most,                                                \
+		.wanted = "an angle " degrees " degrees is wanted",         \
+		.wanted_radians = "an angle " radians " radians is wanted", \
 		__VA_ARGS__ }
 
 ANGLE_RANGE(opening, SIZE_MIN, 180, "above 0 and below 180",
-    "above 0 and below pi", .below = true);
+    "above 0 and below pi", .max_excluded = true);
 ANGLE_RANGE(taper, 0, 180, "from 0 to below 180", "from 0 to below pi",
-    .below = true);
+    .max_excluded = true);
 ANGLE_RANGE(slope, SIZE_MIN, 90, "above 0 and up to 90",
-    "above 0 and up to pi/2", .below = false);
+    "above 0 and up to pi/2", .max_excluded = false);
 ANGLE_RANGE(acute, -90, 90, "above -90 and below 90",
-    "above -pi/2 and below pi/2", .above = true, .below = true);
+    "above -pi/2 and below pi/2", .min_excluded = true, .max_excluded = true);
 
 static const struct value_range fraction = { .min = SIZE_MIN,
 	.max = 1,
 	.wanted = "a number above 0 and below 1 is wanted",
-	.below = true };
+	.max_excluded = true };
 
 const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
@@ -58,17 +58,17 @@ enum {
 /* in the order in which they are printed */
 const struct member projection_members[] = {
 	MEMBER(0, "type", type_word, type, .words = projection_types,
-	    .first = PROJECTION_PERSP,
+	    .word_0 = PROJECTION_PERSP,
 	    .about = "type; implied by the commands of these names"),
 	MEMBER(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
-	    .first = OBLIQUE_CAVALIER,
+	    .word_0 = OBLIQUE_CAVALIER,
 	    .about = "length of lines along the gaze: kept or halved"),
 	ANGLE(OBLIQUE, "angle", projector, .range = &slope,
 	    .about = "angle between projectors and picture, in place of kind"),
 	ANGLE(OBLIQUE, "direction", direction, .range = &range_any,
-	    .usual = "45", .shown = true,
+	    .fallback = "45", .shown = true,
 	    .about = "direction of lines along the gaze in the picture"),
-	LENGTH(OBLIQUE, "plane", plane, .usual = "0",
+	LENGTH(OBLIQUE, "plane", plane, .fallback = "0",
 	    .about = "depth at which points do not move"),
 	ANGLE(PERSP, "fovy", angle, .range = &opening,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
@@ -122,7 +122,7 @@ const struct member projection_members[] = {
 	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane",
 	    .about = "distance of the far plane from the eye"),
 	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
-	    .aliases = "reversed", .usual = "false",
+	    .aliases = "reversed", .fallback = "false",
 	    .about = "make depth greater at near than at far"),
 	LENGTH(VOLUME, "z_near", z_near, .aliases = "near znear nearplane",
 	    .about = "z of the near plane in view space"),
@@ -132,14 +132,14 @@ const struct member projection_members[] = {
 	    .about = "eye in view space, in place of inverse_eye_z"),
 	ANGLE(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
 	    .about = "angle across the smaller side; 0: parallel rays"),
-	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .usual = "0",
+	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .fallback = "0",
 	    .about = "1/z of the eye; 0: parallel rays"),
 	NUMBER(VOLUME, "tan_skew", tan_skew, .n = 2, .aliases = "skew",
-	    .usual = "[0, 0]", .about = "x/z and y/z of the axis"),
+	    .fallback = "[0, 0]", .about = "x/z and y/z of the axis"),
 	MEMBER(MATRIX, "matrix", type_matrix, matrix,
 	    .about = "matrix from view to clip"),
 	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio, .range = &fraction,
-	    .usual = "0.0005",
+	    .fallback = "0.0005",
 	    .about = "least near that fit finds, as a fraction of far"),
 	{ .name = NULL },
 };
@@ -153,7 +153,7 @@ const struct ways projection_ways[] = {
 	      "field aspect?", "width height edges_at?",
 	      "width aspect? edges_at?", "height aspect? edges_at?",
 	      "left right bottom top edges_at?", "angles", "intrinsics" },
-	    .kinds = PERSP, .at = AT(extent) },
+	    .kinds = PERSP, .offset = AT(extent) },
 	{ { "width height", "width aspect?", "height aspect?",
 	      "left right bottom top" },
 	    true,
@@ -161,13 +161,13 @@ const struct ways projection_ways[] = {
 		"left right bottom top" },
 	    PARALLEL, AT(extent), EXTENT_SIZE },
 	{ { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_DEPTH] = { { "near far" }, .fit = true, .kinds = PARALLEL },
+	[WAYS_DEPTH] = { { "near far" }, .own_fit = true, .kinds = PARALLEL },
 	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
-	    .kinds = VOLUME, .at = AT(eye_by) },
-	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
+	    .kinds = VOLUME, .offset = AT(eye_by) },
+	{ { "z_near z_far" }, .own_fit = true, .kinds = VOLUME },
 	/* no fit_way: fit_scene refuses the type */
-	{ { "matrix" }, .fit = true, .kinds = MATRIX },
+	{ { "matrix" }, .own_fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
 
@@ -192,7 +192,7 @@ static _Noreturn void refuse_typeless(const struct value *v)
 	struct value m = value_child(v);
 	const char *names[6];
 	unsigned types = SECTIONED | VOLUME | MATRIX;
-	char all[LISTED];
+	char all[LIST_ROOM];
 	int n = 0;
 
 	for (; m.item != NULL; value_next(&m)) {
@@ -217,7 +217,7 @@ static _Noreturn void refuse_typeless(const struct value *v)
 /* Reads the type, on which the other members depend. */
 static void find_type(const struct value *v, struct projection *p)
 {
-	unsigned implied = v->source->implied;
+	unsigned implied = v->source->implied_type;
 	struct value m;
 
 	p->type = implied;
@@ -234,7 +234,7 @@ static void find_type(const struct value *v, struct projection *p)
 static void check_angles(const struct value *v, const struct projection *p)
 {
 	struct value e = { .source = v->source,
-		.in = VALUE_MISSING(v, "angles"),
+		.parent = VALUE_MISSING(v, "angles"),
 		.index = p->left < p->right ? 3 : 1 };
 
 	if (!(p->left < p->right && p->bottom < p->top))
@@ -248,10 +248,10 @@ static void check_angles(const struct value *v, const struct projection *p)
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
-	bool open = p->extent == EXTENT_INTRINSICS && !v->source->fit;
+	bool open = p->extent == EXTENT_INTRINSICS && !v->source->for_fit;
 	int way = 0;
 
-	if (!v->source->fit || !projection_is_by_near(p))
+	if (!v->source->for_fit || !projection_is_by_near(p))
 		way = object_way(v, projection_members, 0, seen,
 		    open ? &open_ways : &projection_ways[WAYS_DEPTH]);
 	else if (!is_given(p, seen, "near"))
@@ -273,7 +273,7 @@ static void read_projection(const struct value *v, const struct member *row,
 		    "is an array; a matrix is {\"type\": \"matrix\", "
 		    "\"matrix\": [...]}");
 	if (!value_is(v, JSON_OBJECT))
-		value_wrong(v, "an object");
+		value_refuse_type(v, "an object");
 	find_type(v, p);
 	/* kinds are in the order of projection_types */
 	int kind = (int)p->type - 1;
@@ -326,7 +326,7 @@ static bool needs_aspect(const struct value *v, const struct viewport *viewport,
 		return false;
 	if (p->type == PROJECTION_VOLUME)
 		return p->aspect[1] != 0;
-	if (v->source->fit && p->type != PROJECTION_PERSP)
+	if (v->source->for_fit && p->type != PROJECTION_PERSP)
 		return viewport != NULL || p->aspect[0] > 0;
 	return p->extent < EXTENT_SIZE || p->extent == EXTENT_WIDTH ||
 	    p->extent == EXTENT_HEIGHT;

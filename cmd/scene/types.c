@@ -41,7 +41,7 @@ static void read_bool(const struct value *v, const struct member *row,
 	const bool flag = value_is(v, JSON_TRUE);
 
 	if (row->words == NULL && !flag && !value_is(v, JSON_FALSE))
-		value_wrong(v, "true or false");
+		value_refuse_type(v, "true or false");
 	*(bool *)out = row->words != NULL ? value_word(v, row->words) == 1 :
 					    flag;
 }
@@ -62,13 +62,13 @@ const struct type type_flag = { NULL, read_bool, print_bool, sizeof(bool) };
 static void read_word(const struct value *v, const struct member *row,
     void *out)
 {
-	*(unsigned *)out = row->first + (unsigned)value_word(v, row->words);
+	*(unsigned *)out = row->word_0 + (unsigned)value_word(v, row->words);
 }
 
 static void print_word(struct printer *p, const struct member *row,
     const void *at)
 {
-	put_string(p, row->words[*(const unsigned *)at - row->first]);
+	put_string(p, row->words[*(const unsigned *)at - row->word_0]);
 }
 
 const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
@@ -102,7 +102,7 @@ static void read_far(const struct value *v, const struct member *row, void *out)
 		value_refuse(v, "is \"%s\"; " FAR " is wanted",
 		    escaped(shown, s, strlen(s)));
 	else if (value_is(v, JSON_NULL))
-		value_wrong(v, FAR);
+		value_refuse_type(v, FAR);
 	else
 		read_numbers(v, row, out);
 }
@@ -147,7 +147,7 @@ static bool is_column(const struct value *v, size_t rows, size_t columns)
 	struct value vectors;
 
 	if (!value_is(v, JSON_OBJECT) || !value_member(v, "vectors", &vectors))
-		return square ? v->source->column : column;
+		return square ? v->source->column_vectors : column;
 	bool given = value_word(&vectors, vector_names) == 1;
 
 	if (!square && given != column)
@@ -199,7 +199,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 		value_member(v, "matrix", &all);
 	}
 	if (!value_is(&all, JSON_ARRAY))
-		value_wrong(&all,
+		value_refuse_type(&all,
 		    affine ? "an array of " AFFINE : "an array of " ANY);
 	struct value row = value_child(&all);
 	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
@@ -238,7 +238,7 @@ static void print_rows(struct printer *p, const struct member *row,
 		double e[4];
 
 		for (int j = 0; j < 4; j++)
-			e[j] = p->column ? m[j][i] : m[i][j];
+			e[j] = p->column_vectors ? m[j][i] : m[i][j];
 		put_numbers(p, e, 4);
 	}
 	put_close(p, "]");
@@ -269,8 +269,8 @@ static void check_k(const struct value *v, const double k[3][4])
 			      "transposed?";
 		else if (j == i && !scene_is_size(k[i][j]))
 			why = "is not positive, as fx and fy of K are";
-		struct value row = { v->source, .in = v, .index = i };
-		struct value e = { v->source, .in = nested ? &row : v,
+		struct value row = { v->source, .parent = v, .index = i };
+		struct value e = { v->source, .parent = nested ? &row : v,
 			.index = nested ? j : n };
 
 		if (why != NULL)
@@ -287,7 +287,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 
 	(void)row;
 	if (!value_is(v, JSON_ARRAY))
-		value_wrong(v, FORMS ",");
+		value_refuse_type(v, FORMS ",");
 	size_t n = value_count(v), columns = n / 3;
 
 	if (nested)

@@ -14,7 +14,7 @@ extern const struct type type_numbers;
  * the second word. */
 extern const struct type type_flag;
 
-/* One of the row's words; in the struct an enum: row.first plus the word's index. */
+/* One of the row's words; in the struct an enum: row.word_0 plus the word's index. */
 extern const struct type type_word;
 
 /* In the order of enum angle_unit; NULL ends them. */
@@ -24,9 +24,9 @@ extern const char *const angle_units[];
 extern const char *const vector_names[];
 
 /* A matrix: 16 numbers in memory order; or 4 rows, which are for row vectors unless
- * source->column is set; or the object that -o json prints, which says its vectors. An
- * affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3 for row
- * vectors. In the struct a double[4][4] for row vectors. */
+ * source->column_vectors is set; or the object that -o json prints, which says its
+ * vectors. An affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3
+ * for row vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Blocks of binary points: numbers in a row. */
+/* Reads and writes blocks of binary points. A record is a binary point that may have
+ * other numbers beside the coordinates; a row is the coordinates alone. */
 #include <math.h>
 #include <stdio.h>
 
@@ -9,29 +10,30 @@
 bool binary_by_blocks(const struct job *j)
 {
 	return is_binary(j->layout.in.format) &&
-	    is_binary(j->layout.out.format) && j->take == NULL && !j->visible &&
-	    !j->rays;
+	    is_binary(j->layout.out.format) && j->take_block == NULL &&
+	    !j->visible && !j->rays;
 }
 
-size_t binary_written(const struct layout *l)
+size_t binary_size(const struct layout *l)
 {
 	return l->keeps ? layout_record(l) :
 			  point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates of n points, numbers of size bytes, from records to rows that
- * have only coordinates; if back is set, from rows to records. */
+/* Copies the coordinates, numbers of size bytes, of n points from records to rows or,
+ * if to_records is set, from rows to records. */
 static inline void copy_numbers(const struct layout *l, size_t size,
-    char *records, char *rows, bool back, size_t n)
+    char *records, char *rows, bool to_records, size_t n)
 {
 	size_t record = layout_record(l), row = size * (size_t)l->reads;
-	size_t from_size = back ? row : record, to_size = back ? record : row;
+	size_t from_size = to_records ? row : record,
+	       to_size = to_records ? record : row;
 
 	for (int k = 0; k < l->reads; k++) {
 		char *in_record = records + size * (size_t)layout_field(l, k);
 		char *in_row = rows + size * (size_t)k;
-		const char *from = back ? in_row : in_record;
-		char *to = back ? in_record : in_row;
+		const char *from = to_records ? in_row : in_record;
+		char *to = to_records ? in_record : in_row;
 
 		for (size_t i = 0; i < n; i++)
 			memcpy(to + i * to_size, from + i * from_size, size);
@@ -40,15 +42,15 @@ static inline void copy_numbers(const struct layout *l, size_t size,
 
 /* Calls copy_numbers with a constant size, for which memcpy is a load and a store. */
 static void copy_coordinates(const struct layout *l, char *records, char *rows,
-    bool back, size_t n)
+    bool to_records, size_t n)
 {
 	if (l->in.format == FORMAT_F32)
-		copy_numbers(l, sizeof(float), records, rows, back, n);
+		copy_numbers(l, sizeof(float), records, rows, to_records, n);
 	else
-		copy_numbers(l, sizeof(double), records, rows, back, n);
+		copy_numbers(l, sizeof(double), records, rows, to_records, n);
 }
 
-/* Returns how many whole points the next block has. */
+/* Returns the number of points of the next block. */
 static size_t count_points(const struct job *j, const struct chunk *c)
 {
 	size_t n = (size_t)(c->end - c->text) / layout_record(&j->layout);
@@ -56,8 +58,8 @@ static size_t count_points(const struct job *j, const struct chunk *c)
 	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
 
-/* Returns rows of the coordinates of the next n points. Coordinates of records are
- * copied to c->image, which is not in use before the transformation. */
+/* Returns rows of the next n points: the text itself or, if it has records, a copy in
+ * c->image, which is not in use before the transformation. */
 static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
 {
 	if (l->record == 0)
@@ -66,8 +68,8 @@ static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
 	return (const char *)c->image;
 }
 
-/* Fills in the lines of n points of size bytes, which begin at text. */
-static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
+/* Sets c->line[0..n) to n points of size bytes, which begin at text. */
+static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
 		c->line[i] = (struct line){ .s = text + i * size,
@@ -76,7 +78,7 @@ static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-/* Marks line block_lines as bad. Returns what chunk_complain returns. */
+/* Makes line block_lines a bad line. Returns what chunk_complain returns. */
 static bool binary_refuse(const struct job *j, struct chunk *c,
     const char *reason)
 {
@@ -84,9 +86,9 @@ static bool binary_refuse(const struct job *j, struct chunk *c,
 	return chunk_complain(j, c, reason);
 }
 
-/* Refuses points beyond the range and removes them from the columns. If a point ends
- * the chunk, the block ends before this point. */
-static void refuse_beyond(const struct job *j, struct chunk *c, size_t n)
+/* Refuses those of n points with a coordinate beyond MAGNITUDE_MAX, and removes them
+ * from the columns. If a point ends the chunk, the block ends before that point. */
+static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 {
 	size_t *kept = &c->block_points;
 
@@ -119,7 +121,7 @@ void binary_read(const struct job *j, struct chunk *c)
 	if (n == 0) { /* the source ends within a point */
 		snprintf(reason, sizeof reason,
 		    "ends within a point; a point is %zu bytes", size);
-		make_lines(c, text, (size_t)(c->end - text), 1);
+		set_lines(c, text, (size_t)(c->end - text), 1);
 		c->text = c->end;
 		c->block_lines = binary_refuse(j, c, reason);
 		return;
@@ -130,39 +132,39 @@ void binary_read(const struct job *j, struct chunk *c)
 
 	c->text += n * size;
 	if (!within || !binary_by_blocks(j))
-		make_lines(c, text, size, n);
+		set_lines(c, text, size, n);
 	if (within)
 		c->block_lines = c->block_points = n;
 	else
-		refuse_beyond(j, c, n);
+		refuse_beyond_range(j, c, n);
 }
 
 bool binary_map_floats(const struct job *j, struct chunk *c)
 {
 	const struct layout *l = &j->layout;
 	size_t n = count_points(j, c);
-	char *images = chunk_reserve(c, n * binary_written(l));
+	char *images = chunk_reserve(c, n * binary_size(l));
 
 	if (l->in.format != FORMAT_F32 || l->out.format != FORMAT_F32 ||
 	    !l->single || l->keeps || n == 0 ||
 	    !points_map_floats(&j->transform, next_rows(l, c, n), images, n))
 		return false;
-	c->size += n * binary_written(l);
+	c->size += n * binary_size(l);
 	c->text += n * layout_record(l);
 	c->block_lines = n;
 	return true;
 }
 
-bool binary_join(const struct job *j, struct chunk *c, const char *text)
+bool binary_write(const struct job *j, struct chunk *c, const char *text)
 {
 	const struct layout *l = &j->layout;
 	const bool wide = l->out.format == FORMAT_F64;
-	size_t n = c->block_points, size = n * binary_written(l);
+	size_t n = c->block_points, size = n * binary_size(l);
 	char *out = chunk_reserve(c, 2 * size);
 	char *images = out + (l->keeps ? size : 0);
 
 	if (!points_kernels()->join[wide][l->writes](c->image, images, n)) {
-		make_lines(c, text, layout_record(l), n);
+		set_lines(c, text, layout_record(l), n);
 		return false;
 	}
 	if (l->keeps) {
@@ -176,12 +178,12 @@ bool binary_join(const struct job *j, struct chunk *c, const char *text)
 char *binary_put(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {
-	size_t size = point_size(l->out.format, 1), written = binary_written(l);
+	size_t size = point_size(l->out.format, 1), written = binary_size(l);
 	bool copied = l->keeps && line->size == written;
 
 	if (copied)
 		memcpy(at, line->s, written);
-	/* if the source ends within a record, each number of it becomes nan */
+	/* if the source ends within a record, all numbers of the record become nan */
 	int n = copied ? l->writes : (int)(written / size);
 
 	for (int k = 0; k < n; k++) {

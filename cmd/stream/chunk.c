@@ -12,8 +12,8 @@ struct chunk *chunk_new(void)
 	if (c != NULL) {
 		memset(c, 0, offsetof(struct chunk, stretch));
 		piece_resize(&c->piece, PIECE_ROOM);
-		/* This is enough for most output. A thread that allocates makes the
-		 * C library map an arena, which costs more than the room. */
+		/* This is enough for most output. If a thread allocates more, the C
+		 * library maps an arena for it, which costs more than the room. */
 		c->room = 16 * PIECE_ROOM;
 		c->out = xrealloc(NULL, c->room);
 		return c;
@@ -46,11 +46,11 @@ bool chunk_complain(const struct job *j, struct chunk *c, const char *reason)
 	return goes_on;
 }
 
-const struct word *chunk_word(struct chunk *c, unsigned outside)
+const struct word *chunk_flags(struct chunk *c, unsigned outside)
 {
 	static const char *const names[] = { "left", "right", "bottom", "top",
 		"near", "far", "behind", "nan" };
-	struct word *w = &c->word[outside];
+	struct word *w = &c->flags[outside];
 	char *at = w->s;
 
 	if (w->size > 0)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A chunk is done in blocks: lines are read, their points transformed, and the lines
- * written with the images. */
+/* Does a job on a chunk in blocks: reads lines, transforms their points, and writes the
+ * lines with the images. */
 #include "job.h"
 
 #include <math.h>
@@ -10,8 +10,8 @@
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 
-/* Reads the next line of the block with line_read. Returns false if the line is bad and
- * ends the chunk. */
+/* Reads text, the next line of the block, with line_read. Returns false if the line is
+ * bad and ends the chunk. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
 {
@@ -33,15 +33,15 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 	return true;
 }
 
-/* Adds the n lines of walk_lines to the block, with their numbers v. Reads line i with
- * line_read if bit i of rest is set. Returns false if a bad line ends the chunk. */
-static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
-    double v[4][PLAIN_BATCH])
+/* Adds n lines from walk_lines to the block, with their numbers v. Reads line i with
+ * line_read if bit i of unread is set. Returns false if a bad line ends the chunk. */
+static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
+    uint64_t unread, double v[4][PLAIN_BATCH])
 {
 	for (size_t i = 0; i < n; i++) {
-		size_t end = rest >> i == 0 ?
+		size_t end = unread >> i == 0 ?
 		    n :
-		    i + (size_t)__builtin_ctzll(rest >> i);
+		    i + (size_t)__builtin_ctzll(unread >> i);
 
 		for (int k = 0; k < j->layout.reads; k++)
 			memcpy(&c->in[k][c->block_points], &v[k][i],
@@ -57,8 +57,8 @@ static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
 	return true;
 }
 
-/* Reads the next lines of the stretch, as many as fit. Returns false if a bad line ends
- * the chunk. */
+/* Reads the next lines of the stretch, up to PLAIN_BATCH and as many as fit into the
+ * block. Returns false if a bad line ends the chunk. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;
@@ -66,16 +66,16 @@ static bool block_walk(struct job *j, struct chunk *c)
 	size_t n = POINTS_BLOCK - c->block_lines;
 	struct plain_places at[4];
 	double v[4][PLAIN_BATCH];
-	uint64_t rest;
+	uint64_t unread;
 
 	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
-	    line, at, &rest);
-	rest = walk_numbers(walk, line, n, at, rest, v);
+	    line, at, &unread);
+	unread = walk_numbers(walk, line, n, at, unread, v);
 	c->text = c->stretch.text + c->stretch.at;
-	return block_add(j, c, n, rest, v);
+	return block_add_lines(j, c, n, unread, v);
 }
 
-/* Reads up to POINTS_BLOCK lines, and their points into the chunk's columns. A bad
+/* Reads up to POINTS_BLOCK lines as a block, and their points to the columns. A bad
  * line ends the chunk unless the job keeps going. */
 static void block_read(struct job *j, struct chunk *c)
 {
@@ -83,14 +83,14 @@ static void block_read(struct job *j, struct chunk *c)
 	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* line_read reads the header, which says where the columns are,
-		 * and the first row, which is compared with it */
-		if (!c->planned && !c->first) {
-			c->planned = true;
-			c->walks = number_loops() != NULL &&
+		/* line_read reads the header, from which walk_plan takes the columns,
+		 * and the first row, which has to fit the header */
+		if (!c->walk_planned && !c->first) {
+			c->walk_planned = true;
+			c->can_walk = number_loops() != NULL &&
 			    walk_plan(&j->layout, &c->walk);
 		}
-		if (c->walks &&
+		if (c->can_walk &&
 		    (s->at < s->end ||
 			stretch_open(s, &c->walk, c->text, c->end))) {
 			more = block_walk(j, c);
@@ -107,7 +107,7 @@ static void block_read(struct job *j, struct chunk *c)
 }
 
 /* Transforms the block's points. Returns true only if all images are finite. Rays are
- * exact in every precision; single rounds them to floats. */
+ * computed exactly in every precision; single rounds them to floats. */
 static bool block_transform(const struct job *j, struct chunk *c)
 {
 	bool single = j->precision == PRECISION_SINGLE ||
@@ -121,10 +121,10 @@ static bool block_transform(const struct job *j, struct chunk *c)
 	    points_map(&j->transform, j->precision, in, out, c->block_points);
 }
 
-/* Replaces each coordinate of the image of point p by nan if it is not finite as it is
- * written. Returns whether any is nan. In precision exact a float is computed anew:
- * a double that is rounded to a float may not be the nearest float. */
-static bool mark_point(const struct job *j, struct chunk *c, size_t p)
+/* Replaces each coordinate of the image of point p by nan if it is not finite in the
+ * output's format. Returns whether any is nan. In precision exact, computes floats with
+ * point_single: rounding a double to a float may not give the nearest float. */
+static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 {
 	bool nan = false, narrow = j->layout.out.format == FORMAT_F32;
 	double in[4];
@@ -145,11 +145,11 @@ static bool mark_point(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
-/* Marks and counts the points without image. */
-static void block_mark(const struct job *j, struct chunk *c)
+/* Calls mark_nan for each point of the block, and counts the points without image. */
+static void block_mark_nan(const struct job *j, struct chunk *c)
 {
 	for (size_t i = 0, p = 0; i < c->block_lines; i++)
-		if (c->line[i].kind == LINE_POINT && mark_point(j, c, p++) &&
+		if (c->line[i].kind == LINE_POINT && mark_nan(j, c, p++) &&
 		    c->imageless++ == 0)
 			c->first_imageless = c->n_lines + i;
 }
@@ -158,58 +158,57 @@ static void block_mark(const struct job *j, struct chunk *c)
 struct writer {
 	const struct job *job;
 	struct chunk *chunk;
-	bool
-	    in_place; /* images take the places of points, or follow the line */
-	bool adds;    /* values follow those that were read */
-	int order[4]; /* the coordinates as they stand on the previous line */
-	unsigned char outside[POINTS_BLOCK]; /* planes, for each point */
+	bool in_place;    /* an image replaces its point, or follows the line */
+	bool adds_values; /* values are added after those that were read */
+	int order[4];     /* of the coordinates on the previous line */
+	unsigned char outside[POINTS_BLOCK]; /* planes as bits, by point */
 
-	/* The texts of a batch of points: enough of them for vectors, few enough
+	/* The digits of a batch of images: enough of them for vector loops, few enough
 	 * for the first-level cache. */
-	size_t batch; /* the first point of the batch */
+	size_t first_of_batch;
 	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
 };
 
-/* Makes the texts of the batch that has point p, unless w has them. */
+/* Makes the texts of the batch that includes point p, unless w has them already. */
 static void make_texts(struct writer *w, size_t p)
 {
 	const struct layout *l = &w->job->layout;
 	size_t from = p - p % NUMBER_BATCH;
 	size_t rest = w->chunk->block_points - from;
 
-	if (w->batch == from)
+	if (w->first_of_batch == from)
 		return;
 	for (int k = 0; k < l->writes; k++)
 		number_texts(&w->chunk->image[k][from],
 		    rest < NUMBER_BATCH ? rest : NUMBER_BATCH, l->single,
 		    l->style[k], w->text[k]);
-	w->batch = from;
+	w->first_of_batch = from;
 }
 
-/* Returns the image of point p. */
+/* Returns the numbers and texts of the image of point p. */
 static inline struct numbers image_of(const struct writer *w, size_t p)
 {
 	return (struct numbers){ &w->chunk->image[0][p],
 		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 }
 
-/* Writes the line of point p with its image. */
+/* Writes the line of point p with the point's image. Returns the end of the line. */
 static char *put_image(struct writer *w, const struct line *line, size_t p,
     char *at)
 {
 	const struct layout *l = &w->job->layout;
 	const struct word *flags = l->flags ?
-	    chunk_word(w->chunk, w->outside[p]) :
+	    chunk_flags(w->chunk, w->outside[p]) :
 	    NULL;
 
 	make_texts(w, p);
 	if (w->in_place && is_in_order(line, l->reads) &&
-	    (!w->adds || can_add_in_place(l, line, l->reads)))
+	    (!w->adds_values || can_add_in_place(l, line, l->reads)))
 		return l->append ? write_in_place(l, line, true, NULL,
 				       image_of(w, p), flags, at) :
 				   write_in_place(l, line, false, NULL,
 				       image_of(w, p), flags, at);
-	if (!w->in_place || w->adds) {
+	if (!w->in_place || w->adds_values) {
 		const struct numbers n = image_of(w, p);
 
 		return line_write(l, line, &n, flags, at);
@@ -219,8 +218,8 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	    at);
 }
 
-/* Writes a line, or a binary point for it. If the line is a point, it is point p of the
- * block and gets its image; if the line is bad, each coordinate becomes nan. */
+/* Writes a line, or a binary point in its place. A point in the line is point p of the
+ * block, whose image is written; in a bad line, each coordinate becomes nan. */
 static char *put_line(struct writer *w, const struct line *line, size_t p,
     char *at)
 {
@@ -236,12 +235,12 @@ static char *put_line(struct writer *w, const struct line *line, size_t p,
 		return point || bad ?
 		    binary_put(&j->layout, w->chunk, line, p, at) :
 		    at;
-	return point ?
-	    put_image(w, line, p, at) :
-	    line_write(&j->layout, line, &n, chunk_word(w->chunk, OUT_NAN), at);
+	return point ? put_image(w, line, p, at) :
+		       line_write(&j->layout, line, &n,
+			   chunk_flags(w->chunk, OUT_NAN), at);
 }
 
-/* Reserves room for the block's lines. Returns where they are written. */
+/* Returns room for the output of the block. */
 static char *reserve_lines(const struct layout *l, struct chunk *c)
 {
 	size_t n = c->block_lines;
@@ -249,32 +248,33 @@ static char *reserve_lines(const struct layout *l, struct chunk *c)
 
 	return chunk_reserve(c,
 	    is_binary(l->out.format) ?
-		n * binary_written(l) :
+		n * binary_size(l) :
 		lines_room(l, n, (size_t)(last->s + last->size - first->s)));
 }
 
-/* Appends the block's lines, with the images of its points, to the chunk's out. finite
- * says that all images are finite doubles. */
+/* Appends the block's lines, with the images of its points, to the chunk's out. If
+ * finite is true, all images are finite doubles. */
 static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
 	const struct layout *l = &j->layout;
-	struct writer w; /* no initializer, which would clear the texts */
+	struct writer w; /* no initializer: it would clear the texts */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 
 	if (c->block_lines == 0)
 		return;
 	w.job = j;
 	w.chunk = c;
-	w.batch = SIZE_MAX;
+	w.first_of_batch = SIZE_MAX;
 	for (int k = 0; k < 4; k++)
 		w.order[k] = k;
-	w.adds = l->append || l->flags || l->reads < l->writes;
+	w.adds_values = l->append || l->flags || l->reads < l->writes;
 	w.in_place = same_dialect(l->in, l->out) &&
 	    (l->append || l->reads <= l->writes);
 	if (!finite || l->out.format == FORMAT_F32)
-		block_mark(j, c);
+		block_mark_nan(j, c);
 	if (l->flags || j->visible)
-		frustum_out_all(&j->frustum, in, w.outside, c->block_points);
+		frustum_outside_all(&j->frustum, in, w.outside,
+		    c->block_points);
 	char *at = reserve_lines(l, c);
 
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -284,9 +284,9 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(at - c->out);
 }
 
-/* Refuses a source that begins like a .npy file, UTF-16 or an archive. Points in binary
- * may begin like an archive or a byte order mark: of binary input only UTF-16 with
- * three ASCII characters behind the mark is refused. */
+/* Refuses a source that begins like a .npy file, UTF-16 or an archive. As binary points
+ * may begin with the bytes of an archive or of a byte order mark, binary input is
+ * refused only if it is .npy, or UTF-16 with three ASCII characters after the mark. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
 	static const char *const archives[][2] = {
@@ -307,7 +307,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	if (k < 3)
 		strcpy(reason, archives[k][1]);
 	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
-		/* the size of the header has two bytes in version 1, else four */
+		/* the header's size has two bytes in version 1, four in others */
 		snprintf(reason, sizeof reason,
 		    "is a .npy file of NumPy; tail -c +%d leaves its numbers: "
 		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "
@@ -326,20 +326,20 @@ void job_do(struct job *j, struct chunk *c)
 	bool by_blocks = binary_by_blocks(j);
 
 	c->n_lines = c->size = c->n_complaints = c->imageless = 0;
-	c->refused = c->planned = c->walks = false;
+	c->refused = c->walk_planned = c->can_walk = false;
 	c->text = c->stretch.readable = c->piece.text;
-	c->end = c->text + c->piece.whole;
+	c->end = c->text + c->piece.whole_size;
 	c->stretch.at = c->stretch.end = 0;
 	c->block_lines = 0;
-	if (c->first == FIRST_LINE)
+	if (c->first == FIRST_BYTE) {
 		refuse_foreign(j, c);
-	if (binary)
-		c->first = FIRST_IS_READ;
+		c->first = binary ? FIRST_IS_READ : FIRST_LINE;
+	}
 	for (; c->text < c->end; c->n_lines += c->block_lines) {
 		const char *text = c->text;
 
 		c->block_lines = c->block_points = 0;
-		/* a point without image is rarely alone, and binary_map_floats
+		/* a point without image is rarely the only one, so binary_map_floats
 		 * would fail again */
 		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c))
 			continue;
@@ -347,14 +347,14 @@ void job_do(struct job *j, struct chunk *c)
 			binary_read(j, c);
 		else
 			block_read(j, c);
-		if (j->take != NULL) {
-			j->take(j, c);
+		if (j->take_block != NULL) {
+			j->take_block(j, c);
 			continue;
 		}
 		bool finite = block_transform(j, c);
 
 		if (!(by_blocks && c->block_lines == c->block_points &&
-			binary_join(j, c, text)))
+			binary_write(j, c, text)))
 			block_write(j, c, finite);
 	}
 }

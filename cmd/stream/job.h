@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A job says what is done with every point. A chunk is a piece of a source and its
- * output. Chunks are independent, so that threads do them at the same time. */
+ * output. Chunks are independent, so that several threads work on them at the same
+ * time. To answer a chunk is to print its output. */
 #ifndef JOB_H
 #define JOB_H
 
@@ -9,38 +10,38 @@
 #include "../message/message.h"
 #include "source.h"
 
-/* The bad lines that are reported; more are only counted. */
+/* The number of bad lines that are reported; any others are only counted. */
 enum { COMPLAINTS_MAX = 10 };
 
 struct complaint {
-	size_t line;
+	size_t line;             /* its number in the chunk */
 	char reason[REASON_MAX]; /* what is wrong with the line */
 };
 
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
 	struct chunk *next; /* in one of the lists of stream.c */
-	struct place place; /* of the first line, when the chunk is answered */
+	struct place place; /* of the first line; set by answer_chunk */
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
-	size_t n_lines;         /* lines done: all those before the block */
-	enum first first;       /* the special line that comes next */
-	bool refused; /* the header is bad, so that no line can be read */
-	bool done;    /* ready for answer_chunk */
+	size_t n_lines;         /* lines before the block */
+	enum first first; /* whether the first byte, line or row is next */
+	bool refused;     /* no line can be read, as after a bad header */
+	bool done;        /* ready for answer_chunk */
 
 	char *out;
 	size_t size, room; /* bytes of out: used, allocated */
 	size_t n_complaints;
 	size_t imageless;       /* points without image */
-	size_t first_imageless; /* the line of the first of them */
+	size_t first_imageless; /* the line of the first such point */
 
-	/* The block: lines of the chunk that are done together, and a column of
-	 * their points for each coordinate. */
+	/* The block: lines of the chunk that are transformed together. in and image
+	 * have a column for each coordinate of their points. */
 	size_t block_lines, block_points;
-	bool planned, walks; /* walk_plan was called; it returned true */
+	bool walk_planned, can_walk; /* walk_plan was called; returned true */
 	struct walk walk;
-	struct word word[256]; /* chunk_word's results; empty until needed */
-	/* chunk_new leaves the members from here on without a value */
+	struct word flags[256]; /* results of chunk_flags; empty until needed */
+	/* chunk_new does not initialize the members from here on */
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
@@ -52,79 +53,78 @@ struct job {
 	struct transform transform;
 	enum precision precision;
 	struct layout layout;
-	const char *space;      /* of the images, for --append */
-	struct frustum frustum; /* for flags and visible only */
-	struct ray_maker ray;   /* for rays only */
+	const char *space; /* the name of the space of images, for --append */
+	struct frustum frustum; /* used if layout.flags or visible is set */
+	struct ray_maker ray;   /* used if rays is set */
 	bool visible;           /* print only points in the view volume */
 	bool rays;              /* print rays instead of images */
 	bool keep_going;        /* after bad lines */
 	bool count_imageless;   /* report points without image at the end */
 	int threads;            /* at most; 0: one for each processor */
 
-	/* Functions of a command that does not print a line for each point, else
-	 * NULL. take gets each block before its points are transformed; it may
-	 * append to the chunk's out, and runs in any thread. collect gets the
-	 * chunks in order. flush prints what was collected, after the last chunk
-	 * or before a bad line ends the program. */
-	void (*take)(const struct job *, struct chunk *);
-	void (*collect)(const struct job *, const struct chunk *);
+	/* Functions of a command that does not print a line for each point; other
+	 * commands leave them NULL. take_block gets each block before its points are
+	 * transformed; it may append to the chunk's out, and runs in any thread.
+	 * collect_chunk gets the chunks in order. flush prints what was collected,
+	 * after the last chunk or before a bad line ends the program. */
+	void (*take_block)(const struct job *, struct chunk *);
+	void (*collect_chunk)(const struct job *, const struct chunk *);
 	void (*flush)(const struct job *);
-	void *with; /* the data of these functions */
+	void *data; /* data for these functions */
 };
 
 struct chunk *chunk_new(void);
 
-/* Makes room for that many more bytes of output. Returns out + size, where the caller
- * writes them before adding their number to size. */
+/* Makes room for more bytes of output. Returns out + size, where the caller writes the
+ * bytes before adding their number to size. */
 char *chunk_reserve(struct chunk *, size_t more);
 
-/* Returns the word of --flags for the planes that a point is outside of, such as "in"
- * or "left+near". The word belongs to the chunk. */
-const struct word *chunk_word(struct chunk *, unsigned outside);
+/* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
+ * of the planes whose bits are set in outside. The word belongs to the chunk. */
+const struct word *chunk_flags(struct chunk *, unsigned outside);
 
-/* Adds a complaint about line block_lines of the block. Returns whether the job goes
- * on with the next line; if not, the chunk ends. */
+/* Adds a complaint about line block_lines of the block. Returns whether the job goes on
+ * with the next line; if not, ends the chunk. */
 bool chunk_complain(const struct job *, struct chunk *, const char *reason);
 
-/* Fills the chunk's out from its piece, which has whole lines or whole binary points;
- * stops at the first bad one unless the job keeps going. */
+/* Writes to the chunk's out the output for its piece, which has whole lines or whole
+ * binary points. Stops at the first bad one unless the job keeps going. */
 void job_do(struct job *, struct chunk *);
 
-/* Returns whether every binary point that is read becomes one that is written, so that
- * whole blocks are written at once. */
+/* Returns whether the job writes one binary point for each binary point that it reads,
+ * so that whole blocks can be written at once. */
 bool binary_by_blocks(const struct job *);
 
-/* Reads a block of up to POINTS_BLOCK points. Its lines are filled in only if
- * a point is bad or binary_by_blocks is false. */
+/* Reads a block of up to POINTS_BLOCK binary points. Sets the lines of the block only
+ * if a point is bad or binary_by_blocks is false. */
 void binary_read(const struct job *, struct chunk *);
 
-/* Reads, transforms and writes a block from floats to floats in single precision.
- * Returns false and leaves the chunk unchanged if a point has no image, or if the input
- * or the output is not floats. */
+/* Reads, transforms and writes a block in single precision. Returns false and leaves
+ * the chunk unchanged if a point has no image, or if the input or output is not f32. */
 bool binary_map_floats(const struct job *, struct chunk *);
 
 /* Appends the images of the block, whose binary points begin at text, to out. If an
- * image is not finite, or a float needs point_single, only fills in the block's lines
- * and returns false. */
-bool binary_join(const struct job *, struct chunk *, const char *text);
+ * image is not finite, or point_single has to round a float, only sets the lines of the
+ * block and returns false. */
+bool binary_write(const struct job *, struct chunk *, const char *text);
 
-/* Returns how many bytes are written for each point. */
-size_t binary_written(const struct layout *);
+/* Returns the number of bytes that are written for each point. */
+size_t binary_size(const struct layout *);
 
-/* Writes the image of a line that is point p of the block, or nan for a bad line.
- * Returns the end of what is written. */
+/* Writes a binary point for a line: the image of its point, which is point p of the
+ * block, or nan if the line is bad. Returns the end of the binary point. */
 char *binary_put(const struct layout *, const struct chunk *,
     const struct line *, size_t p, char *at);
 
 /* stream.c does a job on sources of points, with several threads. */
 
-/* Calls run(with), in a new thread if the program's stack may be too small, and returns
+/* Calls run(data), in a new thread if the program's stack may be too small, and returns
  * when run has returned. */
-void call_with_stack(void *(*run)(void *), void *with);
+void call_with_stack(void *(*run)(void *), void *data);
 
-/* Does the job on the points of a source. Every point that was read is answered before
- * the program waits for more. Errors are printed and end the program. Each call must
- * get the same struct job; its contents may change between the calls. */
+/* Does the job on the points of a source. Prints the output for all points that were
+ * read before it waits for more. Prints errors and ends the program after them. Each
+ * call must get the same struct job, whose contents may change between the calls. */
 void stream(struct job *, struct point_source);
 
 /* answer.c prints the output of chunks in the order of their source, reports bad lines
@@ -132,10 +132,10 @@ void stream(struct job *, struct point_source);
 
 /* Turns progress on if asked is true, or standard error is a terminal and standard
  * output is not. Only the first call has an effect. */
-void answer_progress(bool asked);
+void answer_start_progress(bool asked);
 
-/* Begins a source: its lines are counted from 1. */
-void answer_source(const struct job *, const struct point_source *);
+/* Begins a source, whose lines are counted from 1. */
+void answer_begin_source(const struct job *, const struct point_source *);
 
 /* Prints the output of the next chunk, then reports its bad lines, which end the
  * program unless the job keeps going, and the error that ended its source, which always
@@ -143,7 +143,7 @@ void answer_source(const struct job *, const struct point_source *);
 void answer_chunk(const struct job *, struct chunk *);
 
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */
-void answer_no_scene(enum format);
+void answer_refused_scene(enum format);
 
 /* Reports how many points had no image and how many lines were bad, and closes standard
  * output. Returns the exit status. */

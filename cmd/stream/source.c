@@ -10,13 +10,14 @@
 #include "../lines/line.h"
 #include "../message/message.h"
 
-/* The longest line of points, with its newline. */
+/* The bytes of the longest line of points, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-/* The first pieces of a source have FIRST_ROOM bytes, the later ones 1 / SHARE of the
- * bytes read before: the system needs more time for a fresh page than a thread for the
- * points in it, and threads that end a source with small pieces end together. */
-enum { FIRST_ROOM = 1 << 15, SHARE = 64 };
+/* The first pieces of a source have FIRST_PIECE bytes. Later ones have about 1 / PIECES
+ * of the bytes before them, and at most PIECE_ROOM. Small pieces touch few fresh pages,
+ * on which the system spends more time than a thread on the points in them; and threads
+ * with small last pieces end at about the same time. */
+enum { FIRST_PIECE = 1 << 15, PIECES = 64 };
 
 void piece_resize(struct piece *p, size_t room)
 {
@@ -24,13 +25,13 @@ void piece_resize(struct piece *p, size_t room)
 	p->room = room;
 }
 
-/* Begins p with the rest of the piece before, which may be p itself. If a long line has
- * enlarged p, the memory is given back. Returns how many bytes fill p. */
-static size_t begin_text(struct piece *p, const struct point_source *s)
+/* Copies the rest of the previous piece, which may be p itself, to the beginning of p.
+ * Shrinks p if a long line had enlarged it. Returns the size at which p is full. */
+static size_t begin_piece(struct piece *p, const struct point_source *s)
 {
-	size_t n = (size_t)(s->rest.end - s->rest.s), full = FIRST_ROOM;
+	size_t n = (size_t)(s->rest.end - s->rest.s), full = FIRST_PIECE;
 
-	while (full < n || (full < PIECE_ROOM && full * SHARE < s->begun))
+	while (full < n || (full < PIECE_ROOM && full * PIECES < s->bytes_read))
 		full *= 2;
 	size_t room = full > PIECE_ROOM ? full : PIECE_ROOM;
 
@@ -40,8 +41,8 @@ static size_t begin_text(struct piece *p, const struct point_source *s)
 		memmove(p->text, s->rest.s, n);
 	if (p->room > room)
 		piece_resize(p, room);
-	p->have = n;
-	p->whole = 0;
+	p->size = n;
+	p->whole_size = 0;
 	return full;
 }
 
@@ -63,7 +64,7 @@ static ssize_t read_some(struct point_source *s, char *to, size_t room)
 	return n;
 }
 
-/* Returns whether a read would wait; true if the system does not say. */
+/* Returns whether a read would wait, or true if the system does not know. */
 static bool would_wait(const struct point_source *s)
 {
 	struct pollfd p = { .fd = s->fd, .events = POLLIN };
@@ -72,46 +73,46 @@ static bool would_wait(const struct point_source *s)
 	    (poll(&p, 1, 0) <= 0 || (p.revents & POLLNVAL) != 0);
 }
 
-/* Adds n bytes that were read. Only these are searched for a newline: to search a long
- * line again after each read would take quadratic time. */
+/* Adds n bytes that were read. Searches only these for a newline, as it would take
+ * quadratic time to search a long line again after each read. */
 static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 {
-	size_t end = p->have + n, whole = end;
+	size_t end = p->size + n, whole = end;
 
 	if (is_binary(l->in.format))
 		whole -= end % layout_record(l);
 	else
-		while (whole > p->have && p->text[whole - 1] != '\n')
+		while (whole > p->size && p->text[whole - 1] != '\n')
 			whole--;
-	if (whole > p->have)
-		p->whole = whole;
-	p->have = end;
+	if (whole > p->size)
+		p->whole_size = whole;
+	p->size = end;
 }
 
 /* Reads until the source ends, or until the piece has a whole line or point and either
- * is full or the next read would wait. */
+ * is full or would have to wait for the next read. */
 static enum piece_state fill_piece(struct point_source *s,
     const struct layout *l, struct piece *p)
 {
-	size_t full = begin_text(p, s);
+	size_t full = begin_piece(p, s);
 
-	while (p->whole == 0 || p->have < full) {
-		if (p->have == full)
+	while (p->whole_size == 0 || p->size < full) {
+		if (p->size == full)
 			full *= 2;
 		if (full > LINE_MAX_BYTES)
 			return PIECE_TOO_LONG;
 		if (full > p->room)
 			piece_resize(p, full);
-		ssize_t n = read_some(s, p->text + p->have, full - p->have);
+		ssize_t n = read_some(s, p->text + p->size, full - p->size);
 
 		if (n < 0)
 			return PIECE_FAILED;
 		if (n == 0) {
-			p->whole = p->have;
+			p->whole_size = p->size;
 			return PIECE_LAST;
 		}
 		add_bytes(p, l, (size_t)n);
-		if (p->whole > 0 && p->have < full && would_wait(s))
+		if (p->whole_size > 0 && p->size < full && would_wait(s))
 			return PIECE_EARLY;
 	}
 	return PIECE_FULL;
@@ -143,6 +144,6 @@ void source_read(struct point_source *s, const struct layout *l,
 {
 	p->state = fill_piece(s, l, p);
 	p->error = errno;
-	s->begun += p->have;
-	s->rest = (struct span){ p->text + p->whole, p->text + p->have };
+	s->bytes_read += p->size;
+	s->rest = (struct span){ p->text + p->whole_size, p->text + p->size };
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Declare sched_getaffinity on Linux, and elsewhere _SC_NPROCESSORS_ONLN, which POSIX
- * does not have. */
+/* With these macros headers declare sched_getaffinity on Linux, and on other systems
+ * _SC_NPROCESSORS_ONLN, which POSIX does not have. */
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
@@ -13,12 +13,12 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* The size of a thread's stack in bytes. Systems give 128 KB or more. inspect needs up
- * to 192 KB, as a map is 7 KB of exact numbers. */
+/* The size of a thread's stack in bytes. By default some systems give only 128 KB, but
+ * inspect needs up to 192 KB, as each of its maps has 7 KB of exact numbers. */
 enum { STACK_SIZE = 1 << 20 };
 
-/* Starts a thread with STACK_SIZE. Returns 0 or an error, as pthread_create. */
-static int start_thread(pthread_t *t, void *(*run)(void *), void *with)
+/* Starts a thread with STACK_SIZE. Returns 0 or an error, as pthread_create does. */
+static int start_thread(pthread_t *t, void *(*run)(void *), void *data)
 {
 	pthread_attr_t attributes;
 	int error = pthread_attr_init(&attributes);
@@ -26,22 +26,22 @@ static int start_thread(pthread_t *t, void *(*run)(void *), void *with)
 	if (error != 0)
 		return error;
 	pthread_attr_setstacksize(&attributes, STACK_SIZE);
-	error = pthread_create(t, &attributes, run, with);
+	error = pthread_create(t, &attributes, run, data);
 	pthread_attr_destroy(&attributes);
 	return error;
 }
 
-void call_with_stack(void *(*run)(void *), void *with)
+void call_with_stack(void *(*run)(void *), void *data)
 {
 	struct rlimit limit;
 	pthread_t t;
 
 	if (getrlimit(RLIMIT_STACK, &limit) != 0 ||
 	    limit.rlim_cur >= STACK_SIZE) {
-		run(with);
+		run(data);
 		return;
 	}
-	int error = start_thread(&t, run, with);
+	int error = start_thread(&t, run, data);
 
 	if (error != 0)
 		die(EXIT_SYSTEM, "the stack is too small, and a thread: %s",
@@ -49,59 +49,58 @@ void call_with_stack(void *(*run)(void *), void *with)
 	pthread_join(t, NULL);
 }
 
-/* The bytes of a source for each thread that is started. With less to do, the start
- * would take more time than the thread saves. */
-enum { PER_THREAD = 1 << 16 };
+/* A thread is started for each BYTES_PER_THREAD bytes that were read of a source: to
+ * start one for fewer would take more time than it saves. */
+enum { BYTES_PER_THREAD = 1 << 16 };
 
-/* A thread without a chunk looks for one LOOKS times before it sleeps. Between two
- * looks it runs an empty loop PAUSE times: other threads read a piece of a file in less
- * time than the system takes to wake a thread. To yield the processor could cost
- * milliseconds if other programs run. */
-enum { LOOKS = 100, PAUSE = 200 };
+/* A thread without a chunk looks LOOKS_MAX times for one before it sleeps. Between two
+ * looks it runs an empty loop PAUSE_LOOPS times, as another thread reads a piece of a
+ * file in less time than the system takes to wake a thread. To yield the processor
+ * instead could cost milliseconds if other programs run. */
+enum { LOOKS_MAX = 100, PAUSE_LOOPS = 200 };
 
 /* Each thread repeats three steps: it begins the next chunk, which reads from the
- * source and may wait for it; it does the job on the chunk; and if no other thread is
- * answering, it answers, in the order of the source, the chunks that are done. No
+ * source and may wait for input; it does the job on the chunk; and if no other thread
+ * is answering, it answers all chunks that are done, in the order of the source. No
  * thread waits until another has answered, and no answer waits for the source.
  *
- * A chunk belongs to the thread that began it until it is done, then to the thread
- * that answers. The lock protects everything else. */
+ * A chunk belongs to the thread that began it until it is done, then to the thread that
+ * answers. The lock protects everything else. */
 static struct {
 	struct job *job;
-	int most; /* threads that may be started */
+	int most_threads; /* that may be started */
 
 	pthread_mutex_t lock;
-	pthread_cond_t changed;
-	/* started; of these, without a chunk and awake; asleep */
-	int threads, looking, idle;
-	struct chunk *unused; /* a stack, so that few are used */
+	pthread_cond_t changed; /* wakes threads that are asleep */
+	/* numbers of threads: all that were started; awake without a chunk; asleep */
+	int started, looking, asleep;
+	struct chunk *unused; /* a stack, so that the same few are used */
 
-	/* the source that is read */
 	struct point_source *source;
-	bool open;        /* it has not ended, and no thread is reading it */
+	bool can_read;    /* source has not ended, and no thread reads it */
 	bool answering;   /* a thread is answering chunks */
 	enum first first; /* see struct chunk */
-	struct chunk *oldest, **newest; /* the queue of chunks begun */
+	struct chunk *oldest, **queue_end; /* the chunks begun, not answered */
 } pool = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.changed = PTHREAD_COND_INITIALIZER,
-	.newest = &pool.oldest,
+	.queue_end = &pool.oldest,
 };
 
-/* The functions from may_begin to run_chunks are called, and return, with the lock
- * held.
+/* The functions from can_begin_chunk to run_chunks are called, and return, with the
+ * lock held.
  *
  * Returns whether a thread can begin a chunk. Up to the first row, each chunk waits for
- * the one before it, which may have the csv header. */
-static bool may_begin(void)
+ * the previous one, which may have the csv header. */
+static bool can_begin_chunk(void)
 {
-	return pool.open && pool.unused != NULL &&
+	return pool.can_read && pool.unused != NULL &&
 	    (!pool.first || pool.oldest == NULL);
 }
 
 static bool is_finished(void)
 {
-	return !pool.open && pool.oldest == NULL;
+	return !pool.can_read && pool.oldest == NULL;
 }
 
 static void add_unused(struct chunk *c)
@@ -110,28 +109,28 @@ static void add_unused(struct chunk *c)
 	pool.unused = c;
 }
 
-static void *work(void *);
+static void *thread_main(void *);
 
-/* Wakes a thread if it can begin a chunk, or starts one, with two more chunks: one is
- * done while the other waits for its answer. */
-static void call_thread(void)
+/* Wakes a thread if it can begin a chunk, or starts a thread, with two more chunks: it
+ * works on one while the other waits to be answered. */
+static void wake_or_start_thread(void)
 {
 	pthread_t t;
 
-	if (!pool.open || pool.looking > 0)
+	if (!pool.can_read || pool.looking > 0)
 		return;
-	if (pool.idle > 0) {
-		if (may_begin())
+	if (pool.asleep > 0) {
+		if (can_begin_chunk())
 			pthread_cond_signal(&pool.changed);
-	} else if (pool.threads < pool.most &&
-	    pool.source->begun / PER_THREAD > (size_t)pool.threads) {
+	} else if (pool.started < pool.most_threads &&
+	    pool.source->bytes_read / BYTES_PER_THREAD > (size_t)pool.started) {
 		add_unused(chunk_new());
 		add_unused(chunk_new());
-		if (start_thread(&t, work, NULL) == 0) {
+		if (start_thread(&t, thread_main, NULL) == 0) {
 			pthread_detach(t);
-			pool.threads++;
+			pool.started++;
 		} else {
-			pool.most = pool.threads;
+			pool.most_threads = pool.started;
 		}
 	}
 }
@@ -141,19 +140,20 @@ static struct chunk *begin_chunk(void)
 	struct chunk *c = pool.unused;
 
 	pool.unused = c->next;
-	*pool.newest = c;
-	pool.newest = &c->next;
+	*pool.queue_end = c;
+	pool.queue_end = &c->next;
 	c->next = NULL;
 	c->first = pool.first;
 	c->done = false;
-	pool.open = false;
+	pool.can_read = false;
 	pthread_mutex_unlock(&pool.lock);
 	source_read(pool.source, &pool.job->layout, &c->piece);
 	pthread_mutex_lock(&pool.lock);
-	pool.open = c->piece.state < PIECE_LAST;
-	/* this thread may do the chunk before a slow stream has more bytes */
+	pool.can_read = c->piece.state < PIECE_LAST;
+	/* after PIECE_EARLY no other thread is needed: this one may be ready before a
+	 * slow source has more bytes */
 	if (c->piece.state != PIECE_EARLY)
-		call_thread();
+		wake_or_start_thread();
 	return c;
 }
 
@@ -171,10 +171,10 @@ static void answer_done(void)
 		pthread_mutex_lock(&pool.lock);
 		pool.oldest = c->next;
 		if (pool.oldest == NULL)
-			pool.newest = &pool.oldest;
+			pool.queue_end = &pool.oldest;
 		add_unused(c);
 		if (c->next == NULL)
-			call_thread();
+			wake_or_start_thread();
 	}
 	pool.answering = false;
 }
@@ -185,7 +185,7 @@ static void run_chunks(bool forever)
 	int looks = 0;
 
 	while (forever || !is_finished()) {
-		if (may_begin()) {
+		if (can_begin_chunk()) {
 			struct chunk *c = begin_chunk();
 
 			pthread_mutex_unlock(&pool.lock);
@@ -197,23 +197,23 @@ static void run_chunks(bool forever)
 			if (is_finished())
 				pthread_cond_broadcast(&pool.changed);
 			looks = 0;
-		} else if (looks++ < LOOKS) {
+		} else if (looks++ < LOOKS_MAX) {
 			pool.looking++;
 			pthread_mutex_unlock(&pool.lock);
-			for (volatile int i = 0; i < PAUSE; i++)
+			for (volatile int i = 0; i < PAUSE_LOOPS; i++)
 				continue;
 			pthread_mutex_lock(&pool.lock);
 			pool.looking--;
 		} else {
-			pool.idle++;
+			pool.asleep++;
 			pthread_cond_wait(&pool.changed, &pool.lock);
-			pool.idle--;
+			pool.asleep--;
 			looks = 0;
 		}
 	}
 }
 
-static void *work(void *unused)
+static void *thread_main(void *unused)
 {
 	pthread_mutex_lock(&pool.lock);
 	run_chunks(true);
@@ -236,16 +236,16 @@ static int count_threads(int wanted)
 
 void stream(struct job *j, struct point_source s)
 {
-	answer_source(j, &s);
+	answer_begin_source(j, &s);
 	pthread_mutex_lock(&pool.lock);
 	if (pool.job == NULL) {
 		pool.job = j;
-		pool.most = count_threads(j->threads) - 1;
+		pool.most_threads = count_threads(j->threads) - 1;
 		add_unused(chunk_new());
 	}
 	pool.source = &s;
-	pool.open = true;
-	pool.first = FIRST_LINE;
+	pool.can_read = true;
+	pool.first = FIRST_BYTE;
 	j->layout.told.n = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&pool.lock);

@@ -16,7 +16,7 @@ struct text {
 		s, sizeof(s) - 1, line \
 	}
 
-/* Parses by value_parse_without, which prints what json_check refuses. */
+/* Parses by value_parse_document, which prints what json_check refuses. */
 static void check(const void *argument)
 {
 	struct source source = { .name = "s.json" };
@@ -26,7 +26,7 @@ static void check(const void *argument)
 	memcpy(copy, t->s, t->size);
 	struct span none;
 
-	value_parse_without(&source, "/none", copy, t->size, &none);
+	value_parse_document(&source, "/none", copy, t->size, &none);
 	free(copy);
 }
 

@@ -93,9 +93,9 @@ static void test_hidden(void **state)
 static void test_unseen(void **state)
 {
 	(void)state;
-	assert_int_equal(escape_invisible("a\\xff\\u200b"), 0x200b);
-	assert_int_equal(escape_invisible("\\u001b\\ufeff"), 0xfeff);
-	assert_int_equal(escape_invisible("a b\\u001b\\u\xc3\xa9"), 0);
+	assert_int_equal(escape_find_invisible("a\\xff\\u200b"), 0x200b);
+	assert_int_equal(escape_find_invisible("\\u001b\\ufeff"), 0xfeff);
+	assert_int_equal(escape_find_invisible("a b\\u001b\\u\xc3\xa9"), 0);
 }
 
 /* Only whole characters and escapes are copied, and a NUL always ends them. */

@@ -111,7 +111,7 @@ static void test_skip(void **state)
 	for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
 		const char *s = values[i].text;
 
-		assert_string_equal(json_skip(s, s + strlen(s)),
+		assert_string_equal(json_item_end(s, s + strlen(s)),
 		    values[i].left);
 	}
 }

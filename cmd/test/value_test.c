@@ -18,7 +18,7 @@ static double first_of(const char *array, size_t n)
 	char text[1024];
 
 	strcpy(text, array);
-	struct value v = value_parse_without(&source, "/none", text,
+	struct value v = value_parse_document(&source, "/none", text,
 	    strlen(text), &none);
 	struct value e = value_child(&v);
 

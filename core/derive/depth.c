@@ -1,185 +1,180 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-/* Let n be the gradient of w or, if w is constant, of z. At the distance D along n from
- * the eye or, if w is constant, from the origin, z and w are z0 + D z . n / |n| and w0
- * + D w . n / |n|, with the gradients z and w. Depth is the quotient of both, which
- * gives D by depth. At the eye w0 is 0, as x and y are. over and under change their
- * signs if this makes the denominator positive in front of the eye. D of a parallel
- * projection grows along the convention's gaze; that of a matrix from near to far. */
+/* Let n be the gradient of w or, if w is constant, of z. D is measured along n from the
+ * eye or, if w is constant, from the origin of view space. With z0 and w0, the values
+ * of z and w at this point, and dz and dw, the products of n and the gradients of z and
+ * w,
+ *
+ *	depth = (z0 + D dz / |n|) / (w0 + D dw / |n|),
+ *	D = |n| (w0 depth - z0) / (dz - dw depth).
+ *
+ * At the eye w0 is 0. Numerator and denominator of D are negated if the denominator
+ * would be negative in front of the eye. D of a parallel projection grows along the
+ * convention's gaze, but D of a parallel PROJECTION_MATRIX from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;
 	const struct viewport *v = &s->viewport;
-	bool ranges = s->has_viewport && v->min_z != v->max_z;
-	bool behind = sum_sign(l->clip[3][3]) < 0, against_n = false;
-	struct viewport range = { .width = 2, .height = 2, .max_z = 1 };
+	bool has_range = s->has_viewport && v->min_z != v->max_z;
+	struct viewport range = { .width = 2,
+		.height = 2,
+		.min_z = has_range ? v->min_z : 0,
+		.max_z = has_range ? v->max_z : 1 };
+	bool negative_w = sum_sign(l->clip[3][3]) < 0, against_n = false;
 	const struct sum *eye_z = l->volume.eye_z;
 	struct sum z[4], w[4];
-	struct map m = l->volume.clip, to_range;
+	struct map m = l->volume.to_clip, to_range;
 
-	if (ranges) {
-		range.min_z = v->min_z;
-		range.max_z = v->max_z;
-	}
 	*d = (struct depth){ .low = range.min_z,
 		.high = range.max_z,
 		.reversed = l->reversed,
 		.open = projection_is_open(&s->projection),
-		.flat = s->has_viewport && !ranges };
+		.constant = s->has_viewport && !has_range };
 	viewport_map(&range, answer_convention(s), false, &to_range);
 	map_append(&m, &to_range, false);
 	for (int i = 0; i < 4; i++) {
 		z[i] = m.m[i][2];
 		w[i] = m.m[i][3];
 	}
-	const struct sum *n = l->parallel ? z : w;
-	struct sum size = vec3_length(n);
-
 	if (!l->parallel) {
 		w[3] = sum_of_double(0);
 		z[3] = sum_quotient(sum_mul(eye_z[0], to_range.m[2][2]),
 		    eye_z[1]);
 	} else if (s->projection.type == PROJECTION_MATRIX) {
-		against_n = l->reversed != behind;
+		against_n = l->reversed != negative_w;
 	} else {
 		against_n = looks_back(answer_convention(s)) !=
 		    (sum_sign(l->clip[2][2]) < 0);
 	}
 	against_n ^= l->parallel && d->high < d->low;
-	bool minus = l->parallel ? !behind : sum_sign(z[3]) < 0;
+	bool negated = l->parallel ? negative_w : sum_sign(z[3]) >= 0;
+	const struct sum *n = l->parallel ? z : w;
+	struct sum length = vec3_length(n);
 
-	d->over[0] = sum_negated_if(minus == against_n, sum_mul(size, w[3]));
-	d->over[1] = sum_negated_if(minus != against_n, sum_mul(size, z[3]));
-	d->under[0] = sum_negated_if(minus, vec3_dot(w, n));
-	d->under[1] = sum_negated_if(!minus, vec3_dot(z, n));
+	d->num[0] = sum_negated_if(negated != against_n, sum_mul(length, w[3]));
+	d->num[1] = sum_negated_if(negated == against_n, sum_mul(length, z[3]));
+	d->den[0] = sum_negated_if(!negated, vec3_dot(w, n));
+	d->den[1] = sum_negated_if(negated, vec3_dot(z, n));
 }
 
-/* A depth nd[0] / nd[1]. */
-struct depth_value {
-	struct sum nd[2];
-};
-
-static struct depth_value depth_of_plane(const struct depth *d, bool far)
+/* Writes the depth of the near or far plane. All depths z are quotients z[0] / z[1]. */
+static void depth_of_plane(const struct depth *d, bool far, struct sum z[2])
 {
-	return (struct depth_value){
-		{ sum_of_double(far != d->reversed ? d->high : d->low),
-		    sum_of_double(1) }
-	};
+	z[0] = sum_of_double(far != d->reversed ? d->high : d->low);
+	z[1] = sum_of_double(1);
 }
 
-void depth_quotient(const struct depth *d, bool far, struct sum *over,
-    struct sum *under)
+void depth_quotient(const struct depth *d, bool far, struct sum *num,
+    struct sum *den)
 {
-	struct depth_value z = depth_of_plane(d, far);
+	struct sum z[2];
 
-	sum_dot(2, d->over, z.nd, 1, over);
-	sum_dot(2, d->under, z.nd, 1, under);
+	depth_of_plane(d, far, z);
+	sum_dot(2, d->num, z, 1, num);
+	sum_dot(2, d->den, z, 1, den);
 }
 
 double depth_distance(const struct depth *d, bool far)
 {
-	struct sum over, under;
+	struct sum num, den;
 
-	depth_quotient(d, far, &over, &under);
-	if (d->open || (sum_sign(under) < 0 && sum_sign(d->under[0]) != 0))
+	depth_quotient(d, far, &num, &den);
+	if (d->open || (sum_sign(den) < 0 && sum_sign(d->den[0]) != 0))
 		return (double)NAN;
-	return sum_sign(under) == 0 ? HUGE_VAL : sum_ratio_or_nan(over, under);
+	return sum_sign(den) == 0 ? HUGE_VAL : sum_ratio_or_nan(num, den);
 }
 
 /* Returns the sign of a - b. */
-static int compare_depths(const struct depth_value *a,
-    const struct depth_value *b)
+static int compare_depths(const struct sum a[2], const struct sum b[2])
 {
-	return sum_sign(sum_minor(a->nd[0], b->nd[1], b->nd[0], a->nd[1])) *
-	    sum_sign(a->nd[1]) * sum_sign(b->nd[1]);
+	return sum_sign(sum_minor(a[0], b[1], b[0], a[1])) * sum_sign(a[1]) *
+	    sum_sign(b[1]);
 }
 
-/* Finds the least float above z or, if up is -1, the greatest below z. Returns false if
- * this float is infinite. */
-static bool next_float(const struct depth_value *z, int up,
-    struct depth_value *next)
+/* Finds the least float above z or, if up is -1, the greatest float below z. Returns
+ * false if this float is infinite. */
+static bool next_float(const struct sum z[2], int up, struct sum next[2])
 {
-	float f = (float)sum_nearest(&z->nd[0], &z->nd[1], true),
+	float f = (float)sum_nearest(&z[0], &z[1], true),
 	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
 
-	next->nd[1] = sum_of_double(1);
+	next[1] = sum_of_double(1);
 	if (isfinite(f))
-		next->nd[0] = sum_of_double((double)f);
+		next[0] = sum_of_double((double)f);
 	if (!isfinite(f) || compare_depths(next, z) * up <= 0)
-		next->nd[0] = sum_of_double((double)(f = nextafterf(f, to)));
+		next[0] = sum_of_double((double)(f = nextafterf(f, to)));
 	return isfinite(f) != 0;
 }
 
-/* Finds the depth one step of the buffer above z or, if up is -1, below z. Returns
- * false if there is no such depth. */
-static bool next_depth(const struct depth_value *z, enum buffer b, int up,
-    struct depth_value *next)
+/* Finds the depth that is one step of the buffer above z or, if up is -1, below z.
+ * Returns false if the next float is infinite. */
+static bool next_depth(const struct sum z[2], enum buffer b, int up,
+    struct sum next[2])
 {
-	double most = b == BUFFER_UNORM16 ? 0xffff : 0xffffff;
+	double steps = b == BUFFER_UNORM16 ? 0xffff : 0xffffff;
 
 	if (b == BUFFER_FLOAT32)
 		return next_float(z, up, next);
-	sum_dot(2, z->nd,
-	    (struct sum[]){ sum_of_double(most), sum_of_double(up) }, 1,
-	    &next->nd[0]);
-	next->nd[1] = sum_scale(z->nd[1], most);
+	sum_dot(2, z, (struct sum[]){ sum_of_double(steps), sum_of_double(up) },
+	    1, next);
+	next[1] = sum_scale(z[1], steps);
 	return true;
 }
 
-/* Returns the determinant of D(z) = (over[0] z + over[1]) / (under[0] z + under[1]).
- * Its sign is the sign of the slope of D. */
-static struct sum determinant(const struct depth *d)
+/* Returns the determinant of the quotient D(z) in struct depth. The sign of the
+ * determinant is the sign of the slope of D. */
+static struct sum depth_determinant(const struct depth *d)
 {
-	return sum_minor(d->over[0], d->under[1], d->over[1], d->under[0]);
+	return sum_minor(d->num[0], d->den[1], d->num[1], d->den[0]);
 }
 
-/* Returns |D(b) - D(a)|: the determinant times the difference of the depths, over both
- * denominators. Returns nan if the difference is 0 or a depth is behind the eye. */
-static double distance_between(const struct depth *d,
-    const struct depth_value *a, const struct depth_value *b)
+/* Returns |D(b) - D(a)|: the determinant times b - a, over the denominators of D at a
+ * and at b. Returns nan if a = b, or if a or b is behind the eye. */
+static double distance_between(const struct depth *d, const struct sum a[2],
+    const struct sum b[2])
 {
-	struct sum under[2],
-	    difference = sum_mul(determinant(d),
-		sum_minor(b->nd[0], a->nd[1], a->nd[0], b->nd[1]));
+	struct sum den[2],
+	    difference = sum_mul(depth_determinant(d),
+		sum_minor(b[0], a[1], a[0], b[1]));
 
-	sum_dot(2, d->under, a->nd, 1, &under[0]);
-	sum_dot(2, d->under, b->nd, 1, &under[1]);
+	sum_dot(2, d->den, a, 1, &den[0]);
+	sum_dot(2, d->den, b, 1, &den[1]);
 	if (sum_sign(difference) == 0 ||
-	    sum_sign(under[0]) * sum_sign(a->nd[1]) <= 0 ||
-	    sum_sign(under[1]) * sum_sign(b->nd[1]) <= 0)
+	    sum_sign(den[0]) * sum_sign(a[1]) <= 0 ||
+	    sum_sign(den[1]) * sum_sign(b[1]) <= 0)
 		return (double)NAN;
 	return sum_ratio_or_nan(sum_abs(difference),
-	    sum_abs(sum_mul(under[0], under[1])));
+	    sum_abs(sum_mul(den[0], den[1])));
 }
 
-/* Returns the distance between depth z and the next depth of the buffer above or below
- * z, or nan if the next depth is beyond the limit. */
-static double step_from(const struct depth *d, enum buffer b,
-    const struct depth_value *z, int up, const struct depth_value *limit)
+/* Returns the distance between depth z and the next depth of the buffer above z or, if
+ * up is -1, below z. Returns nan if the next depth is beyond limit. */
+static double step_length(const struct depth *d, enum buffer b,
+    const struct sum z[2], int up, const struct sum limit[2])
 {
-	struct depth_value to;
+	struct sum to[2];
 
-	if (d->open || d->flat || !next_depth(z, b, up, &to) ||
-	    (limit != NULL && compare_depths(&to, limit) * up > 0))
+	if (d->open || d->constant || !next_depth(z, b, up, to) ||
+	    (limit != NULL && compare_depths(to, limit) * up > 0))
 		return (double)NAN;
-	return distance_between(d, z, &to);
+	return distance_between(d, z, to);
 }
 
 double depth_step(const struct depth *d, enum buffer b, bool far)
 {
-	struct depth_value from = depth_of_plane(d, far),
-			   to = depth_of_plane(d, !far);
+	struct sum from[2], to[2];
 
-	return step_from(d, b, &from, compare_depths(&to, &from), &to);
+	depth_of_plane(d, far, from);
+	depth_of_plane(d, !far, to);
+	return step_length(d, b, from, compare_depths(to, from), to);
 }
 
-double depth_step_at(const struct depth *d, enum buffer b, double at)
+double depth_step_at(const struct depth *d, enum buffer b, double distance)
 {
-	struct depth_value z = {
-		{ sum_sub(d->over[1], sum_scale(d->under[1], at)),
-		    sum_sub(sum_scale(d->under[0], at), d->over[0]) }
-	};
+	const struct sum z[2] = { sum_sub(d->num[1],
+				      sum_scale(d->den[1], distance)),
+		sum_sub(sum_scale(d->den[0], distance), d->num[0]) };
 
-	return step_from(d, b, &z, -sum_sign(determinant(d)), NULL);
+	return step_length(d, b, z, -sum_sign(depth_determinant(d)), NULL);
 }

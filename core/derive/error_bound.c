@@ -4,9 +4,9 @@
 #include <math.h>
 
 struct arithmetic {
-	double u;    /* unit roundoff */
-	double tiny; /* least normal number */
-	double most; /* the bound is nan if 1/w or the image is above it */
+	double u;     /* unit roundoff */
+	double tiny;  /* least normal number */
+	double limit; /* a bound is nan if 1/w or the image is above limit */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -14,117 +14,118 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* The factor that outweighs the roundings of a bound, which is computed in double. */
+/* The factor that makes a bound, as computed in double, outweigh its own roundings. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume. The bound of an error is a sum of magnitudes of
- * products, over w. This quotient is a convex function of the position in ndc, so its
- * maximum is in a corner, which may be at infinity. */
+/* A corner of the view volume. An error bound is a sum of magnitudes of products,
+ * divided by w. This quotient is a convex function of the position in ndc, so its
+ * maximum is in a corner. A corner may be at infinity. */
 struct corner {
-	double p[3];    /* |p - origin| / w, for the map's origin */
-	double inverse; /* 1/w */
+	double offset[3]; /* |coordinate - the map's origin| / w */
+	double inverse_w; /* 1/w */
 };
 
-struct analysis {
-	const struct transform *t;
+struct error_analysis {
+	const struct transform *transform;
 	struct corner corner[8];
-	double size[3], largest; /* bounds of the image's coordinates */
+	double max[3], largest; /* upper bounds of |coordinates| of images */
 };
 
-/* back is the map from view space. */
-static void set_corner(const struct volume *seen, const struct map *back,
+/* Sets c to corner i of the volume. to_model is the map from view space. */
+static void set_corner(const struct volume *v, const struct map *to_model,
     const double origin[3], int i, struct corner *c)
 {
-	struct sum h[4], over;
+	struct sum h[4], w;
 
 	for (int j = 0; j < 4; j++)
-		map_image(back, j, seen->corner[i], &h[j]);
-	map_image(&seen->ends, 2, seen->corner[i], &over);
-	over = sum_quotient(sum_mul(over, back->divisor), seen->ends.divisor);
+		map_image(to_model, j, v->corner[i], &h[j]);
+	map_image(&v->ends, 2, v->corner[i], &w);
+	w = sum_quotient(sum_mul(w, to_model->divisor), v->ends.divisor);
 	for (int j = 0; j < 3; j++)
-		c->p[j] = fabs(
-		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
-	c->inverse = sum_ratio(h[3], over);
+		c->offset[j] = fabs(
+		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), w));
+	c->inverse_w = sum_ratio(h[3], w);
 }
 
-static void set_size(const struct scene *s, struct analysis *to)
+static void set_image_bounds(const struct scene *s, struct error_analysis *to)
 {
 	const struct viewport *v = &s->viewport;
-	double *size = to->size;
+	double *max = to->max;
 
-	size[0] = size[1] = size[2] = 1;
+	max[0] = max[1] = max[2] = 1;
 	if (s->has_viewport) {
-		size[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
-		size[1] = fmax(fabs(v->y), fabs(v->y + v->height)) * ROUNDED_UP;
-		size[2] = fmax(fabs(v->min_z), fabs(v->max_z));
+		max[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
+		max[1] = fmax(fabs(v->y), fabs(v->y + v->height)) * ROUNDED_UP;
+		max[2] = fmax(fabs(v->min_z), fabs(v->max_z));
 	}
-	to->largest = fmax(fmax(size[0], size[1]), size[2]);
+	to->largest = fmax(fmax(max[0], max[1]), max[2]);
 }
 
-/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the
- * products, as in kernel/plain.h, and of the largest error of underflows. */
-static double bound_column(const struct kernel_map *k, const struct corner *c,
+/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the column's
+ * products, as in kernel/plain.h, and of the largest errors by underflow. */
+static double column_bound(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
-	double s = c->inverse * (k->offset[j] + tiny * (4 + 3 * k->slope[j]));
+	double s = c->inverse_w * (k->offset[j] + tiny * (4 + 3 * k->slope[j]));
 
 	for (int i = 0; i < 3; i++)
-		s += c->p[i] * (fabs(k->hi[i][j]) + tiny);
+		s += c->offset[i] * (fabs(k->hi[i][j]) + tiny);
 	return s;
 }
 
-/* Returns the bound for the precision of a. Returns nan if w could be less than its
- * error, or 1/w beyond the range. A bound need not cover other sums beyond the range:
- * the program then computes the point exactly. */
-static double bound_plain(const struct analysis *v, const struct arithmetic *a)
+/* Returns the bound for the precision of a, or nan if w could be less than its error,
+ * or 1/w or the image above a->limit. No bound is needed if another number overflows:
+ * the image is then not finite, and the program computes it exactly. */
+static double precision_bound(const struct error_analysis *v,
+    const struct arithmetic *a)
 {
-	const struct transform *t = v->t;
+	const struct transform *t = v->transform;
 	const struct kernel_map *k = &t->for_kernel;
-	double factor = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse = 0;
+	double factor = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse_w = 0;
 
 	for (int i = 0; i < 8; i++) {
 		const struct corner *c = &v->corner[i];
-		double s_w = bound_column(k, c, 3, a->tiny);
+		double s_w = column_bound(k, c, 3, a->tiny);
 
 		w = fmax(w, s_w);
-		inverse = fmax(inverse, c->inverse);
+		inverse_w = fmax(inverse_w, c->inverse_w);
 		for (int j = 0; j < (t->kind == KERNEL_DEPTH ? 2 : 3); j++)
 			worst = fmax(worst,
-			    bound_column(k, c, j, a->tiny) +
-				(t->divide ? v->size[j] * s_w : 0));
+			    column_bound(k, c, j, a->tiny) +
+				(t->divide ? v->max[j] * s_w : 0));
 	}
 	if (t->kind == KERNEL_DEPTH)
-		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse * w);
-	if (!(inverse <= a->most) || !(v->largest <= a->most) ||
-	    !(fabs(k->a) <= a->most) || !(fabs(k->b) <= a->most) ||
+		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse_w * w);
+	if (!(inverse_w <= a->limit) || !(v->largest <= a->limit) ||
+	    !(fabs(k->a) <= a->limit) || !(fabs(k->b) <= a->limit) ||
 	    (t->divide && !(factor * w < 0x1p-4)))
 		return (double)NAN;
 	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bounds(const struct scene *s, const struct volume *seen,
+const char *error_bounds(const struct scene *s, const struct volume *v,
     double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
-	struct map back;
-	struct analysis v = { .t = &t };
+	struct map to_model;
+	struct error_analysis a = { .transform = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
 	int e;
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* the volume is infinite without planes, or if world is singular */
+	/* no bounds: in model space the volume is infinite */
 	if (why != NULL || projection_is_open(&s->projection) ||
-	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &back) != NULL)
+	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &to_model) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(seen, &back, t.for_kernel.origin, i, &v.corner[i]);
-	set_size(s, &v);
+		set_corner(v, &to_model, t.for_kernel.origin, i, &a.corner[i]);
+	set_image_bounds(s, &a);
 	/* half an ulp of the largest coordinate */
-	frexp(v.largest, &e);
+	frexp(a.largest, &e);
 	bound[PRECISION_EXACT] = ldexp(1, e - 54);
 	for (int i = PRECISION_DOUBLE; i <= PRECISION_SINGLE; i++)
-		bound[i] = bound_plain(&v, &arithmetic[i]);
+		bound[i] = precision_bound(&a, &arithmetic[i]);
 	return NULL;
 }

@@ -5,36 +5,36 @@
 
 #include "frustum.h"
 
-#define FIT_BEYOND                                                          \
+#define NOT_IN_RANGE                                                        \
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* Sets gaze, up and, if the camera's form has no eye, the eye. All are rows of the map
- * from view to world space. A matrix gives the axes of its nearest rotation. */
-static const char *from_axes(struct camera *c,
-    const struct convention *convention, struct map *back)
+/* Sets gaze, up and, if the camera has none, the eye from the rows of to_world, the map
+ * from view to world space. The axes of a matrix are those of its nearest rotation. */
+static const char *gaze_from_axes(struct camera *c,
+    const struct convention *convention, struct map *to_world)
 {
 	double along = looks_back(convention) ? -1 : 1;
 	double upward = convention->view_y_down ? -1 : 1;
 	struct camera turned = *c;
 
 	for (int k = 0; k < 3 && c->kind >= CAMERA_TRANSLATION; k++)
-		c->eye[k] = map_nearest(back, 3, k, false);
+		c->eye[k] = map_nearest(to_world, 3, k, false);
 	if (c->kind >= CAMERA_POSE)
 		c->roll = 0;
 	turned.roll = 0;
 	turned.orthonormalize = true;
-	const char *why = camera_map(&turned, convention, true, back);
+	const char *why = camera_map(&turned, convention, true, to_world);
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = along * map_nearest(back, 2, k, false);
-		c->up[k] = upward * map_nearest(back, 1, k, false);
+		c->at[k] = along * map_nearest(to_world, 2, k, false);
+		c->up[k] = upward * map_nearest(to_world, 1, k, false);
 	}
 	return why;
 }
 
-/* Turns the position c->at into the gaze at - eye, rounded. The gaze is halved if it is
- * beyond the range of a document's numbers. */
+/* Turns the position c->at into the gaze at - eye, rounded. A gaze with an element
+ * above MAGNITUDE_MAX is halved. */
 static void gaze_from_at(struct camera *c)
 {
 	double largest = 0;
@@ -47,33 +47,32 @@ static void gaze_from_at(struct camera *c)
 		c->at[k] /= 2;
 }
 
-/* Gives the camera the form CAMERA_GAZE. A gaze keeps its numbers; the numbers of other
- * forms are rounded to doubles. A scene without a camera gets one at 0 that looks along
- * the axis of view space. */
-static const char *gaze_of(struct scene *s)
+/* Gives the camera the form CAMERA_GAZE. The numbers of a gaze do not change; the
+ * numbers of other forms are rounded to doubles. A scene without a camera gets a camera
+ * at the origin that looks along the z axis of view space. */
+static const char *make_gaze_camera(struct scene *s)
 {
 	struct camera *c = &s->camera;
 	const struct convention *convention = &s->convention;
-	struct map back;
+	struct map to_world;
 
 	if (!s->has_camera)
 		*c = (struct camera){ .kind = CAMERA_GAZE,
 			.at = { 0, 0, looks_back(convention) ? -1 : 1 },
 			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
-	const char *why = camera_map(c, convention, true, &back);
+	const char *why = camera_map(c, convention, true, &to_world);
 
 	if (why == NULL && c->kind >= CAMERA_ORIENTATION)
-		why = from_axes(c, convention, &back);
+		why = gaze_from_axes(c, convention, &to_world);
 	else if (c->kind == CAMERA_AT)
 		gaze_from_at(c);
 	c->kind = CAMERA_GAZE;
 	return why;
 }
 
-/* Writes the eye in world space after a step in view space. back maps view to world
- * space. */
-static void eye_move(const struct map *back, const struct sum step[3],
+/* Writes the eye's position in world space after a step in view space. */
+static void eye_after_step(const struct map *to_world, const struct sum step[3],
     double eye[3])
 {
 	const struct sum at[4] = { step[0], step[1], step[2],
@@ -81,33 +80,33 @@ static void eye_move(const struct map *back, const struct sum step[3],
 	struct sum to;
 
 	for (int k = 0; k < 3; k++) {
-		map_image(back, k, at, &to);
-		eye[k] = sum_ratio(to, back->divisor);
+		map_image(to_world, k, at, &to);
+		eye[k] = sum_ratio(to, to_world->divisor);
 	}
 }
 
-/* Returns the least double v such that v d >= n. d must be positive. */
-static double least_over(struct sum n, struct sum d)
+/* Returns n / d rounded upward. d must be positive. */
+static double ratio_up(struct sum n, struct sum d)
 {
 	double v = sum_ratio(n, d);
 
 	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
 }
 
-/* Returns n / d rounded upward or, if axis j was widened, to nearest. */
-static double extents_round(const struct extents *r, int j, struct sum n,
+/* Returns n / d rounded upward or, if extents_widen has widened axis j, to nearest. */
+static double extent_ratio(const struct extents *r, int j, struct sum n,
     struct sum d)
 {
-	return sum_sign(r->size[j]) > 0 ? least_over(n, d) : sum_ratio(n, d);
+	return sum_sign(r->size[j]) > 0 ? ratio_up(n, d) : sum_ratio(n, d);
 }
 
-/* Writes the ends of the bounds' depth, rounded outward. */
-static void round_depth(const struct extents *r, double *low, double *high)
+/* Writes the least and the greatest depth of the bounds, rounded outward. */
+static void depth_range(const struct extents *r, double *low, double *high)
 {
 	struct sum one = sum_of_double(1);
 
-	*low = 0 - extents_round(r, 2, sum_neg(r->low[2]), one);
-	*high = extents_round(r, 2, r->high[2], one);
+	*low = 0 - extent_ratio(r, 2, sum_neg(r->low[2]), one);
+	*high = extent_ratio(r, 2, r->high[2], one);
 }
 
 static struct sum larger(struct sum a, struct sum b)
@@ -115,8 +114,8 @@ static struct sum larger(struct sum a, struct sum b)
 	return sum_compare(a, b) > 0 ? a : b;
 }
 
-/* Widens the side that is too short for width : height = shape[0] : shape[1]. The
- * widened side is rounded to the nearest double. */
+/* Widens one side if it is too short for width : height = shape[0] : shape[1]. Rounds
+ * the widened side to the nearest double. */
 static void widen_sides(double *width, double *height, const double shape[2])
 {
 	struct sum w = sum_of_double(shape[0]), h = sum_of_double(shape[1]);
@@ -129,9 +128,10 @@ static void widen_sides(double *width, double *height, const double shape[2])
 		*height = fmax(*height, high);
 }
 
-/* Returns the largest step t along the gaze for which the eye's distances near - t and
- * far - t keep near - t >= near_ratio (far - t). near and far end the bounds. */
-static struct sum reach_near(const struct extents *r, double ratio)
+/* Returns the largest step t of the eye along the gaze after which near is at least
+ * ratio times far: low - t >= ratio (high - t), with the bounds' depth from low to
+ * high. */
+static struct sum step_to_near_ratio(const struct extents *r, double ratio)
 {
 	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
 
@@ -140,7 +140,7 @@ static struct sum reach_near(const struct extents *r, double ratio)
 
 /* Finds the slope of each side plane: how much the plane's function falls at a fixed
  * point while the eye moves by 1 along the gaze. */
-static const char *find_slopes(const struct scene *s, struct map *sides,
+static const char *find_plane_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
 	struct map ends;
@@ -158,12 +158,13 @@ static const char *find_slopes(const struct scene *s, struct map *sides,
 	return why;
 }
 
-/* Finds the step across the gaze after which the two planes of each pair are at equal
- * distances from the bounds. The lowest value of a plane's function falls by the step
- * times the plane's normal. The normals of left and right depend on y only if the
- * projection is skewed. */
-static void center_pairs(const struct map *sides, const struct sum lowest[4],
-    struct sum step[3])
+/* Finds step[1] and step[0], across the gaze, so that after the step the functions of
+ * the two planes of each pair have the same least value on the bounds. step[2] is
+ * given. A step lowers a least value by the dot product of the step and the plane's
+ * normal. The functions of bottom and top do not depend on x, so step[1] is found
+ * first. */
+static void center_between_planes(const struct map *sides,
+    const struct sum lowest[4], struct sum step[3])
 {
 	for (int j = 1; j >= 0; j--) {
 		struct sum normal[3];
@@ -179,12 +180,13 @@ static void center_pairs(const struct map *sides, const struct sum lowest[4],
 	}
 }
 
-/* Finds the step in view space that takes the eye as far along the gaze as a side plane
- * or near_ratio allows: if the eye moves by t, the lowest value of a plane's function
- * falls by t times the slope. If free, the eye may also move across the gaze; then the
- * sum of the lowest values of a pair of planes limits the step. */
-static const char *find_step(const struct scene *s, const struct hull *h,
-    bool free, struct sum step[3])
+/* Finds the eye's step in view space, as far along the gaze as a side plane or
+ * near_ratio allows. A step of t along the gaze lowers the least value of a plane's
+ * function by t times the plane's slope. If center, the eye also moves across the gaze,
+ * which does not change the sum of the least values of two opposite planes, so that
+ * this sum limits t. */
+static const char *find_eye_step(const struct scene *s, const struct hull *h,
+    bool center, struct sum step[3])
 {
 	struct map model, view, ends;
 	struct sum slope[4], lowest[4];
@@ -192,82 +194,81 @@ static const char *find_step(const struct scene *s, const struct hull *h,
 	const char *why = hull_extents(h, s, &r);
 
 	if (why == NULL)
-		why = find_slopes(s, &view, slope);
+		why = find_plane_slopes(s, &view, slope);
 	if (why == NULL)
 		why = view_planes(s, SPACE_MODEL, &model, &ends);
 	if (why != NULL)
 		return why;
-	struct sum t = reach_near(&r, s->projection.near_ratio);
+	struct sum t = step_to_near_ratio(&r, s->projection.near_ratio);
 
 	for (int k = 0; k < 4; k++)
 		lowest[k] = hull_lowest(h, &model, k, false);
-	for (int k = 0; k < 4; k += free ? 2 : 1) {
-		struct sum gap = lowest[k], closing = slope[k];
+	for (int k = 0; k < 4; k += center ? 2 : 1) {
+		struct sum gap = lowest[k], fall = slope[k];
 
-		if (free) {
+		if (center) {
 			gap = sum_add(gap, lowest[k + 1]);
-			closing = sum_add(closing, slope[k + 1]);
+			fall = sum_add(fall, slope[k + 1]);
 		}
-		struct sum most = sum_quotient(gap, closing);
+		struct sum most = sum_quotient(gap, fall);
 
 		if (sum_compare(most, t) < 0)
 			t = most;
 	}
 	step[0] = step[1] = sum_of_double(0);
 	step[2] = sum_negated_if(looks_back(&s->convention), t);
-	if (free)
-		center_pairs(&view, lowest, step);
-	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : FIT_BEYOND;
+	if (center)
+		center_between_planes(&view, lowest, step);
+	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
 }
 
-/* Scales sizes on the near plane with the new near, so that the side planes stay.
- * Rounds the sizes away from 0, so that the volume does not shrink. */
-static void keep_slopes(struct projection *p, double near)
+/* Scales sizes on the near plane from old_near to p->near, so that the side planes
+ * stay. Rounds the sizes away from 0, so that the volume does not shrink. */
+static void keep_side_planes(struct projection *p, double old_near)
 {
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
 		&p->bottom, &p->top };
 
 	for (int i = 0; i < 6 && projection_is_by_near(p); i++)
-		*sizes[i] = copysign(least_over(sum_scale(sum_of_double(
-							      p->near),
-						    fabs(*sizes[i])),
-					 sum_of_double(near)),
+		*sizes[i] = copysign(ratio_up(sum_scale(sum_of_double(p->near),
+						  fabs(*sizes[i])),
+					 sum_of_double(old_near)),
 		    *sizes[i]);
 }
 
-/* Sets near and far to the ends of the depth of the bounds, rounded outward. */
-static void close_depth(struct projection *p, const struct extents *r)
+/* Sets near and far to the ends of the bounds' depth, rounded outward. */
+static void set_near_and_far(struct projection *p, const struct extents *r)
 {
 	double high;
 
-	round_depth(r, &p->near, &high);
+	depth_range(r, &p->near, &high);
 	p->far = fmax(high, nextafter(p->near, HUGE_VAL));
 }
 
-/* Closes near and far around the bounds. Returns whether the bounds are then inside the
+/* Sets near and far around the bounds. Returns whether the bounds are then inside the
  * volume, and near is at least near_ratio times far. */
-static bool close_persp(struct scene *s, const struct hull *h)
+static bool enclose_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
-	double near = p->near;
+	double old_near = p->near;
 	struct extents r;
 
 	hull_extents(h, s, &r);
 	if (sum_sign(r.low[2]) <= 0)
 		return false;
-	close_depth(p, &r);
-	keep_slopes(p, near);
+	set_near_and_far(p, &r);
+	keep_side_planes(p, old_near);
 	struct sum least = sum_scale(sum_of_double(p->near_ratio), p->far);
 
-	return hull_out(h, s) == 0 &&
+	return hull_outside(h, s) == 0 &&
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Moves the eye by a step after which a plane touches the bounds. As the eye's
- * coordinates are rounded, some of the bounds can be outside: the eye then moves back
+/* Moves the eye by the step first, after which a plane touches the bounds. As the eye's
+ * coordinates are rounded, a part of the bounds can be outside: the eye then moves back
  * by 2^-53 of its largest coordinate, by twice as much, and so on. */
-static const char *step_back(struct scene *s, const struct hull *h,
-    const struct map *back, const struct sum first[3])
+static const char *move_eye_back(struct scene *s, const struct hull *h,
+    const struct map *to_world, const struct sum first[3])
 {
 	const struct projection given = s->projection;
 	struct sum step[3] = { first[0], first[1] };
@@ -278,45 +279,45 @@ static const char *step_back(struct scene *s, const struct hull *h,
 	for (int tries = 0; tries < 100; tries++) {
 		step[2] = sum_add(first[2], sum_of_double(outward * retreat));
 		s->projection = given;
-		eye_move(back, step, s->camera.eye);
-		if (close_persp(s, h))
+		eye_after_step(to_world, step, s->camera.eye);
+		if (enclose_persp(s, h))
 			return NULL;
 		for (int k = 0; k < 3 && tries == 0; k++)
 			retreat = fmax(retreat, 0x1p-54 * fabs(eye[k]));
 		retreat = retreat > 0 ? 2 * retreat :
 					0x1p-53 * fabs(sum_double(first[2]));
 	}
-	return FIT_BEYOND;
+	return NOT_IN_RANGE;
 }
 
-static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
+static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 {
 	struct sum step[3];
-	struct map back;
-	const char *why = find_step(s, h, free, step);
+	struct map to_world;
+	const char *why = find_eye_step(s, h, center, step);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
-	return why != NULL ? why : step_back(s, h, &back, step);
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world);
+	return why != NULL ? why : move_eye_back(s, h, &to_world, step);
 }
 
 /* Moves the eye so that the bounds are in the middle of the picture. Without has_eye
  * the eye also moves along the gaze, until its distance from the middle of the bounds
- * is the depth of the bounds. In a sheared picture this step moves the image; a step to
- * the side undoes the move. */
-static const char *center_eye(struct scene *s, bool has_eye,
+ * is the bounds' extent along the gaze. In an oblique projection this move shifts the
+ * image; a step across the gaze undoes the shift. */
+static const char *center_picture(struct scene *s, bool has_eye,
     const struct hull *h)
 {
 	const struct convention *c = &s->convention;
 	struct sum step[3] = { 0 };
-	struct map back, clip;
+	struct map to_world, clip;
 	struct extents r;
 	const char *why = hull_extents(h, s, &r);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world);
 	if (why != NULL)
 		return why;
 	for (int j = 0; j < 3; j++)
@@ -331,12 +332,13 @@ static const char *center_eye(struct scene *s, bool has_eye,
 		    sum_negated_if(j == 1 && c->ndc_y_down, sheared));
 	}
 	step[1] = sum_negated_if(c->view_y_down, step[1]);
-	eye_move(&back, step, s->camera.eye);
+	eye_after_step(&to_world, step, s->camera.eye);
 	return NULL;
 }
 
-/* Sets near, far, and the least width and height of the aspect that hold the bounds. */
-static const char *close_sides(struct scene *s, const struct hull *h)
+/* Sets near, far, and the least width and height in this aspect that hold the
+ * bounds. */
+static const char *enclose_parallel(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
 	double *const size[2] = { &p->width, &p->height };
@@ -346,13 +348,13 @@ static const char *close_sides(struct scene *s, const struct hull *h)
 
 	if (why != NULL)
 		return why;
-	close_depth(p, &r);
+	set_near_and_far(p, &r);
 	view_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum most = larger(sum_neg(r.low[j]), r.high[j]);
 
 		*size[j] = 2 *
-		    extents_round(&r, j, sum_mul(most, scale[j]), half[j]);
+		    extent_ratio(&r, j, sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";
@@ -362,8 +364,8 @@ static const char *close_sides(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Replaces width and height by edges, as in the given projection. The edges mirror the
- * image if the given ones did. */
+/* Replaces width and height by edges, the form of the given projection. The edges
+ * mirror the image if the given edges did. */
 static void restore_edges(struct projection *p, const struct projection *given)
 {
 	double x = given->left > given->right ? -p->width : p->width;
@@ -379,17 +381,17 @@ static void restore_edges(struct projection *p, const struct projection *given)
 static const char *fit_parallel(struct scene *s, bool has_eye,
     const struct projection *given, const struct hull *h)
 {
-	const char *why = center_eye(s, has_eye, h);
+	const char *why = center_picture(s, has_eye, h);
 
 	if (why == NULL)
-		why = close_sides(s, h);
+		why = enclose_parallel(s, h);
 	if (given->extent == EXTENT_EDGES)
 		restore_edges(&s->projection, given);
 	return why;
 }
 
-/* Moves the near plane of a volume away from an eye before near, until the eye's
- * distance from near is near_ratio times its distance from far. */
+/* Moves the near plane of a volume, if the eye is before far, until the eye's distance
+ * from near is at least near_ratio times the eye's distance from far. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
@@ -422,15 +424,15 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	keep_near_ratio(p);
 	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL)
 		return why;
-	round_depth(&r, &low, &high);
+	depth_range(&r, &low, &high);
 	p->z_near = p->z_near == near ? sign * low : p->z_near;
 	p->z_far = sign * high;
 	return NULL;
 }
 
-/* Gives the camera the form CAMERA_GAZE. Sets the members of the projection that fit
- * will find to some valid numbers. */
-static const char *fit_begin(struct scene *s)
+/* Gives the camera the form CAMERA_GAZE, and valid numbers to the members of the
+ * projection that fit is going to find. */
+static const char *fit_prepare(struct scene *s)
 {
 	struct projection *p = &s->projection;
 
@@ -459,18 +461,18 @@ static const char *fit_begin(struct scene *s)
 		       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
 		       "wanted";
 	}
-	return gaze_of(s);
+	return make_gaze_camera(s);
 }
 
 /* Puts the eye at the middle of the bounds' extents along the world axes. */
-static const char *eye_center(struct scene *s, const struct hull *h)
+static const char *eye_to_middle(struct scene *s, const struct hull *h)
 {
 	struct map world;
 	struct extents r;
 	const char *why = scene_map(s, SPACE_MODEL, SPACE_WORLD, &world);
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		extents_of(&r, k, h, &world);
+		extents_set(&r, k, h, &world);
 		s->camera.eye[k] = sum_double(extents_middle(&r, k));
 	}
 	return why;
@@ -483,29 +485,29 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	const char *why = hull_of(b, 3, &h);
 
 	if (why == NULL)
-		why = fit_begin(s);
+		why = fit_prepare(s);
 	if (why == NULL && !has_eye)
-		why = eye_center(s, &h);
+		why = eye_to_middle(s, &h);
 	if (why == NULL && given.type == PROJECTION_PERSP)
 		why = fit_persp(s, !has_eye && b->n > 0, &h);
 	else if (why == NULL && given.type == PROJECTION_VOLUME)
 		why = fit_volume(s, &h);
 	else if (why == NULL)
 		why = fit_parallel(s, has_eye, &given, &h);
-	return why != NULL || scene_is_valid(s) ? why : FIT_BEYOND;
+	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
-/* hull_extents measures the bounds along fit_axes. find_step and hull_out measure the
- * bounds along the normals of planes, which do not change as the eye moves. Only
- * keep_slopes rounds sizes on the near plane, outward: points stay inside the side
- * planes, but the rounding may take a little of the margin. */
+/* The farthest points of these directions suffice: hull_extents measures along
+ * fit_axes, find_eye_step and hull_outside along the normals of the side planes, which
+ * do not change as the eye moves. Only keep_side_planes rounds sizes on the near plane,
+ * outward: the points stay inside, but the rounding may take a little of the margin. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
 	struct scene s = *given;
 	bool persp = s.projection.type == PROJECTION_PERSP;
 	struct map xy, depth, sides, ends;
-	const char *why = fit_begin(&s);
+	const char *why = fit_prepare(&s);
 
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;
@@ -523,9 +525,10 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	return NULL;
 }
 
-/* Sets the center of the extent along axis j, rounded, and the side: twice the larger
- * distance of an end from the center, enlarged by the margin. */
-static void close_axis(const struct extents *r, int j, double margin,
+/* Sets the window's center along axis j to the rounded middle of the extent, and the
+ * side to twice the largest distance of an end from the center, enlarged by the
+ * margin. */
+static void enclose_axis(const struct extents *r, int j, double margin,
     double *center, double *side)
 {
 	*center = sum_double(extents_middle(r, j));
@@ -533,7 +536,7 @@ static void close_axis(const struct extents *r, int j, double margin,
 
 	struct sum most = larger(sum_sub(c, r->low[j]), sum_sub(r->high[j], c));
 
-	*side = least_over(sum_scale(most, 2), sum_diff(1, 2 * margin));
+	*side = ratio_up(sum_scale(most, 2), sum_diff(1, 2 * margin));
 }
 
 const char *fit_window(struct scene *s, const struct bounds *b)
@@ -548,18 +551,19 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 		return why;
 	map_identity(&identity);
 	for (int k = 0; k < 2; k++)
-		extents_of(&r, k, &h, &identity);
+		extents_set(&r, k, &h, &identity);
 	if ((why = extents_widen(&r, 2)) != NULL)
 		return why;
 	*w = (struct window){ .zoom = 1 };
-	close_axis(&r, 0, s->margin, &w->center[0], &w->width);
-	close_axis(&r, 1, s->margin, &w->center[1], &w->height);
+	enclose_axis(&r, 0, s->margin, &w->center[0], &w->width);
+	enclose_axis(&r, 1, s->margin, &w->center[1], &w->height);
 	if (s->has_device)
 		widen_sides(&w->width, &w->height,
 		    (const double[]){ s->device.width, s->device.height });
 	s->has_window = true;
-	return scene_is_size(w->width) && scene_is_size(w->height) ? NULL :
-								     FIT_BEYOND;
+	return scene_is_size(w->width) && scene_is_size(w->height) ?
+	    NULL :
+	    NOT_IN_RANGE;
 }
 
 void window_directions(struct directions *all)

@@ -5,12 +5,12 @@
 
 #include "../scene/scene.h"
 
-enum { BOUNDS_POINTS = 10 };
+enum { BOUNDS_POINTS = 10 }; /* six along the axes, four to the side planes */
 
-/* A sphere, a box or, if n is not 0, n points: the farthest of many points along the
- * directions of fit_directions. All numbers are in model space; the world matrix turns
- * the sphere into an ellipsoid. Bounds of a 2D window have no third coordinate, and
- * their sphere is a circle. */
+/* A sphere, a box from min to max or, if n is not 0, n points: of all points those that
+ * are farthest along the directions of fit_directions. All numbers are in model space;
+ * the world matrix turns the sphere into an ellipsoid. In a 2D window there is no third
+ * coordinate, and the sphere is a circle. */
 struct bounds {
 	double center[3], radius;
 	unsigned sphere; /* 1: a sphere, 0: a box or points */
@@ -19,18 +19,18 @@ struct bounds {
 	double point[BOUNDS_POINTS][3];
 };
 
-/* The convex hull of some points, widened by a radius. */
+/* The convex hull of n points, widened by a radius. */
 struct hull {
 	int n;
 	double point[BOUNDS_POINTS][3], radius;
 };
 
-/* Makes the hull of bounds of two or three coordinates. Returns NULL or, if a
- * coordinate of max is less than that of min, the member and the reason. */
+/* Makes the hull of bounds of two or three coordinates. Returns NULL or, if max is less
+ * than min along an axis, the member and the reason. */
 const char *hull_of(const struct bounds *, int dimensions, struct hull *);
 
-/* Returns the least value of column j of a map, or of its negative if minus, on the
- * hull (its support function). */
+/* Returns the least value on the hull of column j of a map or, if minus, of the negated
+ * column (the hull's support function). */
 struct sum hull_lowest(const struct hull *, const struct map *, int j,
     bool minus);
 
@@ -40,7 +40,7 @@ struct extents {
 };
 
 /* Sets the extent along axis j to the range of column j of a map on the hull. */
-void extents_of(struct extents *, int j, const struct hull *,
+void extents_set(struct extents *, int j, const struct hull *,
     const struct map *);
 
 struct sum extents_middle(const struct extents *, int j);
@@ -49,43 +49,44 @@ struct sum extents_middle(const struct extents *, int j);
  * NULL, or the reason if all extents are 0. */
 const char *extents_widen(struct extents *, int n);
 
-/* Makes the maps from model space to x and y, and to depth. Depth is measured along the
- * gaze; in a perspective it is w. In a perspective or a volume x and y are in view
- * space. In ortho and oblique, whose width and height must be 2, they are in clip
- * space, y upward. Returns NULL, or the member and the reason. */
+/* Makes the maps from model space along whose columns fit measures. Columns 0 and 1 of
+ * xy are x and y: in view space for a perspective or a volume, in clip space with y
+ * upward for ortho and oblique, whose width and height must be 2. Column 2 of depth is
+ * the distance along the gaze, in a perspective w. Returns NULL, or the member and the
+ * reason. */
 const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
 
-/* Finds the extents along fit_axes, widened. Returns NULL, or the member and the
- * reason. */
+/* Finds the extents of a hull along the columns of fit_axes, and widens them. Returns
+ * NULL, or the member and the reason. */
 const char *hull_extents(const struct hull *, const struct scene *,
     struct extents *);
 
-/* Returns the OUT_ bits of the planes of the view volume that a part of the hull is
- * outside of: all bits if the scene has no volume. */
-unsigned hull_out(const struct hull *, const struct scene *);
+/* Returns the OUT_ bits of the planes of the view volume that any part of the hull is
+ * outside of, or all bits if the scene has no volume. */
+unsigned hull_outside(const struct hull *, const struct scene *);
 
-/* A direction in model space: the vector m. hi is m divided by its element of largest
- * magnitude, and rounded; so no sum of products of hi with coordinates overflows. An
- * element of hi is 0 if and only if the element of m is 0. */
+/* A direction in model space. scaled is the vector exact over its element of largest
+ * magnitude, rounded, so that no sum of products of scaled with coordinates overflows.
+ * An element of scaled is 0 if and only if the element of exact is 0. */
 struct direction {
-	struct sum m[3];
-	double hi[3];
+	struct sum exact[3];
+	double scaled[3];
 };
 
 struct directions {
 	int n;
 	struct direction item[BOUNDS_POINTS];
-	double hi[BOUNDS_POINTS][3]; /* copies of item[].hi for the kernels */
+	double scaled[BOUNDS_POINTS][3]; /* copies for the kernels */
 };
 
 /* Adds the direction in which column j of the map grows or, if minus, falls. */
 void directions_add(struct directions *, const struct map *, int j, bool minus);
 
-/* The farthest point along a direction. value is its distance along hi, with an error
- * of at most bound. any is false before the first point. */
+/* The farthest point along a direction, and its distance along direction.scaled, which
+ * has an error of at most error. known is false before the first point. */
 struct farthest {
-	bool any;
-	double point[3], value, bound;
+	bool known;
+	double point[3], distance, error;
 };
 
 /* The farthest point along each direction. All bytes are 0 before the first point. */
@@ -94,7 +95,7 @@ struct extremes {
 };
 
 /* Adds n points; in has a column for each coordinate. A point with a nan does not
- * count. The caller pads each column to a multiple of 16 numbers from the same
+ * count. The caller pads each column to a multiple of 16 numbers with numbers of these
  * points. */
 void extremes_add(struct extremes *, const struct directions *,
     const double *const in[3], size_t n);
@@ -117,23 +118,22 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * bounds are between the side planes and one plane touches the bounds, or until near is
  * near_ratio times far. If the bounds are points and the scene has no eye, the eye also
  * moves across the gaze: both planes of the tighter pair touch the bounds, and the
- * planes of the other pair are equally far from the bounds.
+ * functions of the other two planes have the same least value on the bounds.
  *
  * ortho and oblique are centred on the bounds. Width and height become the least that
  * hold the bounds; then the shorter side is widened to the aspect, if the projection
  * has one (aspect[1] is not 0).
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
- * convention's gaze. If the eye is before near, the distance from the eye to near is at
- * least near_ratio times the distance from the eye to far.
+ * convention's gaze. If the eye is before far, near is moved until the eye's distance
+ * from near is at least near_ratio times the eye's distance from far.
  *
- * A margin moves the side planes inward before they are compared with the bounds.
- *
- * The eye is rounded to doubles; in persp it steps back by the least power of two that
- * outweighs the rounding. Every corner or point of the bounds is in the volume of the
- * rounded eye, as frustum_out decides. near, far and the sizes of a parallel projection
- * are the tightest such doubles, unless the bounds are so far from the eye that
- * rounding hides their last bits. Returns NULL, or the member and the reason. */
+ * A margin moves the side planes inward before they are compared with the bounds. The
+ * eye is rounded to doubles; in persp it then moves back until the bounds are inside.
+ * frustum_outside finds no corner or point of the bounds outside. near, far and the
+ * sizes of a parallel projection are the tightest doubles for which this holds, unless
+ * the bounds are so far from the eye that rounding hides their last bits. Returns NULL,
+ * or the member and the reason. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions along which fit_scene measures the bounds. The farthest points
@@ -143,8 +143,8 @@ const char *fit_directions(const struct scene *, bool has_eye,
 
 /* Replaces the scene's 2D window by one of center, width and height that holds x and y
  * of the bounds. The center is the double nearest to the middle of the bounds. Width
- * and height are the least doubles for which the window without its margin holds the
- * bounds, as frustum_out decides. Then the shorter side is widened to the device's
+ * and height are the least doubles for which frustum_outside finds the bounds inside
+ * the window without its margin. Then the shorter side is widened to the device's
  * shape, if there is a device. A zero extent along one axis counts as 2^-20 of the
  * other. Returns NULL, or the member and the reason. */
 const char *fit_window(struct scene *, const struct bounds *);

@@ -32,11 +32,11 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 	return NULL;
 }
 
-/* Returns the least value of column j on the hull, or of the negative of column j if
- * minus, relative to the value at the hull's first point. The least value on a sphere
- * is the value at its centre minus the radius times the length of the gradient. */
-static struct sum lowest_step(const struct hull *h, const struct map *m, int j,
-    bool minus)
+/* Returns the least value of column j on the hull or, if minus, of the negated column,
+ * less the value at the hull's first point. The least value on a sphere is the value at
+ * its centre minus the radius times the length of the gradient. */
+static struct sum lowest_offset(const struct hull *h, const struct map *m,
+    int j, bool minus)
 {
 	struct sum slope[3], step[3], lowest = sum_of_double(0);
 
@@ -64,17 +64,17 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 	for (int i = 0; i < 3; i++)
 		p[i] = sum_of_double(h->point[0][i]);
 	map_image(m, j, p, &at);
-	at = sum_add(sum_negated_if(minus, at), lowest_step(h, m, j, minus));
+	at = sum_add(sum_negated_if(minus, at), lowest_offset(h, m, j, minus));
 	return sum_snap_zero(sum_quotient(at, m->divisor));
 }
 
-/* The size is the sum of two results of lowest_step. The difference high - low may be
- * less than the errors of high and low. */
-void extents_of(struct extents *r, int j, const struct hull *h,
+/* The size is computed from lowest_offset, as the errors of high and low can be larger
+ * than high - low. */
+void extents_set(struct extents *r, int j, const struct hull *h,
     const struct map *m)
 {
-	struct sum size = sum_add(lowest_step(h, m, j, false),
-	    lowest_step(h, m, j, true));
+	struct sum size = sum_add(lowest_offset(h, m, j, false),
+	    lowest_offset(h, m, j, true));
 
 	r->low[j] = hull_lowest(h, m, j, false);
 	r->high[j] = sum_neg(hull_lowest(h, m, j, true));
@@ -138,11 +138,11 @@ const char *hull_extents(const struct hull *h, const struct scene *s,
 	if (why != NULL)
 		return why;
 	for (int j = 0; j < 3; j++)
-		extents_of(r, j, h, j < 2 ? &xy : &depth);
+		extents_set(r, j, h, j < 2 ? &xy : &depth);
 	return extents_widen(r, 3);
 }
 
-unsigned hull_out(const struct hull *h, const struct scene *s)
+unsigned hull_outside(const struct hull *h, const struct scene *s)
 {
 	struct map sides, ends;
 	unsigned out = 0;

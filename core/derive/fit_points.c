@@ -6,35 +6,36 @@
 
 #include "../points/transform.h"
 
-void directions_add(struct directions *all, const struct map *map, int j,
+void directions_add(struct directions *all, const struct map *m, int j,
     bool minus)
 {
 	struct direction *d = &all->item[all->n];
 	struct sum largest = sum_of_double(0);
 
 	for (int i = 0; i < 3; i++) {
-		d->m[i] = sum_snap_zero(sum_negated_if(minus, map->m[i][j]));
-		if (sum_sign(sum_sub(sum_abs(d->m[i]), largest)) > 0)
-			largest = sum_abs(d->m[i]);
+		d->exact[i] = sum_snap_zero(sum_negated_if(minus, m->m[i][j]));
+		if (sum_sign(sum_sub(sum_abs(d->exact[i]), largest)) > 0)
+			largest = sum_abs(d->exact[i]);
 	}
 	for (int i = 0; i < 3; i++) {
-		int sign = sum_sign(d->m[i]);
+		int sign = sum_sign(d->exact[i]);
 		double scaled = 0;
 
 		if (sign != 0)
-			scaled = sum_ratio(d->m[i], largest);
+			scaled = sum_ratio(d->exact[i], largest);
 		if (sign != 0 && scaled == 0)
 			scaled = sign * 0x1p-1074;
-		d->hi[i] = all->hi[all->n][i] = scaled;
+		d->scaled[i] = all->scaled[all->n][i] = scaled;
 	}
 	all->n++;
 }
 
-/* Returns an upper bound of the error of distance_along at points whose coordinates are
- * at most largest in magnitude. The element, the product and two sums are rounded, each
- * by at most u = 2^-53: 4 u times the sum of the products' magnitudes. 8 u also cover
- * the sums in which add_point compares values and bounds; 2^-1000 covers underflow. */
-static double bound_of(const double m[3], const double largest[3])
+/* Returns an upper bound of the error of distance_along, if no coordinate's magnitude
+ * is above largest. Each product has four roundings by u = 2^-53: of the element of m,
+ * of the product, and of two sums. This makes 4 u times the sum of the products'
+ * magnitudes. The bound of 8 u also covers the sums in add_point and add_block; 2^-1000
+ * covers underflow. */
+static double distance_error(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
 
@@ -43,8 +44,9 @@ static double bound_of(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-/* Returns whether p is farther than q. Of two points that are equally far, the one with
- * the greater coordinates counts as farther: the order of points does not matter. */
+/* Returns whether p is farther than q. If both are equally far, the point with the
+ * greater coordinates counts as farther, so that the order of points does not
+ * matter. */
 static bool is_farther(const struct direction *d, const double p[3],
     const double q[3])
 {
@@ -53,55 +55,56 @@ static bool is_farther(const struct direction *d, const double p[3],
 	int order = 0;
 
 	for (int i = 0; i < 3; i++)
-		same &= d->hi[i] == 0 || p[i] == q[i];
+		same &= d->scaled[i] == 0 || p[i] == q[i];
 	for (int i = 0; i < 3 && !same; i++)
 		step[i] = sum_diff(p[i], q[i]);
 	if (!same)
-		order = sum_sign(vec3_dot(d->m, step));
+		order = sum_sign(vec3_dot(d->exact, step));
 	for (int i = 0; i < 3 && order == 0; i++)
 		order = (p[i] > q[i]) - (p[i] < q[i]);
 	return order > 0;
 }
 
-/* Returns the distance of p along the direction, rounded: bound_of bounds its error. */
+/* Returns the distance of p along the direction, with an error below distance_error. */
 static double distance_along(const struct direction *d, const double p[3])
 {
-	return p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
+	return p[0] * d->scaled[0] + p[1] * d->scaled[1] + p[2] * d->scaled[2];
 }
 
-/* Makes p the farthest point if it is farther. If the bounds of the values overlap, the
- * exact comparison decides. */
+/* Makes p the farthest point if p is farther. Only if the distances differ by less than
+ * their errors, is_farther decides. */
 static void add_point(struct farthest *f, const struct direction *d,
     const double p[3], double bound)
 {
 	double value = distance_along(d, p);
 
-	if (!f->any || value - bound > f->value + f->bound ||
-	    (value + bound >= f->value - f->bound &&
+	if (!f->known || value - bound > f->distance + f->error ||
+	    (value + bound >= f->distance - f->error &&
 		is_farther(d, p, f->point)))
 		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value,
 			bound };
 }
 
-/* How many points a call of the kernel takes. With fewer there are more calls. With
- * more, more blocks hold a farthest point, and are compared point by point. */
+/* The number of points per call of the kernel. Small blocks need more calls. Large
+ * blocks cost time, as each point of a block that may hold the farthest point is
+ * examined. */
 enum { FIT_BLOCK = 128 };
 
-/* Adds at most FIT_BLOCK points. Only points whose value may be the largest,
- * within the error, are compared one by one. */
+/* Adds at most FIT_BLOCK points. Compares only those points one by one whose distance,
+ * within its error, may be the largest. */
 static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
 	double most[BOUNDS_POINTS], largest[3];
 
-	points_kernels()->farthest(all->hi, all->n, in, n, most, largest);
+	points_kernels()->farthest(all->scaled, all->n, in, n, most, largest);
 	for (int j = 0; j < all->n; j++) {
 		const struct direction *d = &all->item[j];
 		struct farthest *f = &e->item[j];
-		double bound = bound_of(d->hi, largest);
+		double bound = distance_error(d->scaled, largest);
 		double least = most[j] - 2 * bound;
 
-		if (f->any && most[j] + bound < f->value - f->bound)
+		if (f->known && most[j] + bound < f->distance - f->error)
 			continue;
 		for (size_t i = 0; i < n; i++) {
 			const double p[3] = { in[0][i], in[1][i], in[2][i] };
@@ -127,9 +130,9 @@ void extremes_merge(struct extremes *e, const struct directions *all,
     const struct extremes *other)
 {
 	for (int j = 0; j < all->n; j++)
-		if (other->item[j].any)
+		if (other->item[j].known)
 			add_point(&e->item[j], &all->item[j],
-			    other->item[j].point, other->item[j].bound);
+			    other->item[j].point, other->item[j].error);
 }
 
 bool extremes_bounds(const struct extremes *e, const struct directions *all,
@@ -138,5 +141,5 @@ bool extremes_bounds(const struct extremes *e, const struct directions *all,
 	*b = (struct bounds){ .n = all->n };
 	for (int j = 0; j < all->n; j++)
 		memcpy(b->point[j], e->item[j].point, sizeof b->point[j]);
-	return all->n > 0 && e->item[0].any;
+	return all->n > 0 && e->item[0].known;
 }

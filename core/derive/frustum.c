@@ -13,21 +13,22 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
 }
 
-/* Sets column j of r to a x + b w or, if minus, -a x + b w. x is column k of m, w
- * column 3. */
+/* Sets column j of r to a x + b w or, if minus, to -a x + b w, where x is column k of m
+ * and w is column 3 of m. */
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
 {
-	const struct sum by[2] = { sum_negated_if(minus, a), b };
+	const struct sum factor[2] = { sum_negated_if(minus, a), b };
 
 	for (int i = 0; i < 4; i++)
-		sum_dot(2, by, &m->m[i][k], 3 - k, &r->m[i][j]);
+		sum_dot(2, factor, &m->m[i][k], 3 - k, &r->m[i][j]);
 }
 
-/* Makes the planes from the map to clip space. A point is inside left if x scale >=
- * -half w, inside right if x scale <= half w, and so on. Bottom and top are swapped if
- * ndc y points down, near and far if depth is reversed. If the projection has no near
- * and far planes, their functions are 1, so every point is inside. */
+/* Makes the planes from the map m to clip space. With half and scale of view_limits,
+ * left and right are half w + scale x and half w - scale x, bottom and top the same in
+ * y. Bottom and top are swapped if ndc y points down, near and far if depth is
+ * reversed. If there are no near and far planes, their functions are 1, so that every
+ * point is inside. */
 static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
@@ -98,40 +99,37 @@ const char *flat_frustum_of(const struct scene *s, enum flat from,
 	return NULL;
 }
 
-static bool is_flat(const struct frustum *f)
-{
-	return f->sides.in == 2;
-}
-
 static int column_sign(const struct transform *t, int j, const double in[4])
 {
 	return sum_sign(point_column(t, j, in));
 }
 
-unsigned frustum_out(const struct frustum *f, const double in[4])
+unsigned frustum_outside(const struct frustum *f, const double in[4])
 {
+	bool flat = f->sides.in == 2;
 	unsigned out = 0;
 
 	for (int i = 0; i < f->sides.in; i++)
 		if (isnan(in[i]))
 			return OUT_NAN;
-	if (!is_flat(f) &&
+	if (!flat &&
 	    (column_sign(&f->ends, 2, in) <= 0 ||
 		(f->sides.reciprocal && !(in[3] > 0))))
 		return OUT_BEHIND;
 	for (int k = 0; k < 4; k++)
 		out |= column_sign(&f->sides, k, in) < 0 ? 1u << k : 0;
-	for (int k = 0; k < 2 && !is_flat(f); k++)
+	for (int k = 0; k < 2 && !flat; k++)
 		out |= column_sign(&f->ends, k, in) < 0 ?
 		    (unsigned)OUT_NEAR << k :
 		    0;
 	return out;
 }
 
-/* Makes the estimate of the signs of a map's columns. Unless a number overflows, the
- * error of a column is at most ESTIMATE_BOUND times the sum of its products'
- * magnitudes. The underflow of a product, or of an element that is rounded up to
- * 2^-1074, adds less than 2^-1025 of the other factor. */
+/* Makes the estimate of the signs of a transform's columns. The error of a column is at
+ * most ESTIMATE_BOUND times the sum of its products' magnitudes, plus its noise, plus
+ * 2^-1074 times each coordinate whose element underflows. high excludes overflow, and
+ * low excludes sums of magnitudes below 2^-899, in which underflow of products would
+ * count. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -155,14 +153,14 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-/* How many points a call of the kernel takes; the stack holds their words. */
+/* The number of points per call of the kernel; the stack holds their signs. */
 enum { SIGNS_BLOCK = 256 };
 
-void frustum_out_all(const struct frustum *f, const double *const in[4],
+void frustum_outside_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
-	bool flat = is_flat(f), four = f->sides.in == 4;
-	/* in 2D any column serves as z, as the slopes of z are 0 */
+	bool flat = f->sides.in == 2, four = f->sides.in == 4;
+	/* in 2D any column serves as z, as the map multiplies it by 0 */
 	const double *z = in[flat ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
 	double word[SIGNS_BLOCK];
@@ -186,7 +184,7 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 				four ? in[3][i + k] : 1 };
 
 			if (four || planes >= SIGNS_UNSURE)
-				planes = frustum_out(f, p);
+				planes = frustum_outside(f, p);
 			out[i + k] = planes & OUT_BEHIND ?
 			    OUT_BEHIND :
 			    (unsigned char)planes;
@@ -194,10 +192,9 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Writes the homogeneous point h where planes a and b of the sides and plane c of a map
- * meet; w of h is not negative. All of h is 0 if the planes meet in more than a
- * point. */
-static void planes_meet(const struct volume *v, int a, int b,
+/* Writes the homogeneous point h in which columns a and b of the sides and column c of
+ * other are 0, with w >= 0, or 0 0 0 0 if the planes meet in more than a point. */
+static void intersect_planes(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {
 	struct sum plane[4][4], w;
@@ -216,24 +213,24 @@ static void planes_meet(const struct volume *v, int a, int b,
 		h[i].value.sign *= -1;
 }
 
-/* The left and the right plane meet in the line where clip x and w are 0. The line
- * meets the bottom plane where clip y is 0, too: in the eye. */
+/* The left, right and bottom planes meet in the eye, where clip x, y and w are 0, as
+ * the functions of these planes are sums of multiples of x, y and w. */
 const char *volume_of(const struct scene *s, struct volume *v)
 {
-	/* the inverse map refuses a singular projection */
-	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->clip);
+	/* scene_map refuses a singular projection, which has no inverse */
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->to_clip);
 
-	v->eye_z[0] = v->clip.divisor;
-	v->eye_z[1] = v->clip.m[2][3];
+	v->eye_z[0] = v->to_clip.divisor;
+	v->eye_z[1] = v->to_clip.m[2][3];
 	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &v->clip);
+		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &v->to_clip);
 	if (why != NULL)
 		return why;
-	v->eye_z[0] = sum_mul(v->eye_z[0], v->clip.divisor);
-	planes_of_clip(s, &v->clip, &v->sides, &v->ends);
+	v->eye_z[0] = sum_mul(v->eye_z[0], v->to_clip.divisor);
+	planes_of_clip(s, &v->to_clip, &v->sides, &v->ends);
 	for (int i = 0; i < 8; i++)
-		planes_meet(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1),
+		intersect_planes(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1),
 		    &v->ends, i > 3, v->corner[i]);
-	planes_meet(v, 0, 1, &v->sides, 2, v->eye);
+	intersect_planes(v, 0, 1, &v->sides, 2, v->eye);
 	return NULL;
 }

@@ -6,15 +6,15 @@ const char *lens_of(const struct scene *s, struct lens *l)
 	const char *why = volume_of(s, &l->volume);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->view);
+		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view);
 	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &l->world);
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &l->to_world);
 	if (why != NULL)
 		return why;
 	for (int i = 0; i < 16; i++)
 		l->clip[i % 4][i / 4] = sum_negated_if(i % 4 == 1 &&
 			answer_convention(s)->ndc_y_down,
-		    l->volume.clip.m[i / 4][i % 4]);
+		    l->volume.to_clip.m[i / 4][i % 4]);
 	l->scene = s;
 	l->parallel = vec3_is_zero(l->clip[3]);
 	l->reversed = projection_is_reversed(&s->projection, &s->convention);
@@ -26,7 +26,7 @@ void lens_axis(const struct lens *l, const struct sum axis[3], double unit[3])
 	struct sum a[3];
 
 	for (int k = 0; k < 3; k++)
-		a[k] = sum_snap_zero(vec3_dot(l->view.m[k], axis));
+		a[k] = sum_snap_zero(vec3_dot(l->to_view.m[k], axis));
 	struct sum length = vec3_length(a);
 
 	for (int k = 0; k < 3; k++)

@@ -5,39 +5,37 @@
 
 #define UNDEFINED ((double)NAN)
 
-/* A component of a vector that is less than this share of the vector's length counts as
- * a rounding error of the given numbers. */
-#define SLIGHT 0x1p-40
+/* A component of a vector below this share of the vector's length counts as a rounding
+ * error of the given numbers. */
+#define NEGLIGIBLE 0x1p-40
 
-/* The map from view to clip space in axes X to the right, Y upward and D along the
- * gaze. The axes make it upright: y and w do not depend on X, nor w on Y. Clip
- * coordinates are
+/* The map from view to clip space in the axes X to the right, Y upward and D along the
+ * gaze that make it upright: y and w do not depend on X, nor w on Y. Clip coordinates
+ * are
  *
  *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
- *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = zw D + tw,
+ *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = w[0] D + w[1],
  *
- * all times the map's divisor, which cancels. In a perspective w grows along the gaze,
- * and the constants are 0, as D begins at the eye.
- *
- * If view_axes, X, Y and D are the axes of view space; if not, an RQ decomposition
- * gives the axes. If turned, too, the axes of view space are turned by 180 degrees
- * about Y, as w grows against the convention's gaze. X is negated if the answer is of
- * the other handedness. If tilted, z also depends on X or Y. */
+ * all times the map's divisor, which cancels. In a perspective w grows along D, and D
+ * is 0 at the eye, so xy[0][3], xy[1][3] and w[1] are 0. */
 struct upright {
-	struct sum xy[2][4], zw, tw;
+	struct sum xy[2][4], w[2];
 	struct sum axis[3][3]; /* X, Y and D in view space */
-	bool view_axes, turned, tilted;
+	bool uses_view_axes;   /* if not, find_rq_axes finds the axes */
+	bool turned;           /* w grows against the convention's gaze */
+	bool tilted;           /* z depends on X or Y */
 };
 
-/* Returns whether the answer's handedness is not the document's: the map from world to
- * view space then mirrors. */
+/* Returns whether answer_convention has the other handedness than the document. The map
+ * from world to view space then mirrors. */
 static bool is_mirrored(const struct scene *s)
 {
 	return s->convention.right_handed != answer_convention(s)->right_handed;
 }
 
-/* Sets the axes to those of view space. Returns false if they do not make the map
- * upright. */
+/* Sets the axes to those of view space. They are turned by 180 degrees about Y if w
+ * grows against the convention's gaze, and X is negated if is_mirrored. Returns false
+ * if the axes do not make the map upright. */
 static bool set_view_axes(const struct lens *l, struct upright *u)
 {
 	const struct convention *c = answer_convention(l->scene);
@@ -65,16 +63,16 @@ static void normalise(struct sum v[3])
 		v[i] = sum_quotient(v[i], length);
 }
 
-/* Returns whether |a| is at most SLIGHT times the length. */
-static bool is_slight(struct sum a, struct sum length)
+/* Returns whether |a| is at most NEGLIGIBLE times |b|. */
+static bool is_negligible(struct sum a, struct sum b)
 {
-	return sum_compare(sum_abs(a), sum_scale(sum_abs(length), SLIGHT)) <= 0;
+	return sum_compare(sum_abs(a), sum_scale(sum_abs(b), NEGLIGIBLE)) <= 0;
 }
 
-/* Finds the axes by the method of Gram and Schmidt from the gradients g of clip x, y, z
- * and w. D is along the gradient of w or, if w is constant, from near to far. Y is the
- * part of the gradient of y that is perpendicular to D. X has the direction that gives
- * the camera the answer's handedness. */
+/* Finds the axes by the method of Gram and Schmidt from the gradients of clip x, y, z
+ * and w: an RQ decomposition. D is along the gradient of w or, if w is constant, from
+ * near to far. Y is the part of the gradient of y that is perpendicular to D. The sign
+ * of X gives the camera the handedness of answer_convention. */
 static void find_rq_axes(const struct lens *l, struct upright *u)
 {
 	const struct scene *s = l->scene;
@@ -94,16 +92,16 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 	for (int i = 0; i < 3; i++)
 		u->axis[0][i] = sum_negated_if(negates_x, u->axis[0][i]);
 	vec3_cross(g[2], g[3], tilt);
-	u->tilted = !is_slight(vec3_length(tilt),
+	u->tilted = !is_negligible(vec3_length(tilt),
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Sets elements to 0 that count as rounding errors. */
-static void clear_roundings(bool parallel, struct upright *u)
+/* Sets those elements of xy to 0 that are negligible beside xy[i][i]. */
+static void clear_rounding_errors(bool parallel, struct upright *u)
 {
 	for (int i = 0; i < 2; i++)
 		for (int j = i + 1; j < (parallel ? 3 : 2); j++)
-			if (is_slight(u->xy[i][j], u->xy[i][i]))
+			if (is_negligible(u->xy[i][j], u->xy[i][i]))
 				u->xy[i][j] = sum_of_double(0);
 }
 
@@ -111,19 +109,19 @@ static void set_elements(const struct lens *l, struct upright *u)
 {
 	for (int i = 0; i < 6; i++)
 		u->xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3], u->axis[i % 3]);
-	u->zw = vec3_dot(l->clip[3], u->axis[2]);
+	u->w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 
-/* Returns whether the projection's matrix contains a camera that is turned by 180
- * degrees: the picture without a camera is upside down, or far is against the gaze. */
-static bool hides_camera(const struct lens *l, const struct upright *u)
+/* Returns whether the matrix contains a camera that is turned by 180 degrees: far is
+ * against the gaze or, if the document has no camera, the picture is upside down. */
+static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;
 	int deeper = sum_sign(vec3_dot(l->clip[2], u->axis[2]));
 
 	if (p->type != PROJECTION_MATRIX)
 		return false;
-	if (l->parallel && (deeper * sum_sign(u->tw) < 0) != l->reversed)
+	if (l->parallel && (deeper * sum_sign(u->w[1]) < 0) != l->reversed)
 		return true;
 	return p->alone && sum_sign(u->xy[0][0]) < 0 &&
 	    sum_sign(u->xy[1][1]) < 0;
@@ -135,37 +133,37 @@ static void upright_of(const struct lens *l, struct upright *u)
 	if (l->parallel) {
 		u->xy[0][3] = l->clip[0][3];
 		u->xy[1][3] = l->clip[1][3];
-		u->tw = l->clip[3][3];
+		u->w[1] = l->clip[3][3];
 	}
-	u->view_axes = set_view_axes(l, u);
+	u->uses_view_axes = set_view_axes(l, u);
 	set_elements(l, u);
-	if (u->view_axes && !hides_camera(l, u))
+	if (u->uses_view_axes && !has_turned_camera(l, u))
 		return;
-	u->view_axes = false;
+	u->uses_view_axes = false;
 	find_rq_axes(l, u);
 	set_elements(l, u);
-	clear_roundings(l->parallel, u);
+	clear_rounding_errors(l->parallel, u);
 }
 
-/* Sets the aspect. If the axes are those of view space, sets the side planes from two
+/* Sets the aspect. If the axes are those of view space, sets near_edge from two
  * opposite corners of the near plane. */
-static void set_planes(const struct lens *l, const struct upright *u,
+static void set_near_edges(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
 	const struct scene *s = l->scene;
 	struct sum half[2], scale[2];
 
-	for (int k = 0; k < 4 && u->view_axes && !isnan(r->near); k++) {
+	for (int k = 0; k < 4 && u->uses_view_axes && !isnan(r->near); k++) {
 		const struct sum *h = l->volume.corner[k % 2 == 0 ? 0 : 2];
 
 		if (k >= 2 || sum_sign(u->xy[0][1]) == 0)
-			r->plane[k] = sum_ratio_or_nan(h[k / 2], h[3]);
+			r->near_edge[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
 	view_limits(s, half, scale);
 	struct sum wide = sum_mul(sum_mul(u->xy[1][1], half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->xy[0][0], half[1]), scale[0]);
 
-	/* high is 0 if the picture is a line */
+	/* if high is 0, the picture is a line */
 	r->aspect = sum_sign(high) == 0 ?
 	    UNDEFINED :
 	    sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
@@ -178,7 +176,7 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 
 		for (int i = 0; i < 4; i++)
 			map_image(k < 4 ? &l->volume.sides : &l->volume.ends,
-			    k % 4, l->view.m[i], &v[i]);
+			    k % 4, l->to_view.m[i], &v[i]);
 		struct sum length = vec3_length(v);
 
 		for (int i = 0; i < 4; i++)
@@ -215,15 +213,16 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	*c = (struct camera){ .kind = CAMERA_GAZE };
 	r->scene.has_camera = true;
 	for (int k = 0; k < 3; k++)
-		c->eye[k] = l->parallel ? map_nearest(&l->world, 3, k, false) :
-					  r->eye[k];
+		c->eye[k] = l->parallel ?
+		    map_nearest(&l->to_world, 3, k, false) :
+		    r->eye[k];
 	lens_axis(l, u->axis[2], c->at);
 	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K, whose pixels are half + scale x / w from the viewport's corner. If pixels
- * count from the top, Y of K points downward. X of K points to the right in the
- * picture, even if the world does not have the answer's handedness. */
+/* Computes K, which maps to the pixels half + scale x / w (view_limits) from the
+ * viewport's corner. Y of K points downward if pixels count from the top. X of K is X
+ * of u or, if is_mirrored, -X: to the right in the picture. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
@@ -238,16 +237,16 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 
 		n = sum_negated_if(minus[j] != (row == 1 && down), n);
 		if (j == 2)
-			n = sum_add(n, sum_mul(u->zw, half[row]));
-		k[row][j] = sum_ratio_or_nan(n, u->zw);
+			n = sum_add(n, sum_mul(u->w[0], half[row]));
+		k[row][j] = sum_ratio_or_nan(n, u->w[0]);
 	}
 	k[2][0] = k[2][1] = 0;
 	k[2][2] = 1;
 }
 
-/* Sets the edges of the cross-section: X or Y where a side plane, x = w or x = -w, y =
- * w or y = -w, meets the plane D = n / d. In a perspective the plane of D is near or
- * far; in a parallel projection it is the plane that the shear does not move. */
+/* Sets left, right, bottom and top: X or Y where the side plane x = -w, x = w, y = -w
+ * or y = w meets the plane D = n / d. This plane is near or far in a perspective, and
+ * the plane that the shear keeps in a parallel projection. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
@@ -259,9 +258,9 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
 		const struct sum *x = u->xy[k / 2];
-		bool minus = k % 2 == 0;
-		struct sum slope = sum_sub(sum_negated_if(minus, u->zw), x[2]);
-		struct sum offset = sum_sub(sum_negated_if(minus, u->tw), x[3]);
+		bool low = k % 2 == 0;
+		struct sum slope = sum_sub(sum_negated_if(low, u->w[0]), x[2]);
+		struct sum offset = sum_sub(sum_negated_if(low, u->w[1]), x[3]);
 
 		*edges[k] = sum_ratio_or_nan(sum_add(sum_mul(slope, n),
 						 sum_mul(offset, d)),
@@ -293,8 +292,8 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->direction = -p->direction;
 }
 
-/* Sets the projection. near becomes the plane of a perspective that is nearer to the
- * eye, even if the eye is beyond far. */
+/* Sets the projection. In a perspective near becomes the plane nearer to the eye, even
+ * if the picture's near is the other plane. */
 static void set_projection(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
@@ -323,13 +322,13 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	}
 	for (int i = 0; i < 9; i++)
 		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
-	/* x of the answer's view space points to the right, not K's X */
+	/* if is_mirrored, X of K is -x of the view space of r->scene */
 	p->intrinsics[0][0] = fabs(p->intrinsics[0][0]);
 	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
 }
 
-static double squared(double a, double b, double c)
+static double sum_of_squares(double a, double b, double c)
 {
 	return a * a + b * b + c * c;
 }
@@ -339,8 +338,8 @@ static double squared(double a, double b, double c)
  * A transposed parallel projection has the last row 0 0 0 1. */
 static bool seems_transposed(const double m[4][4])
 {
-	double row = squared(m[3][0], m[3][1], m[3][2]);
-	double column = squared(m[0][3], m[1][3], m[2][3]);
+	double row = sum_of_squares(m[3][0], m[3][1], m[3][2]);
+	double column = sum_of_squares(m[0][3], m[1][3], m[2][3]);
 	bool unit = fabs(row - 1) < 0x1p-20 && fabs(column - 1) > 0x1p-20;
 
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
@@ -359,30 +358,30 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
-	/* a reverse perspective has the eye beyond far by intent */
+	/* the document wants the eye beyond far */
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 
-	/* w is negative, or 0 at infinity, at all corners */
+	/* a corner is nan if it is at infinity or behind the eye */
 	for (int i = 0; i < 8; i++)
 		behind &= isnan(r->corner[i][0]);
-	/* a perspective matrix seems to mirror if all of it is negated */
+	/* a perspective matrix that is negated as a whole seems to mirror */
 	bool negated = !parallel && !transposed && mirrored && behind;
 	bool known = transposed || reverse || negated;
-	/* the projection looks against the convention's gaze */
-	bool away = u->view_axes && u->turned && (mirrored || s->has_camera);
+	bool looks_away = u->uses_view_axes && u->turned &&
+	    (mirrored || s->has_camera);
 	const bool applies[NOTES] = {
-		[NOTE_MIRRORED] = !known && mirrored && !away,
-		[NOTE_HANDED] = !known && mirrored && away,
-		[NOTE_AWAY] = !known && !mirrored && away,
+		[NOTE_MIRRORED] = !known && mirrored && !looks_away,
+		[NOTE_OTHER_HANDED] = !known && mirrored && looks_away,
+		[NOTE_LOOKS_AWAY] = !known && !mirrored && looks_away,
 		[NOTE_TRANSPOSED] = transposed,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
-		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX &&
-		    u->view_axes && parallel && r->reverse_z,
-		[NOTE_NO_ROTATION] = !is_rotation(&l->view, is_mirrored(s)),
+		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
+		    u->uses_view_axes && parallel && r->reverse_z,
+		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
-		[NOTE_BEHIND] = negated || (parallel && sum_sign(u->tw) < 0),
-		[NOTE_SKEWED] = by_intrinsics &&
+		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->w[1]) < 0),
+		[NOTE_NO_INTRINSICS] = by_intrinsics &&
 		    (parallel || !fills || sum_sign(u->xy[0][0]) < 0),
 	};
 	unsigned notes = 0;
@@ -403,7 +402,7 @@ static void set_parameters(const struct lens *l, struct picture *r)
 	r->reverse_z = l->reversed;
 	r->near = u.tilted ? UNDEFINED : depth_distance(&r->depth, false);
 	r->far = u.tilted ? UNDEFINED : depth_distance(&r->depth, true);
-	set_planes(l, &u, r);
+	set_near_edges(l, &u, r);
 	if (s->has_viewport && !l->parallel)
 		set_intrinsics(s, &u, r->intrinsics);
 	r->notes = notes_of(l, &u, r);
@@ -416,7 +415,7 @@ static void set_parameters(const struct lens *l, struct picture *r)
 	set_projection(l, &u, r);
 	set_camera(l, &u, r);
 	r->has_scene = scene_is_valid(&r->scene);
-	r->notes |= r->has_scene ? 0 : 1u << NOTE_RANGE;
+	r->notes |= r->has_scene ? 0 : 1u << NOTE_OUT_OF_RANGE;
 }
 
 const char *picture_of(const struct scene *s, struct picture *p)
@@ -431,8 +430,8 @@ const char *picture_of(const struct scene *s, struct picture *p)
 	memset(p, 0xff, offsetof(struct picture, notes));
 	taxonomy_of(&l, p);
 	set_parameters(&l, p);
-	known.known[SPACE_WORLD][false] = &l.view;
-	known.known[SPACE_WORLD][true] = &l.world;
-	known.known[SPACE_VIEW][false] = &l.volume.clip;
+	known.known[SPACE_WORLD][false] = &l.to_view;
+	known.known[SPACE_WORLD][true] = &l.to_world;
+	known.known[SPACE_VIEW][false] = &l.volume.to_clip;
 	return error_bounds(&known, &l.volume, p->error_bound);
 }

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* The distance of a point from a plane is the plane's linear function at the point over
- * the length of the function's gradient in view space. Without near and far planes the
+/* The distance of a point from a plane is the plane's function at the point over the
+ * length of the function's gradient in view space. Without near and far planes the
  * distance is measured from the plane w = 0. */
 const char *picker_of(const struct scene *s, const struct transform *to_device,
     struct picker *k)
@@ -12,7 +12,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	/* the inverse map refuses a singular projection */
+	/* scene_map refuses a singular projection, which has no inverse */
 	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, m);
 
 	if (why == NULL)
@@ -40,12 +40,12 @@ static struct sum square(struct sum a)
 	return sum_mul(a, a);
 }
 
-/* The image of the point is N / w. It is within the radius r of the position p if (N -
- * p w)^2 <= (r w)^2. The image rounded to doubles (device) has a relative error of a
- * few u = 2^-53. If r is above 2^-40 of the coordinates of p, the squared distance d2
- * near the circle has a relative error below 2^-10, so doubles decide if d2 differs
- * from r^2 by more than 2^-8 r^2. */
-bool pick_holds(const struct picker *k, const double in[4],
+/* The exact image is N / w. It is within the radius r of the position p if (N - p w)^2
+ * <= (r w)^2. device, the rounded image, has a relative error of a few u = 2^-53. If r
+ * is above 2^-40 of the coordinates of p, the squared distance d2 of device from p has
+ * near the circle a relative error below 2^-10, so doubles decide if d2 differs from
+ * r^2 by more than 2^-8 r^2. */
+bool pick_is_within(const struct picker *k, const double in[4],
     const double device[2])
 {
 	const struct transform *t = k->to_device;

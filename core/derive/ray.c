@@ -8,15 +8,15 @@
 
 /* Makes the map from device x and y to a vector along the ray. The ray lies in the
  * planes x w = X and y w = Y, where X, Y and w are columns of the map from view space
- * to the device. It is parallel to the cross product of the planes' normals, in which
- * the term of x y is 0:
+ * to the device. The ray is parallel to the cross product of the planes' normals, in
+ * which the term of x y is 0:
  *
  *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
  *
- * Depth grows along this vector if the map's determinant is positive; if depth falls,
- * the vector is negated. The product is computed in view space, where it is exact even
- * if the camera is not; the rows of r include the map to world space. */
-static const char *set_along(const struct scene *s, bool depth_falls,
+ * Depth grows along this vector if the map's determinant is positive. If depth falls
+ * along rays, the vector is negated. The product is exact in view space even if the
+ * camera is not. So r is the product times the map from view to world space. */
+static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
 	static const int factor[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 },
@@ -45,8 +45,8 @@ static const char *set_along(const struct scene *s, bool depth_falls,
 }
 
 /* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map does not
- * fail: the map from the device exists, and contains the map from clip space. */
-static void from_eye(const struct scene *s, struct transform *t)
+ * fail: the map from the device, which exists, contains the map from clip space. */
+static void start_at_eye(const struct scene *s, struct transform *t)
 {
 	struct sum(*m)[4] = t->map.m;
 
@@ -62,22 +62,23 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 {
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	const struct viewport *v = &s->viewport;
-	/* depth on the device falls away from the eye */
+	/* device depth falls along rays */
 	bool depth_falls = (v->max_z > v->min_z) == reversed;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);
 
 	if (why == NULL)
-		why = set_along(s, depth_falls, &r->along.map);
+		why = set_direction_map(s, depth_falls, &r->direction.map);
 	if (why != NULL)
 		return why;
-	r->along.map.divisor = sum_of_double(1);
-	memcpy(r->along.map.origin, r->to_world.map.origin, 2 * sizeof(double));
+	r->direction.map.divisor = sum_of_double(1);
+	memcpy(r->direction.map.origin, r->to_world.map.origin,
+	    2 * sizeof(double));
 	if (projection_is_open(&s->projection))
-		from_eye(s, &r->to_world);
+		start_at_eye(s, &r->to_world);
 	r->depth = reversed ? v->max_z : v->min_z;
-	r->along.in = 2;
-	transform_prepare(&r->along);
+	r->direction.in = 2;
+	transform_prepare(&r->direction);
 	return NULL;
 }
 
@@ -87,7 +88,7 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	struct sum to[3];
 
 	for (int j = 0; j < 3; j++)
-		to[j] = sum_snap_zero(point_column(&r->along, j, in));
+		to[j] = sum_snap_zero(point_column(&r->direction, j, in));
 	struct sum length = vec3_length(to);
 
 	for (int j = 0; j < 3; j++) {
@@ -97,9 +98,9 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	}
 }
 
-/* Returns whether the ray of a device position has a point on the near plane. If all
- * coordinates are nan, they may only be beyond the range, so the sign of w decides. */
-static bool has_point(const struct ray_maker *r, const double in[4],
+/* Returns whether the ray of a device position begins at a point. Coordinates of point
+ * that are nan can also be beyond the range of doubles; then the sign of w decides. */
+static bool ray_has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
 	if (!isnan(point[0]) || !isnan(point[1]) || !isnan(point[2]))
@@ -123,12 +124,12 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* Completes a ray after the kernels: computes a direction that is still nan, rounds to
- * floats if single, and makes the direction nan if the ray has no point. */
+/* Completes a ray that a kernel left undecided: computes a direction that is still nan,
+ * rounds to floats if single, and makes the direction nan if the ray has no point. */
 static void ray_finish(const struct ray_maker *r, const double in[4],
     bool single, double point[3], double direction[3])
 {
-	if (!has_point(r, in, point)) {
+	if (!ray_has_point(r, in, point)) {
 		for (int j = 0; j < 3; j++)
 			direction[j] = (double)NAN;
 		return;
@@ -152,8 +153,8 @@ bool rays_cast(const struct ray_maker *r, bool single,
 	const bool finite = points_map(&r->to_world, PRECISION_EXACT, in, out,
 	    n);
 
-	if (points_kernels()->exact[KERNEL_DIRECTION](&r->along.for_kernel, at,
-		direction, n) &&
+	if (points_kernels()->exact[KERNEL_DIRECTION](&r->direction.for_kernel,
+		at, direction, n) &&
 	    finite && !single)
 		return true;
 	for (size_t i = 0; i < n; i++) {
@@ -175,16 +176,16 @@ bool rays_cast(const struct ray_maker *r, bool single,
 	return false;
 }
 
-/* Writes row i of the map from q = (x, y, z, 1) to the point where the ray through x
- * and y meets the plane p. Let m_i be the rows of the map from device or ndc space. The
+/* Writes row i of the map r from q = (x, y, z, 1) to the point where the ray through x
+ * and y meets the plane p. m_i are the rows of m, the map from device or ndc space. The
  * image of q is P = sum of q_i m_i. P is on the plane if p . P = 0, which is linear in
  * z = q_2:
  *
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
- * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). In column j the terms of p_j
- * cancel. */
-static void set_row(const struct map *m, int i, const struct sum p[4],
+ * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). Row i is the factor of q_i times
+ * m_2 . p. The terms of p_j in its column j cancel. */
+static void set_plane_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {
 	const struct sum *a = m->m[i], *b = m->m[2];
@@ -206,7 +207,7 @@ static void set_row(const struct map *m, int i, const struct sum p[4],
 const char *ray_plane_transform(const struct scene *s, enum space from,
     enum space to, const double plane[4], struct transform *t)
 {
-	struct sum p[4], through = sum_of_double(0);
+	struct sum p[4], m2_p = sum_of_double(0);
 	struct map m, *r = &t->map;
 	const char *why = scene_map(s, from, to, &m);
 
@@ -214,9 +215,9 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 		return why;
 	for (int k = 0; k < 4; k++) {
 		p[k] = sum_of_double(plane[k]);
-		through = sum_add(through, sum_mul(m.m[2][k], p[k]));
+		m2_p = sum_add(m2_p, sum_mul(m.m[2][k], p[k]));
 	}
-	if (sum_sign(through) == 0)
+	if (sum_sign(m2_p) == 0)
 		return sum_sign(m.m[2][3]) == 0 ?
 		    "the plane is parallel to all rays; choose another" :
 		    "the plane goes through the eye; choose another";
@@ -225,13 +226,13 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	memcpy(r->origin, m.origin, 2 * sizeof *m.origin);
 	for (int i = 0; i < 4; i++)
 		if (i != 2)
-			set_row(&m, i, p, r);
+			set_plane_row(&m, i, p, r);
 	bool turned = sum_sign(m.m[3][3]) < 0; /* w is constant and negative */
 
 	for (int i = 0; i < 3; i++)
 		turned &= sum_sign(m.m[i][3]) == 0;
-	through = sum_negated_if(turned, through);
-	map_divide(r, sum_mul(through, m.divisor));
+	m2_p = sum_negated_if(turned, m2_p);
+	map_divide(r, sum_mul(m2_p, m.divisor));
 	t->in = 2;
 	t->out = 3;
 	t->divide = t->front = true;

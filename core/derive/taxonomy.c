@@ -2,11 +2,11 @@
 #include "picture.h"
 
 /* The relative tolerance of tests for equal, zero and parallel. */
-#define ALIKE 0x1p-40
+#define KIND_TOLERANCE 0x1p-40
 
-static bool alike(double a, double b)
+static bool nearly_equal(double a, double b)
 {
-	return fabs(a - b) <= ALIKE * fmax(fabs(a), fabs(b));
+	return fabs(a - b) <= KIND_TOLERANCE * fmax(fabs(a), fabs(b));
 }
 
 static enum kind axonometric_kind(const double f[3])
@@ -15,9 +15,9 @@ static enum kind axonometric_kind(const double f[3])
 	int same = 0;
 
 	for (int i = 0; i < 3; i++) {
-		if (f[i] <= ALIKE * most)
+		if (f[i] <= KIND_TOLERANCE * most)
 			return KIND_MULTIVIEW;
-		same += alike(f[i], f[(i + 1) % 3]);
+		same += nearly_equal(f[i], f[(i + 1) % 3]);
 	}
 	if (same == 3)
 		return KIND_ISOMETRIC;
@@ -28,14 +28,14 @@ static enum kind axonometric_kind(const double f[3])
  * projectors and projection plane. */
 static enum kind oblique_kind(double cot)
 {
-	if (alike(cot, 1))
+	if (nearly_equal(cot, 1))
 		return KIND_CAVALIER;
-	return alike(cot, 0.5) ? KIND_CABINET : KIND_GENERAL;
+	return nearly_equal(cot, 0.5) ? KIND_CABINET : KIND_GENERAL;
 }
 
 /* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction
- * d take a vector a to a - d (n . a) / (n . d) in the plane of normal n. */
-static void name_parallel(const struct lens *l, struct picture *t)
+ * d project a vector a to a - d (n . a) / (n . d) in a plane with the normal n. */
+static void classify_parallel(const struct lens *l, struct picture *t)
 {
 	const struct sum *n = l->clip[2];
 	struct sum d[3], across[3], v[3];
@@ -44,22 +44,22 @@ static void name_parallel(const struct lens *l, struct picture *t)
 	struct sum nd = vec3_dot(n, d), size = sum_abs(nd);
 
 	for (int i = 0; i < 3; i++) {
-		const struct sum *a = l->view.m[i];
+		const struct sum *a = l->to_view.m[i];
 		struct sum na = vec3_dot(n, a);
 
 		for (int k = 0; k < 3; k++)
 			v[k] = sum_snap_zero(sum_minor(a[k], nd, d[k], na));
 		t->foreshortening[i] = sum_ratio_or_nan(vec3_length(v),
-		    sum_mul(size, l->view.divisor));
+		    sum_mul(size, l->to_view.divisor));
 	}
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
 		across[k] = sum_snap_zero(across[k]);
 	double cot = sum_ratio_or_nan(vec3_length(across), size);
 
-	t->taxon = cot <= ALIKE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
-	t->kind = cot <= ALIKE ? axonometric_kind(t->foreshortening) :
-				 oblique_kind(cot);
+	t->taxon = cot <= KIND_TOLERANCE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
+	t->kind = cot <= KIND_TOLERANCE ? axonometric_kind(t->foreshortening) :
+					  oblique_kind(cot);
 }
 
 /* Returns the kind by the number of vanishing points: one for each world axis that is
@@ -70,33 +70,33 @@ static enum kind perspective_kind(const struct lens *l)
 	int n = 0;
 
 	for (int i = 0; i < 3; i++) {
-		const struct sum *a = l->view.m[i];
+		const struct sum *a = l->to_view.m[i];
 		struct sum dot = vec3_dot(a, g);
 		struct sum most = sum_mul(vec3_dot(a, a), vec3_dot(g, g));
 
 		n += sum_compare(sum_mul(dot, dot),
-			 sum_scale(most, ALIKE * ALIKE)) > 0;
+			 sum_scale(most, KIND_TOLERANCE * KIND_TOLERANCE)) > 0;
 	}
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
 }
 
-/* Sets the angles between the planes one x = -limit w and one x = limit w, and likewise
- * for y. The planes have the normals limit g + one a and limit g - one a, where g is
- * the gradient of w and a that of x. The tangent of their angle is the length of the
- * normals' cross product over their dot product, negated. */
+/* Sets fov[0], the angle between the planes scale x = -half w and scale x = half w, and
+ * fov[1], the same for y. The normals of the planes are half g + scale a and half g -
+ * scale a, where g is the gradient of w and a the gradient of x. The tangent of the
+ * angle is the length of the normals' cross product over their dot product, negated. */
 static void set_fov(const struct lens *l, double fov[2])
 {
-	struct sum limit[2], one[2];
+	struct sum half[2], scale[2];
 
-	view_limits(l->scene, limit, one);
+	view_limits(l->scene, half, scale);
 	for (int k = 0; k < 2; k++) {
 		struct sum g[3], a[3], v[3];
 
 		for (int i = 0; i < 3; i++) {
-			g[i] = sum_mul(limit[k], l->clip[3][i]);
-			a[i] = sum_mul(one[k], l->clip[k][i]);
+			g[i] = sum_mul(half[k], l->clip[3][i]);
+			a[i] = sum_mul(scale[k], l->clip[k][i]);
 		}
 		vec3_cross(a, g, v);
 		fov[k] = trig_degrees(sum_scale(vec3_length(v), 2),
@@ -106,10 +106,10 @@ static void set_fov(const struct lens *l, double fov[2])
 
 /* Sets kind, field of view and vanishing points of a perspective. The vanishing point
  * of an axis is the image of its direction, whose fourth coordinate is 0. */
-static void name_perspective(const struct lens *l, struct picture *t)
+static void classify_perspective(const struct lens *l, struct picture *t)
 {
 	const struct scene *s = l->scene;
-	struct map screen = l->volume.clip, to_device;
+	struct map screen = l->volume.to_clip, to_device;
 
 	if (s->has_viewport) {
 		viewport_map(&s->viewport, answer_convention(s), false,
@@ -122,21 +122,21 @@ static void name_perspective(const struct lens *l, struct picture *t)
 		struct sum h[4];
 
 		for (int j = 0; j < 4; j++)
-			sum_dot(3, l->view.m[i], &screen.m[0][j], 4, &h[j]);
+			sum_dot(3, l->to_view.m[i], &screen.m[0][j], 4, &h[j]);
 		for (int k = 0; k < 2 && sum_sign(h[3]) != 0; k++)
 			t->vanishing_point[i][k] = sum_ratio_or_nan(h[k], h[3]);
 	}
 }
 
-/* Writes the point in world space of a homogeneous point h in view space, or nan if the
+/* Writes the world coordinates of a homogeneous point h in view space, or nan if the
  * point does not exist. */
-static void taxonomy_point(const struct lens *l, const struct sum h[4],
+static void world_point(const struct lens *l, const struct sum h[4],
     bool exists, double p[3])
 {
 	struct sum world[4];
 
 	for (int j = 0; j < 4; j++)
-		map_image(&l->world, j, h, &world[j]);
+		map_image(&l->to_world, j, h, &world[j]);
 	for (int j = 0; j < 3; j++)
 		p[j] = exists ? sum_ratio_or_nan(world[j], world[3]) :
 				(double)NAN;
@@ -149,20 +149,20 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 
 	map_image(&v->ends, 1, v->eye, &far);
 	int side = sum_sign(far) * sum_sign(v->eye[3]);
-	bool against = side < 0; /* the gaze is against the gradient */
+	bool against = side < 0; /* the gradient of w is against the gaze */
 
-	taxonomy_point(l, v->eye, side != 0, t->eye);
+	world_point(l, v->eye, side != 0, t->eye);
 	t->taxon = against ? TAXON_REVERSE : TAXON_PERSPECTIVE;
 	if (!l->parallel) {
-		name_perspective(l, t);
+		classify_perspective(l, t);
 	} else {
-		name_parallel(l, t);
+		classify_parallel(l, t);
 		against = l->reversed != (sum_sign(l->clip[3][3]) < 0);
 	}
 	lens_axis(l, l->clip[l->parallel ? 2 : 3], t->gaze);
 	for (int k = 0; k < 3 && against; k++)
 		t->gaze[k] = 0 - t->gaze[k]; /* not -0 */
 	for (int i = 0; i < 8; i++)
-		taxonomy_point(l, v->corner[i], sum_sign(v->corner[i][3]) > 0,
+		world_point(l, v->corner[i], sum_sign(v->corner[i][3]) > 0,
 		    t->corner[i]);
 }

@@ -17,17 +17,18 @@
 
 static const double most[BUFFERS] = { 65535, 16777215, 0 };
 
-/* The normal of the projection plane, in a perspective through the eye, from one plane
- * towards the other, and what the device makes of it. */
+/* The normal of the projection plane from the near or far plane toward the other plane,
+ * and the device depth along it. In a perspective the normal goes through the eye. */
 struct projector {
-	real from[3], along[3]; /* unit distance along the gaze */
-	real m[4][4];           /* view to device */
-	double z;               /* of the device, where it begins */
-	bool up;                /* whether that grows inward */
+	real from[3], along[3]; /* the start on the plane, and a unit vector */
+	real m[4][4];           /* from view to device space */
+	double z;               /* device depth of the plane */
+	bool up;                /* device depth grows along the normal */
 };
 
-/* Returns the depth of the next step, up or down. */
-static real target(double z, enum buffer b, bool up)
+/* Returns the depth that is one step of the buffer above z or, if up is false, below
+ * z. */
+static real next_step_depth(double z, enum buffer b, bool up)
 {
 	float f = (float)z;
 
@@ -39,9 +40,10 @@ static real target(double z, enum buffer b, bool up)
 	return number((double)f);
 }
 
-/* Returns whether depth at a distance from the plane has reached the next
- * step. */
-static bool reached(const struct projector *p, double distance, enum buffer b)
+/* Returns whether the depth at a distance from the plane is at or beyond the next step
+ * of the buffer. */
+static bool reaches_step(const struct projector *p, double distance,
+    enum buffer b)
 {
 	int mark = real_mark();
 	real z = p->m[3][2], w = p->m[3][3];
@@ -52,35 +54,39 @@ static bool reached(const struct projector *p, double distance, enum buffer b)
 		z = add(z, mul(x, p->m[i][2]));
 		w = add(w, mul(x, p->m[i][3]));
 	}
-	real off = sub(over(z, w), target(p->z, b, p->up));
+	real off = sub(over(z, w), next_step_depth(p->z, b, p->up));
 	bool is = p->up ? mpfr_sgn(off) >= 0 : mpfr_sgn(off) <= 0;
 
 	real_release(mark);
 	return is;
 }
 
-/* The place on the normal, from its origin, at which ndc z = a: n / d, with d > 0 if it
- * is seen. In a perspective, whose eye has w = 0, z + slope n / d = a w n / d, else a
- * w. */
-struct place {
+/* The distance n / d from the origin of the normal to the point where ndc z is a; d > 0
+ * if the point is visible. Let slope be the gradient of clip z along the normal, and w
+ * the gradient of clip w in a perspective, where w is 0 at the origin, or the constant
+ * w. In a perspective z + slope n / d = a w n / d, in a parallel projection z + slope n
+ * / d = a w. */
+struct quotient {
 	real n, d;
 };
 
-static struct place place(real z, real slope, real w, bool parallel, double a)
+static struct quotient normal_distance(real z, real slope, real w,
+    bool parallel, double a)
 {
-	struct place p = { z, sub(mul(number(a), w), slope) };
+	struct quotient p = { z, sub(mul(number(a), w), slope) };
 
 	if (parallel)
-		p = (struct place){ sub(mul(number(a), w), z), slope };
+		p = (struct quotient){ sub(mul(number(a), w), z), slope };
 	if (mpfr_sgn(parallel ? p.d : p.n) < 0)
-		p = (struct place){ sub(number(0), p.n), sub(number(0), p.d) };
+		p = (struct quotient){ sub(number(0), p.n),
+			sub(number(0), p.d) };
 	if (is_zero(p.d, slope))
 		p.d = number(0);
 	return p;
 }
 
-/* Sets the projector of plane 0, near, or 1, far. Returns false if the plane lies at
- * infinity or behind the eye. */
+/* Sets the normal of the near plane, if plane is 0, or of the far plane. Returns false
+ * if the plane is at infinity or behind the eye. */
 static bool projector_of(const struct scene *s, const struct picture *t,
     int plane, struct projector *p)
 {
@@ -105,8 +111,10 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 		w = root(dot(normal, normal, 3));
 	normalise(normal, 3);
 	real slope = dot(gradient, normal, 3);
-	struct place at = place(z, slope, w, parallel, deep ? 1 : low);
-	struct place to = place(z, slope, w, parallel, deep ? low : 1);
+	struct quotient at = normal_distance(z, slope, w, parallel,
+	    deep ? 1 : low);
+	struct quotient to = normal_distance(z, slope, w, parallel,
+	    deep ? low : 1);
 
 	if (mpfr_sgn(at.d) <= 0 || (parallel && mpfr_sgn(w) <= 0))
 		return false;
@@ -122,9 +130,10 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 	return inward != 0;
 }
 
-/* Returns the least double distance at which the next step is reached, by halving the
- * interval of its bits. */
-static double search(const struct projector *p, enum buffer b, double end)
+/* Returns the least double up to end at which the next step is reached, by bisection of
+ * the doubles' bits. */
+static double first_distance(const struct projector *p, enum buffer b,
+    double end)
 {
 	uint64_t low = 0, high;
 
@@ -134,7 +143,7 @@ static double search(const struct projector *p, enum buffer b, double end)
 		double d;
 
 		memcpy(&d, &middle, sizeof d);
-		if (reached(p, d, b))
+		if (reaches_step(p, d, b))
 			high = middle;
 		else
 			low = middle;
@@ -151,9 +160,9 @@ static double step_of(const struct scene *s, enum buffer b, bool far)
 	return depth_step(&p.depth, b, far);
 }
 
-/* A step that is rounded to nearest is the first distance with the next depth,
- * or the double before it. */
-static void steps_are_the_first(void **state)
+/* The nearest double to a step's length is the least double at which the next step is
+ * reached, or the double before it. */
+static void steps_are_nearest(void **state)
 {
 	int found = 0, none = 0;
 	struct scene s;
@@ -180,7 +189,8 @@ static void steps_are_the_first(void **state)
 			}
 			double next = nextafter(d, HUGE_VAL);
 
-			least = search(&p, b, nextafter(next, HUGE_VAL));
+			least = first_distance(&p, b,
+			    nextafter(next, HUGE_VAL));
 			assert_true(d == least || next == least);
 			found++;
 			real_release(mark);
@@ -204,23 +214,23 @@ static struct scene near_and_far(double near, double far)
 	return s;
 }
 
-static void depth_without_end(void **state)
+static void infinite_far_has_steps(void **state)
 {
 	struct scene s = near_and_far(1, HUGE_VAL);
 	struct picture p;
 
 	(void)state;
-	/* depth = 1 - 1 / z is 1/65535 at 65535/65534 */
+	/* depth 1 - 1/z is 1/65535 at z = 65535/65534 */
 	assert_null(picture_of(&s, &p));
 	assert_number(step_of(&s, BUFFER_UNORM16, false), 1.0 / 65534);
 	assert_number(step_of(&s, BUFFER_FLOAT32, false), 0x1p-149);
 	for (enum buffer b = 0; b < BUFFERS; b++)
 		assert_true(isnan(step_of(&s, b, true)) != 0);
-	/* from z = 2, depth 1/2, to 1/2 - 1/65535 and 1/2 - 2^-25 */
+	/* steps from depth 1/2 at z = 2 to 1/2 - 1/65535 and 1/2 - 2^-25 */
 	assert_number(depth_step_at(&p.depth, BUFFER_UNORM16, 2), 4.0 / 65537);
 	assert_number(depth_step_at(&p.depth, BUFFER_FLOAT32, 2),
 	    0x1p-23 / (1 + 0x1p-24));
-	/* reversed, 1 / z is 1 - 2^-24 at 1 / (1 - 2^-24) */
+	/* reversed depth 1/z is 1 - 2^-24 at z = 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
 	assert_null(picture_of(&s, &p));
 	assert_number(step_of(&s, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
@@ -230,7 +240,7 @@ static void depth_without_end(void **state)
 	assert_true((double)up > 1.0 / 3);
 	double step = depth_step_at(&p.depth, BUFFER_FLOAT32, 3);
 
-	/* 3 - 1/up = (3 up - 1) / up, of which no difference is rounded */
+	/* 3 - 1/up = (3 up - 1) / up, where fma is exact */
 	assert_number(step, fma(3, (double)up, -1) / (double)up);
 }
 
@@ -264,8 +274,8 @@ static void a_range_below_a_step_has_none(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(steps_are_the_first),
-		cmocka_unit_test(depth_without_end),
+		cmocka_unit_test(steps_are_nearest),
+		cmocka_unit_test(infinite_far_has_steps),
 		cmocka_unit_test(a_range_below_a_step_has_none),
 	};
 

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The edges of a 2D window that points are outside of have the signs of
- * MPFR. */
+/* The OUT_ bits for the edges of a 2D window agree with the signs that MPFR
+ * computes. */
 #include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"
 
-/* Samples images of the edges in another space, rounded, the doubles beside them, and
- * points anywhere. */
+/* Samples points on the edges, rounded in the space from, the next doubles, and other
+ * points. */
 static void sample_edges(const struct scene *s, enum flat from, struct block *b)
 {
 	struct transform t;
@@ -38,8 +38,8 @@ struct count {
 	size_t edges, on;
 };
 
-/* Compares flags with signs: inside, 1 + x, 1 - x, 1 + y and 1 - y in ndc are not below
- * 0. */
+/* Compares the OUT_ bits out with the signs of 1 + x, 1 - x, 1 + y and 1 - y in ndc,
+ * which are not negative inside. */
 static void check_edges(const struct truth *to_ndc, const double p[2],
     unsigned out, struct count *c)
 {
@@ -62,7 +62,7 @@ static void check_edges(const struct truth *to_ndc, const double p[2],
 static void check_block(const struct scene *s, enum flat from,
     const struct frustum *f, const struct block *b, struct count *c)
 {
-	/* a third coordinate counts for nothing */
+	/* a third coordinate is ignored */
 	static double nans[POINTS_BLOCK];
 	unsigned char all[POINTS];
 	struct truth t;
@@ -70,13 +70,13 @@ static void check_block(const struct scene *s, enum flat from,
 	for (size_t i = 0; i < POINTS; i++)
 		nans[i] = (double)NAN;
 	truth_flat(s, from, FLAT_NDC, &t);
-	frustum_out_all(f, (const double *[4]){ b->in[0], b->in[1], nans }, all,
-	    POINTS);
+	frustum_outside_all(f, (const double *[4]){ b->in[0], b->in[1], nans },
+	    all, POINTS);
 	for (size_t i = 0; i < POINTS; i++) {
 		const double p[4] = { b->in[0][i], b->in[1][i], (double)NAN };
 		int mark = real_mark();
 
-		assert_int_equal(all[i], frustum_out(f, p));
+		assert_int_equal(all[i], frustum_outside(f, p));
 		if (isnan(p[0]) || isnan(p[1]))
 			assert_int_equal(all[i], OUT_NAN);
 		else
@@ -85,7 +85,7 @@ static void check_block(const struct scene *s, enum flat from,
 	}
 }
 
-static void edges_are_told(void **state)
+static void edges_agree_with_mpfr(void **state)
 {
 	static const int e[] = { 0, 0, 2, 70 };
 	static struct frustum f;
@@ -99,7 +99,8 @@ static void edges_are_told(void **state)
 		enum flat from = sample_below(3);
 		int mark = real_mark();
 
-		points_choose(copies[k % COPIES]); /* or the one before */
+		points_choose(copies[k %
+		    COPIES]); /* the last choice stays if this one is refused */
 		sample_flat(&s.window, &s.device, e[k % 4]);
 		if (flat_frustum_of(&s, from, &f) == NULL) {
 			sample_edges(&s, from, &b);
@@ -113,11 +114,12 @@ static void edges_are_told(void **state)
 
 static unsigned out_at(const struct frustum *f, double x, double y)
 {
-	return frustum_out(f, (double[4]){ x, y });
+	return frustum_outside(f, (double[4]){ x, y });
 }
 
-/* Wherever a window is, and however small: the doubles beside an edge differ. */
-static void the_least_window_tells(void **state)
+/* The doubles next to an edge are outside, however small the window is, and however far
+ * from the origin. */
+static void tiny_windows_are_exact(void **state)
 {
 	struct scene s = { .window = { .center = { 1e150, -1e150 },
 			       .width = 1e-150,
@@ -132,12 +134,12 @@ static void the_least_window_tells(void **state)
 	assert_int_equal(out_at(&f, 1e150, -1e150), 0);
 	assert_int_equal(out_at(&f, right, -1e150), OUT_RIGHT);
 	assert_int_equal(out_at(&f, left, -1e150), OUT_LEFT);
-	/* an ulp is 1.8e134 here, half the window less */
+	/* an ulp at 1e150 is 1.8e134, more than half the window */
 	assert_int_equal(out_at(&f, 1e150, -right), OUT_BOTTOM);
 	assert_int_equal(out_at(&f, 1e150, -left), OUT_TOP);
 }
 
-/* Top is where the window's is, wherever the device's y begins. */
+/* Top is the top of the window, wherever y of the device begins. */
 static void top_is_up(void **state)
 {
 	struct scene s = { .window = { .width = 4, .height = 2, .zoom = 1 },
@@ -168,8 +170,8 @@ static void refusals(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(edges_are_told),
-		cmocka_unit_test(the_least_window_tells),
+		cmocka_unit_test(edges_agree_with_mpfr),
+		cmocka_unit_test(tiny_windows_are_exact),
 		cmocka_unit_test(top_is_up),
 		cmocka_unit_test(refusals),
 	};

@@ -191,7 +191,7 @@ static void ordinary_bounds_are_small(void **state)
 	assert_null(bounds_of(&s, bound));
 	assert_true(bound[PRECISION_SINGLE] < 1e-3);
 	assert_true(bound[PRECISION_DOUBLE] < 2e-12);
-	/* a world that flattens holds its volume nowhere */
+	/* with a singular world matrix the volume is infinite in model space */
 	s.has_world = true;
 	s.world[0][0] = s.world[1][1] = s.world[3][3] = 1;
 	assert_null(bounds_of(&s, bound));
@@ -204,7 +204,7 @@ static void ordinary_bounds_are_small(void **state)
 	assert_true(bound[PRECISION_EXACT] < 0x1.0001p-44);
 }
 
-/* Through a window far to the right the bounds are those of one as far above. */
+/* Edges far to the right give the same bounds as edges far up. */
 static void bounds_of_x_and_y_are_alike(void **state)
 {
 	struct scene right = { .projection = { .type = PROJECTION_PERSP,

@@ -50,7 +50,8 @@ static void assert_fits(struct scene *s, bool has_eye, const struct bounds *b,
 	assert_number(s->projection.far, far);
 }
 
-/* A sphere is touched by planes at half the angle, r / sin(30) off. */
+/* Planes at half the angle from the gaze touch the sphere if the eye is r / sin(30
+ * degrees) from its center. */
 static void test_angle(void **state)
 {
 	struct bounds b = box(1, 1, 1), world_b = box(2, 2, 2);
@@ -70,7 +71,7 @@ static void test_angle(void **state)
 	assert_fits(&s, false, &world_b, 0, 0, -2, 1, 3);
 }
 
-/* Along the gaze through the eye, also forward. */
+/* The eye moves along the gaze through its position, forward or back. */
 static void test_eye(void **state)
 {
 	struct bounds b = box(1, 1, 1);
@@ -93,13 +94,13 @@ static void test_near_ratio(void **state)
 	(void)state;
 	s.projection.near_ratio = 0.25;
 	assert_null(fit_scene(&s, false, &unit_ball));
-	/* d - 1 = (d + 1) / 4 */
+	/* the eye is 5/3 from the center: 5/3 - 1 = (5/3 + 1) / 4 */
 	assert_true(fabs(s.camera.eye[2] + 5.0 / 3) < 0x1p-51);
 	assert_true(s.projection.near >= s.projection.far / 4);
 	assert_true(s.projection.near <= s.projection.far / 4 + 0x1p-51);
 }
 
-/* On the near plane, whose distance they follow. */
+/* Sizes on the near plane are scaled with its distance, so the slopes stay. */
 static void test_slopes(void **state)
 {
 	struct bounds b = box(2, 2, 2);
@@ -173,7 +174,7 @@ static void test_viewport(void **state)
 	assert_fits(&s, false, &b, 0, 0, -5, 4, 6);
 }
 
-/* At depths 1 to 3 the middle is moved by 2, or half of that. */
+/* An oblique projection shifts the middle, at depth 2, by 2 or, as cabinet, by 1. */
 static void test_oblique(void **state)
 {
 	struct bounds b = box(1, 1, 1);

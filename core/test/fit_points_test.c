@@ -23,7 +23,7 @@ static void sample_plane(struct cloud *c, const struct directions *d)
 	bool whole = sample_below(2);
 
 	for (int i = 0; i < 3; i++) {
-		const double *m = d->hi[sample_below((unsigned)d->n)];
+		const double *m = d->scaled[sample_below((unsigned)d->n)];
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
 		u[j] = m[k];
@@ -75,7 +75,7 @@ static void shuffle(struct cloud *c)
 	}
 }
 
-/* Adds the points in pieces, in any order of the pieces. */
+/* Adds the points in pieces, which are merged in any order. */
 static void add_cloud(const struct cloud *c, const struct directions *d,
     struct extremes *all)
 {
@@ -102,8 +102,8 @@ static struct form farther_by(const struct direction *d, const double p[3],
 	struct form sum = form_of(0);
 
 	for (int i = 0; i < 3; i++) {
-		struct form m = { number_ex(d->m[i].value),
-			magnitude(number_ex(d->m[i].value)) };
+		struct form m = { number_ex(d->exact[i].value),
+			magnitude(number_ex(d->exact[i].value)) };
 
 		sum = form_add(sum,
 		    form_mul(m, form_sub(form_of(p[i]), form_of(q[i]))));
@@ -138,7 +138,7 @@ static void claim_farthest(const struct cloud *c, const struct directions *d,
 			points++;
 			real_release(mark);
 		}
-		assert_true(e->item[j].any == (points > 0));
+		assert_true(e->item[j].known == (points > 0));
 		assert_true(found > 0 || points == 0);
 	}
 }
@@ -194,7 +194,7 @@ static void none_is_farther(void **state)
 	farthest_many(100, 60);
 }
 
-/* Asserts that p is farther than q along m by little, or as far and greater. */
+/* Asserts that p is farther than q along m, or equally far with greater coordinates. */
 static void assert_farther(const double m[3], const double p[3],
     const double q[3])
 {
@@ -219,7 +219,7 @@ static void assert_farther(const double m[3], const double p[3],
 static void hairs_count(void **state)
 {
 	static const double cases[][3][3] = {
-		/* only all digits tell */
+		/* all digits decide */
 		{ { 1, 0x1p-110, 1 }, { -1, 1, 1 }, { 0, 0, 0 } },
 		{ { 1, -0x1p-110, 1 }, { 0, 0, 0 }, { 1, 1, -1 } },
 		/* the low part of a difference of coordinates decides */

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* The scene that fit makes holds its bounds, or all points of a cloud, exactly,
- * and no double is tighter. */
+/* The volume of the scene that fit makes contains its bounds, or all points of a cloud,
+ * exactly. No double for near, far or a size makes the volume smaller. */
 #include "../derive/fit.h"
 
 #include "claims.h"
 #include "../derive/frustum.h"
 
-/* The columns go on to a multiple of 16. */
+/* Points in columns, padded to a multiple of 16 numbers. */
 struct cloud {
 	size_t n;
 	COLUMN_ALIGNED double in[3][32];
 };
 
-/* A linear function of model space. */
+/* The linear function of a plane: the gradient in model space, and the constant. */
 struct plane {
 	struct form slope[4];
 };
@@ -26,7 +26,7 @@ static struct plane column(const struct truth *t, int j)
 	return p;
 }
 
-/* sign a + factor b */
+/* Returns the function sign a + factor b. */
 static struct plane combine(const struct plane *a, double sign,
     const struct plane *b, real factor)
 {
@@ -49,7 +49,8 @@ static struct form at_point(const struct plane *p, const struct cloud *c,
 	return v;
 }
 
-/* Returns the least value of a plane over the bounds, or over all points. */
+/* Returns the least value of a function on the bounds or, if there is a cloud, on its
+ * points. */
 static struct form least(const struct plane *p, const struct bounds *b,
     const struct cloud *c)
 {
@@ -84,18 +85,18 @@ static double value(real a)
 	return mpfr_get_d(a, MPFR_RNDN);
 }
 
-/* The distances of the bounds to the planes of a fitted scene, left right bottom top
- * near far, in units of length: for parallel projections in the plane of the section,
- * for near, far and persp along the gaze. */
+/* A fitted scene, and the gaps between the bounds and the planes left, right, bottom,
+ * top, near and far. The gap of near, far and a plane of persp is measured along the
+ * gaze, the gap of another side plane in the plane of the cross-section. */
 struct fitted {
 	struct scene s;
 	const struct bounds *b;
-	struct cloud cloud; /* without points the bounds are given */
+	struct cloud cloud; /* empty if b is not of points */
 	struct form gap[6];
 };
 
-/* Returns by how much the value of plane k of a perspective grows for each unit that
- * the eye goes back. */
+/* Returns how much the function of side plane k of a perspective grows at a fixed point
+ * while the eye moves back by 1. */
 static real slope(const struct scene *s, int k, real limit)
 {
 	real m[4][4];
@@ -150,7 +151,7 @@ static void measure(struct fitted *f)
 		z = combine(&z, sign, &z, number(0));
 		f->gap[k] = form_add(least(&z, f->b, &f->cloud),
 		    form_of(k == 4 ? -s->projection.near : s->projection.far));
-		/* intrinsics may have w = z + pw */
+		/* w of intrinsics may be z plus a constant */
 		if (s->projection.type == PROJECTION_PERSP &&
 		    s->projection.extent == EXTENT_INTRINSICS)
 			f->gap[k] = form_add(f->gap[k],
@@ -169,8 +170,8 @@ static bool holds(const struct fitted *f)
 	return true;
 }
 
-/* Returns whether the gap is less than one unit in the last place of v, on the side to
- * which v would go: no double is tighter. */
+/* Returns whether the gap is less than the distance from v to the next double inward,
+ * so that no double is tighter. */
 static bool is_tight(struct form gap, double v, double inward)
 {
 	struct form ulp = form_sub(form_of(nextafter(v, inward)), form_of(v));
@@ -180,9 +181,8 @@ static bool is_tight(struct form gap, double v, double inward)
 	return truth_sign(form_sub(ulp, gap), &doubtful) > 0 || doubtful;
 }
 
-/* Returns whether the bounds, and not their gaps alone, lie between two planes
- * that are this far apart; else the distance of the planes is 2^-20 of
- * another. */
+/* Returns whether the bounds have an extent between planes k and k + 1, which are at
+ * the given distance. If not, extents_widen has made the distance. */
 static bool is_filled(const struct fitted *f, int k, double distance)
 {
 	real gaps = add(f->gap[k].value, f->gap[k + 1].value);
@@ -199,24 +199,24 @@ static bool depth_tight(const struct fitted *f)
 		is_tight(f->gap[5], p->far, -HUGE_VAL));
 }
 
-/* Returns what the rounding of the eye may cost. */
-static double terms(const struct fitted *f, int k)
+/* Returns the size of the numbers whose rounding can change gap k. */
+static double rounded_size(const struct fitted *f, int k)
 {
 	return farthest(f->s.camera.eye) + value(f->gap[k].size);
 }
 
-/* Returns whether the eye is on the axis, but for its rounding. */
+/* Returns whether opposite gaps are equal but for rounding. */
 static bool is_centered(const struct fitted *f)
 {
 	for (int k = 0; k < 4; k += 2)
 		if (fabs(value(sub(f->gap[k].value, f->gap[k + 1].value))) >
-		    0x1p-48 * terms(f, k))
+		    0x1p-48 * rounded_size(f, k))
 			return false;
 	return true;
 }
 
-/* Returns whether the sides are tight. The shorter side may be wider than the
- * bounds. */
+/* Returns whether width and height are the tightest doubles. With an aspect only one
+ * has to be tight, from which the other side follows. */
 static bool sides_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
@@ -232,7 +232,7 @@ static bool sides_tight(const struct fitted *f)
 		    gap[0];
 		real twice = over(number(2), limit[j]);
 
-		/* gap / limit is half of what the side has too much */
+		/* the side is too large by 2 gap / limit */
 		tight[j] = !is_filled(f, 2 * j, side * value(limit[j])) ||
 		    is_tight(form_mul(less, (struct form){ twice, twice }),
 			side, 0);
@@ -246,9 +246,8 @@ static bool sides_tight(const struct fitted *f)
 	    tight[1] && value(mul(number(p->height), aspect)) == p->width;
 }
 
-/* Returns whether the eye is tight. It is rounded across the gaze, too, which a narrow
- * view magnifies: the distance that a plane or the ratio lets it go farther is small
- * beside the terms. */
+/* Returns whether the eye is as near as a side plane or near_ratio allows, but for the
+ * rounding of the eye, also across the gaze. */
 static bool eye_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
@@ -257,13 +256,13 @@ static bool eye_tight(const struct fitted *f)
 		mul(number(p->near_ratio), number(p->far))) < 0)
 		return false;
 	for (int k = 0; k < 4; k++)
-		if (value(f->gap[k].value) <= 0x1p-48 * terms(f, k))
+		if (value(f->gap[k].value) <= 0x1p-48 * rounded_size(f, k))
 			return true;
-	return p->near - p->near_ratio * p->far <= 0x1p-48 * terms(f, 5);
+	return p->near - p->near_ratio * p->far <= 0x1p-48 * rounded_size(f, 5);
 }
 
-/* Returns whether the planes of each pair leave as much free, along the axis of their
- * normals, and those of one pair nothing, or near is as near as it may be. */
+/* Returns whether the functions of the planes of each pair have the same least value,
+ * and one pair touches the bounds, or near is as near as near_ratio allows. */
 static bool is_balanced(const struct fitted *f)
 {
 	real limit[2];
@@ -274,9 +273,9 @@ static bool is_balanced(const struct fitted *f)
 		real low = mul(f->gap[k].value, slope(&f->s, k, limit[k / 2]));
 		real high = mul(f->gap[k + 1].value,
 		    slope(&f->s, k + 1, limit[k / 2]));
-		real all = add(mul(number(terms(f, k)),
+		real all = add(mul(number(rounded_size(f, k)),
 				   slope(&f->s, k, limit[k / 2])),
-		    mul(number(terms(f, k + 1)),
+		    mul(number(rounded_size(f, k + 1)),
 			slope(&f->s, k + 1, limit[k / 2])));
 
 		if (fabs(value(sub(low, high))) > 0x1p-48 * value(all))
@@ -286,7 +285,7 @@ static bool is_balanced(const struct fitted *f)
 	return touches ||
 	    f->s.projection.near -
 		f->s.projection.near_ratio * f->s.projection.far <=
-	    0x1p-48 * terms(f, 5);
+	    0x1p-48 * rounded_size(f, 5);
 }
 
 static unsigned flags(const struct scene *s, const struct fitted *f)
@@ -298,18 +297,18 @@ static unsigned flags(const struct scene *s, const struct fitted *f)
 		struct hull h;
 
 		assert_null(hull_of(f->b, 3, &h));
-		return hull_out(&h, s);
+		return hull_outside(&h, s);
 	}
 	assert_null(frustum_of(s, SPACE_MODEL, false, &frustum));
 	for (size_t n = 0; n < f->cloud.n; n++)
-		out |= frustum_out(&frustum,
+		out |= frustum_outside(&frustum,
 		    (double[4]){ f->cloud.in[0][n], f->cloud.in[1][n],
 			f->cloud.in[2][n] });
 	return out;
 }
 
-/* Returns whether, by the flags, near and far could not be one double tighter; from 0
- * that is less than the flags see. */
+/* Returns whether near and far would cut the bounds if they were one double tighter, as
+ * the OUT_ bits say. A step from 0 is too small for the bits. */
 static bool flags_tight(const struct fitted *f)
 {
 	struct scene near = f->s, far = f->s;
@@ -340,8 +339,8 @@ static void sample_bounds(struct bounds *b, int e)
 }
 
 /* Samples points at random, on a lattice, on a line, or on a plane of the world, some
- * of them more than once, and sets *b to their bounds. Returns false if they have
- * none. */
+ * of them more than once. Sets *b to the bounds of the points. Returns false if a scene
+ * or its points have none. */
 static bool sample_cloud(const struct scene *s, bool has_eye, int e,
     struct fitted *f, struct bounds *b)
 {
@@ -371,7 +370,7 @@ static bool sample_cloud(const struct scene *s, bool has_eye, int e,
 	return extremes_bounds(&extremes, &d, b);
 }
 
-/* Samples a K or P whose picture lies about the gaze. */
+/* Samples a K or P whose principal point is inside the picture. */
 static void sample_calibrated(struct scene *s)
 {
 	struct projection *p = &s->projection;
@@ -427,8 +426,8 @@ static void sample_fit(struct scene *s, int e)
 		sample_calibrated(s);
 }
 
-/* Fits many scenes, and passes over those that are refused. Returns the number of those
- * that pass every check. */
+/* Fits n scenes, without those that fit refuses. Returns the number of fitted scenes,
+ * each of which passes every check. */
 static int fit_many(int n, int e, bool points)
 {
 	int fitted = 0;

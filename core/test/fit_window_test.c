@@ -20,8 +20,8 @@ static void range_of(const struct bounds *b, int axis, real *low, real *high)
 	*high = b->sphere ? add(c, r) : number(b->max[axis]);
 }
 
-/* The corners are twice as far from the center as the bounds, less the
- * margin. */
+/* Returns the least side for a center and the bounds low and high: twice the larger
+ * distance from the center, over 1 less both margins. */
 static double least_side(real low, real high, double center, double margin)
 {
 	real below = sub(number(center), low),
@@ -73,7 +73,7 @@ static void sample_bounds(struct bounds *b, int e)
 
 		if (sample_below(4) == 0)
 			c = a;
-		if (sample_below(4) == 0) /* close to one another */
+		if (sample_below(4) == 0) /* bounds of a few ulps */
 			c = a * (1 + sample_below(9) * 0x1p-50);
 		b->center[i] = a;
 		b->min[i] = fmin(a, c);
@@ -88,13 +88,14 @@ static bool holds(const struct scene *s, const struct bounds *b)
 
 	assert_null(flat_frustum_of(s, FLAT_WINDOW, &f));
 	for (int k = 0; k < 4 && !b->sphere; k++)
-		out |= frustum_out(&f,
+		out |= frustum_outside(&f,
 		    (double[4]){ k & 1 ? b->max[0] : b->min[0],
 			k & 2 ? b->max[1] : b->min[1] });
 	return out == 0;
 }
 
-/* Returns whether a window with one side smaller by the least holds the bounds. */
+/* Returns whether the window holds the bounds with the side along axis one double
+ * smaller. */
 static bool holds_less(const struct scene *s, const struct bounds *b, int axis)
 {
 	struct scene less = *s;
@@ -160,9 +161,9 @@ static void windows_are_the_least(void **state)
 	fit_many(149, 500);
 }
 
-/* The other end is lost beside the middle: the exact side is slightly more than
- * a double. */
-static void a_hair_counts(void **state)
+/* One end is so small beside the other that the middle is rounded: the exact side is
+ * slightly more than a double, and is rounded up. */
+static void sides_are_rounded_up(void **state)
 {
 	struct scene s = { 0 };
 	struct bounds b = { .min = { -0x1p-1074, 0 }, .max = { 1e149, 1 } };
@@ -200,7 +201,7 @@ static void refusals(void **state)
 	assert_refused_as(&b, "/bounds");
 	b = (struct bounds){ .max = { 1e-151, 1e-151 } };
 	assert_refused_as(&b, "/bounds");
-	/* a third coordinate counts for nothing */
+	/* a third coordinate is ignored */
 	struct scene s = { 0 };
 
 	b = (struct bounds){ .min = { 0, 0, 1 }, .max = { 1, 1, 0 } };
@@ -255,7 +256,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(windows_are_the_least),
-		cmocka_unit_test(a_hair_counts),
+		cmocka_unit_test(sides_are_rounded_up),
 		cmocka_unit_test(refusals),
 		cmocka_unit_test(windows_are_shown),
 	};

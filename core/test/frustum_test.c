@@ -6,7 +6,7 @@
 #include "claims.h"
 #include "points.h"
 
-/* Moves half the points onto a plane, to within rounding, as seen from ndc. */
+/* Moves every second point onto a plane of the volume, but for rounding. */
 static void onto_planes(const struct scene *s, enum space from, struct block *b)
 {
 	struct transform t;
@@ -30,9 +30,9 @@ static struct form limit_of(real limit)
 	return (struct form){ limit, magnitude(limit) };
 }
 
-/* Returns whether depth is reversed. Of a matrix, the near plane has the smaller
- * positive w or, if w is constant, is the first along the gaze, or has the smaller
- * depth, as the manual says. Depth is linear in 1/w. */
+/* Returns whether depth is reversed. The near plane of a matrix, as the manual says,
+ * has the smaller positive w or, if w is constant, comes first along the gaze or, if
+ * the matrix contains a camera, has the smaller depth. Depth is linear in 1/w. */
 static bool is_reversed(const struct scene *s)
 {
 	struct truth back = { 0 };
@@ -47,12 +47,12 @@ static bool is_reversed(const struct scene *s)
 
 	if (truth_sign(w, NULL) != 0)
 		return truth_sign(w, NULL) < 0;
-	/* 1/w is the same for both, and of any sign */
+	/* w is constant, of either sign */
 	struct form z = form_sub(truth_column(&back, 2, far),
 	    truth_column(&back, 2, near));
 	const double(*m)[4] = s->projection.matrix;
 
-	/* with a camera in it depth grows */
+	/* depth is not reversed if the matrix contains a camera */
 	if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0)
 		return false;
 	int along = truth_sign(form_mul(z, truth_column(&back, 3, near)), NULL);
@@ -60,7 +60,8 @@ static bool is_reversed(const struct scene *s)
 	return along == -truth_gaze(truth_answer(s));
 }
 
-/* Sets the planes left right bottom top near far of clip coordinates q. */
+/* Sets form to the functions of left, right, bottom, top, near and far at the point q
+ * of clip space. */
 static void planes_of(const struct scene *s, const struct form q[4],
     struct form form[6])
 {
@@ -123,8 +124,8 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	}
 }
 
-/* Samples a scene, seen from one of its spaces, with points of which some are on
- * planes; a scene of round numbers if e is negative. */
+/* Samples a scene, a space, the frustum in this space, and points, some on planes. The
+ * scene has round numbers if e is negative. */
 static bool sample_frustum(int e, struct scene *s, enum space *from,
     struct frustum *f, struct block *b)
 {
@@ -156,7 +157,7 @@ static bool has_nan(const double p[4])
 	return isnan(p[0]) || isnan(p[1]) || isnan(p[2]);
 }
 
-static void planes_are_told(void **state)
+static void planes_agree_with_mpfr(void **state)
 {
 	static struct block b;
 	static struct frustum f;
@@ -176,12 +177,12 @@ static void planes_are_told(void **state)
 			continue;
 		truth_scene(&s, from, SPACE_CLIP, &to_clip);
 		truth_scene(&s, from, SPACE_VIEW, &to_view);
-		frustum_out_all(&f,
+		frustum_outside_all(&f,
 		    (const double *[4]){ b.in[0], b.in[1], b.in[2] }, all,
 		    POINTS);
 		for (size_t i = 0; i < POINTS; i++) {
 			double p[4] = { b.in[0][i], b.in[1][i], b.in[2][i], 1 };
-			unsigned out = frustum_out(&f, p);
+			unsigned out = frustum_outside(&f, p);
 			int point = real_mark();
 
 			assert_int_equal(all[i], out);
@@ -203,7 +204,7 @@ static void planes_are_told(void **state)
 
 /* One unit in the last place off a plane, and far smaller distances that doubles
  * can tell. */
-static void the_least_distance_tells(void **state)
+static void tiny_distances_are_exact(void **state)
 {
 	struct scene s = { .has_world = true,
 		.world = { { 1, 0, 0, 0 }, { 1, 1, 0, 0 }, { 0, 0, 1, 0 },
@@ -217,20 +218,22 @@ static void the_least_distance_tells(void **state)
 		double x = e < 54 ? 1 + tiny : 1;
 
 		if (x > 1 || y > 0)
-			assert_int_equal(frustum_out(&f,
+			assert_int_equal(frustum_outside(&f,
 					     (double[4]){ x, y, 0.5, 1 }),
 			    OUT_RIGHT);
 		x = e < 54 ? 1 - tiny : 1;
-		assert_int_equal(frustum_out(&f, (double[4]){ x, -y, 0.5, 1 }),
+		assert_int_equal(frustum_outside(&f,
+				     (double[4]){ x, -y, 0.5, 1 }),
 		    0);
-		assert_int_equal(frustum_out(&f, (double[4]){ -x, -y, 0.5, 1 }),
+		assert_int_equal(frustum_outside(&f,
+				     (double[4]){ -x, -y, 0.5, 1 }),
 		    y > 0 ? OUT_LEFT : 0);
 	}
 }
 
-/* The magnitudes make products underflow, overflow and neither. There are more
- * points than one call looks at. */
-static void many_are_told_as_one(void **state)
+/* The points have such magnitudes that products underflow, overflow, or neither. There
+ * are more points than a call of the kernel takes. */
+static void all_points_agree_with_each(void **state)
 {
 	enum { MANY = 1000 };
 	static double in[4][MANY];
@@ -241,7 +244,8 @@ static void many_are_told_as_one(void **state)
 	(void)state;
 	sample_seed(2);
 	for (int k = 0; k < 300; k++) {
-		points_choose(copies[k / 6 % 4]); /* or the one before */
+		points_choose(copies[k / 6 %
+		    4]); /* the last choice stays if this one is refused */
 		sample_scene(&s, k % 3 * 4);
 		bool homogeneous = k % 5 == 0 && s.has_viewport;
 		enum space from = homogeneous ? SPACE_DEVICE : SPACE_WORLD;
@@ -254,12 +258,12 @@ static void many_are_told_as_one(void **state)
 				    k % 2 ? (int)sample_below(20) :
 					    (int)sample_below(1560) - 1070);
 		in[k % 3][k] = (double)NAN;
-		frustum_out_all(&f,
+		frustum_outside_all(&f,
 		    (const double *[4]){ in[0], in[1], in[2], in[3] }, out,
 		    MANY);
 		for (size_t i = 0; i < MANY; i++)
 			assert_int_equal(out[i],
-			    frustum_out(&f,
+			    frustum_outside(&f,
 				(double[4]){ in[0][i], in[1][i], in[2][i],
 				    in[3][i] }));
 	}
@@ -268,9 +272,9 @@ static void many_are_told_as_one(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(planes_are_told),
-		cmocka_unit_test(the_least_distance_tells),
-		cmocka_unit_test(many_are_told_as_one),
+		cmocka_unit_test(planes_agree_with_mpfr),
+		cmocka_unit_test(tiny_distances_are_exact),
+		cmocka_unit_test(all_points_agree_with_each),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -6,9 +6,9 @@
 #include "claims.h"
 #include "numbers.h"
 
-/* Returns how far the picture of the scene that inspect prints is off: its map from
- * world to ndc is the given one times a factor, to the rounding of its parameters, so
- * points of the view volume stay where they were. */
+/* Returns the largest difference, in ndc, between images under s and under r, the scene
+ * that inspect prints, at points of the view volume. Their maps are equal but for a
+ * factor and the rounding of parameters. */
 static double most_off(const struct scene *s, const struct scene *r,
     const struct picture *t)
 {
@@ -75,8 +75,7 @@ static void scenes_make_the_same_picture(void **state)
 	assert_true(made > 800 && types[PROJECTION_PERSP] > 150);
 }
 
-/* A projection by parameters and its matrix give the same parameters, each the
- * nearest double. */
+/* Turns the camera and the projection into matrices of the nearest doubles. */
 static void to_matrices(struct scene *s)
 {
 	struct map camera, projection;
@@ -94,9 +93,8 @@ static void to_matrices(struct scene *s)
 	s->projection.type = PROJECTION_MATRIX;
 }
 
-/* The parameters of a matrix are those that it was made of, to the digits of
- * the matrix. */
-static void matrices_are_told(void **state)
+/* The parameters of a matrix are those that it was made of, but for rounding. */
+static void matrices_give_their_parameters(void **state)
 {
 	struct scene s;
 	static struct picture was, is;
@@ -135,8 +133,8 @@ static void check(double got, struct form n, struct form d, int tally[VERDICTS])
 	tally[truth_verdict(got, n, d, false)]++;
 }
 
-/* Computes the corner of the near or far plane at a left or right, and bottom or top
- * side, through the inverse: in view space, homogeneous. */
+/* Computes by the inverse map the homogeneous point of view space where side plane side
+ * meets near or far, and the other ndc coordinate is 0. */
 static void corner_at(const struct scene *s, const struct truth *back,
     const real limit[2], bool reversed, bool far, int side, struct form h[4])
 {
@@ -163,8 +161,8 @@ static void corner_of(const struct scene *s, const struct truth *back,
 	corner_at(s, back, limit, reversed, far, side, h);
 }
 
-/* The edges agree except for their signs: ndc is 1 on the nearer plane, and
- * less at the eye. */
+/* Checks left, right, bottom and top of the scene that inspect prints, without their
+ * signs: in a perspective, the side's point on the nearer plane less the eye. */
 static void check_edges(const struct scene *s, const struct truth *back,
     const struct picture *r, int tally[VERDICTS])
 {
@@ -194,8 +192,8 @@ static void check_edges(const struct scene *s, const struct truth *back,
 	}
 }
 
-/* Checks the distance of a plane: its z less the eye's; in a parallel projection its
- * depth. */
+/* Checks the distance of near or far: its z less the eye's z or, in a parallel
+ * projection, its z. */
 static void check_distance(const struct scene *s, const struct truth *back,
     const struct picture *r, bool far, int tally[VERDICTS])
 {
@@ -230,8 +228,8 @@ static void check_distance(const struct scene *s, const struct truth *back,
 	}
 }
 
-/* Checks the planes: the coefficients of limit w + x, limit w - x and so on, divided by
- * their length. */
+/* Checks the frustum planes against the coefficients of limit w + x, limit w - x and so
+ * on, divided by the length of the gradient. */
 static void check_frustum_planes(const struct scene *s, const struct picture *r,
     int tally[VERDICTS])
 {
@@ -274,7 +272,7 @@ static void clear_slants(double m[4][4])
 				m[i][j] = 0;
 }
 
-static void numbers_are_true(void **state)
+static void numbers_are_nearest(void **state)
 {
 	static const char *const what[] = { "distances", "sides",
 		"frustum planes", "edges" };
@@ -307,8 +305,8 @@ static void numbers_are_true(void **state)
 		check_edges(&s, &back, &r, tally[3]);
 		for (int side = 0; side < 4; side++) {
 			corner_of(&s, &back, r.reverse_z, false, side, h);
-			if (!isnan(r.plane[side]))
-				check(r.plane[side], h[side / 2], h[3],
+			if (!isnan(r.near_edge[side]))
+				check(r.near_edge[side], h[side / 2], h[3],
 				    tally[1]);
 		}
 		real_release(mark);
@@ -324,8 +322,8 @@ static void numbers_are_true(void **state)
 	}
 }
 
-/* Parameters come back as they were given. */
-static void parameters_come_home(void **state)
+/* near, far, reverse_z and edges of a document are found again. */
+static void parameters_are_found_again(void **state)
 {
 	struct scene s;
 	static struct picture r;
@@ -389,9 +387,11 @@ static void check_real(double got, real exact, int tally[2])
 	tally[got == mpfr_get_d(exact, MPFR_RNDN)]++;
 }
 
-/* A perspective, for given columns x, y, z and w: the eye is where x, y and w are 0, and
- * D on from it along the unit gaze, w / |w'|, depth k is where z(eye) + D z' n = k D
- * |w'|; the edges there are (side |w'| - x' n) D / (x' right), and y's alike. */
+/* Checks a perspective given as a matrix with the columns x, y, z and w. The eye is the
+ * point where x, y and w are 0. The gaze n is w' / |w'|, with gradients written x', y',
+ * z', w'. The plane of ndc depth k is at the distance D from the eye for which z(eye) +
+ * D z' . n = k D |w'|. The edges on this plane are (side |w'| - x' . n) D / (x' .
+ * right), and the same with y' and up. */
 static void check_combined(const struct scene *s, const struct picture *r,
     int tally[2])
 {
@@ -445,7 +445,8 @@ static void check_combined(const struct scene *s, const struct picture *r,
 	}
 }
 
-/* A matrix that contains the camera is taken apart, to the nearest doubles. */
+/* From a matrix that contains the camera, eye, gaze and projection are the nearest
+ * doubles. */
 static void cameras_are_found_in_matrices(void **state)
 {
 	int tally[2] = { 0 }, parallel = 0;
@@ -496,9 +497,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(scenes_make_the_same_picture),
-		cmocka_unit_test(matrices_are_told),
-		cmocka_unit_test(numbers_are_true),
-		cmocka_unit_test(parameters_come_home),
+		cmocka_unit_test(matrices_give_their_parameters),
+		cmocka_unit_test(numbers_are_nearest),
+		cmocka_unit_test(parameters_are_found_again),
 		cmocka_unit_test(cameras_are_found_in_matrices),
 	};
 

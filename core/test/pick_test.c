@@ -6,17 +6,17 @@
 #include "points.h"
 #include "numbers.h"
 
-/* The distance of model points from the near plane along the gaze, in every convention
- * the same. */
+/* The distance of model points from the near plane along the gaze, computed in the
+ * document's convention. */
 struct distance {
 	struct truth view;
-	int column; /* of the point's image that is the depth */
+	int column; /* the column of view that is the depth */
 	struct form near, over;
 	bool upward;
 };
 
-/* The near plane of a matrix is where MPFR finds the point of the axis on the
- * ndc plane that frustum_test knows. These scenes have no matrix. */
+/* Sets the distance for a scene without a matrix: the near plane of a matrix is not a
+ * member of the document. */
 static void distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;
@@ -37,7 +37,7 @@ static void distance_of(const struct scene *s, struct distance *d)
 		d->over = truth_slope(p);
 		return;
 	}
-	/* where w is near, or 0 */
+	/* w at the eye */
 	double w = p->type == PROJECTION_PERSP &&
 		p->extent == EXTENT_INTRINSICS ?
 	    p->intrinsics[2][3] :
@@ -88,7 +88,7 @@ static void check_distances(const struct picker *k, const struct distance *d,
 	}
 }
 
-/* Returns whether N / w is at most the radius. */
+/* Returns whether the image N / w is within the radius of at. */
 static bool is_within(const struct picker *k, const struct image *image,
     bool *doubtful)
 {
@@ -104,7 +104,7 @@ static bool is_within(const struct picker *k, const struct image *image,
 	return truth_sign(d, doubtful) <= 0;
 }
 
-/* Checks points about a point on the edge of the circle. */
+/* Checks points around a point on the edge of the circle. */
 static void check_radius(struct picker *k, const struct truth *truth,
     struct block *b, size_t n[2])
 {
@@ -131,7 +131,7 @@ static void check_radius(struct picker *k, const struct truth *truth,
 
 			n[within]++;
 			if (!doubtful)
-				assert_int_equal(pick_holds(k, p, device),
+				assert_int_equal(pick_is_within(k, p, device),
 				    within);
 		}
 		real_release(mark);
@@ -172,8 +172,9 @@ static void random_scenes(void **state)
 	assert_true(n[0] > 1000 && n[1] > 300);
 }
 
-/* Device x and y are those of the model; the circle goes through whole numbers. */
-static void the_least_distance_tells(void **state)
+/* Device x and y are equal to model x and y. The circle goes through points with whole
+ * coordinates. */
+static void tiny_distances_are_exact(void **state)
 {
 	struct scene s = { .has_viewport = true,
 		.convention = { .bottom_left = true },
@@ -194,19 +195,21 @@ static void the_least_distance_tells(void **state)
 		double p[4] = { 1, 0, 0, 1 }, device[2] = { 1, 0 };
 
 		k.radius = 1;
-		assert_true(pick_holds(&k, p, device));
+		assert_true(pick_is_within(&k, p, device));
 		p[1] = device[1] = y;
-		assert_false(pick_holds(&k, p, device));
+		assert_false(pick_is_within(&k, p, device));
 		p[0] = device[0] = over;
 		p[1] = device[1] = 0;
-		assert_int_equal(pick_holds(&k, p, device), over == 1);
+		assert_int_equal(pick_is_within(&k, p, device), over == 1);
 	}
 	k.radius = 5 * 0x1p40;
-	assert_true(pick_holds(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
-	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+	assert_true(
+	    pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+		(double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
 	k.radius = nextafter(k.radius, 0);
-	assert_false(pick_holds(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
-	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+	assert_false(
+	    pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+		(double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
 }
 
 /* 1 + 2^-60 on the device is not within 1 of 0, though its nearest double is. */
@@ -235,19 +238,19 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 	k.at[0] = 0;
 	k.at[1] = 1;
 	k.radius = 1;
-	assert_false(pick_holds(&k, p, device));
+	assert_false(pick_is_within(&k, p, device));
 	k.radius = nextafter(1, 2);
-	assert_true(pick_holds(&k, p, device));
+	assert_true(pick_is_within(&k, p, device));
 	k.at[0] = 1;
 	k.radius = 0;
-	assert_false(pick_holds(&k, p, device));
+	assert_false(pick_is_within(&k, p, device));
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_scenes),
-		cmocka_unit_test(the_least_distance_tells),
+		cmocka_unit_test(tiny_distances_are_exact),
 		cmocka_unit_test(what_rounds_onto_the_edge_is_outside),
 	};
 

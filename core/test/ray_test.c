@@ -5,8 +5,8 @@
 #include "claims.h"
 #include "points.h"
 
-/* The image of a device position and depth, and what it gains with depth, times
- * w squared. */
+/* The homogeneous world point n of a device position and depth, and gain, the
+ * derivative of n / w by depth times w squared, which is along the ray. */
 struct truth_ray {
 	struct form n[4], gain[3], length;
 };
@@ -75,7 +75,7 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 	real_release(mark);
 }
 
-/* Returns whether device depth falls away from the eye. */
+/* Returns whether device depth falls along rays. */
 static bool against(const struct scene *s)
 {
 	return (s->viewport.max_z > s->viewport.min_z) ==
@@ -184,10 +184,9 @@ static void no_position_no_ray(void **state)
 		assert_true(isnan(b.ray[j][0]));
 }
 
-/* Computes where the ray meets the plane p, before the division: a (p . b) - b
- * (p . a) on the line through the images a and b of two depths. The point is
- * visible if its clip w has the sign of w, or if rays are parallel and w is the
- * same everywhere. */
+/* Computes the homogeneous point where the ray meets the plane p: a (p . b) - b (p .
+ * a), on the line through the images a and b of two depths. The point is visible if its
+ * clip w has the sign of w, or if the rays are parallel and w is constant. */
 static void truth_meeting(const struct truth *back, const struct truth *clip,
     const double plane[4], const double at[2], struct image *image)
 {
@@ -256,7 +255,7 @@ static void judge_meetings(const struct scene *s, enum space from,
 	}
 }
 
-/* Samples planes beside the origin, through it, or far. */
+/* Samples planes near the origin, through the origin, or far from it. */
 static void sample_plane(int e, double plane[4])
 {
 	do

@@ -15,10 +15,10 @@ enum { BLOCKS = 24 };
 /* The counters: one for each kind of column in the exact kernels. */
 enum { AFFINE, RATIONAL, FLAT, DEPTH, PROJECTIVE, RAY, WAYS };
 
-/* Scenes and points from 2^low to 2^high, for the eye and for what is relative
- * to it, with so many binary digits; the whole scene is scaled by each power
- * from 2^least to 2^most. The last numbers are the recorded counts, of BLOCKS
- * POINTS_BLOCK points. */
+/* A kind of scenes and points. Coordinates of the eye are from 2^eye_low to 2^eye_high,
+ * coordinates relative to the eye from 2^low to 2^high, with so many binary digits. The
+ * scene is scaled by each power from 2^least to 2^most. left has the recorded counts of
+ * undecided points, out of BLOCKS POINTS_BLOCK points. */
 static const struct regime {
 	const char *name;
 	int eye_low, eye_high, low, high, digits, least, most;
@@ -48,7 +48,7 @@ static const struct regime {
 
 enum { REGIMES = sizeof regimes / sizeof *regimes };
 
-static int scale; /* of the scene */
+static int scale; /* the scene is scaled by 2^scale */
 
 static double any(int low, int high, int digits)
 {
@@ -162,7 +162,7 @@ static void count_block(const struct regime *r, struct block *b,
 	n[PROJECTIVE] += count(&t, KERNEL_PROJECTIVE, b);
 	assert_null(ray_maker_of(&s, &ray));
 	n[RAY] += unsure(points_kernels()->exact[KERNEL_DIRECTION],
-	    &ray.along.for_kernel, b);
+	    &ray.direction.for_kernel, b);
 }
 
 static void as_many_as_ever(void **state)

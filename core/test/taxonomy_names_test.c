@@ -74,8 +74,8 @@ static void obliques_have_their_names(void **state)
 	}
 }
 
-/* One view volume, written in every convention, and again as a bare matrix, whose
- * near plane is the one next to the eye. */
+/* The same view volume in each convention, as a volume and as a matrix without a
+ * camera, whose near plane is the plane nearer to the eye. */
 static void eyes_are_on_their_side(void **state)
 {
 	struct scene s = { 0 };
@@ -115,7 +115,7 @@ static void eyes_are_on_their_side(void **state)
 	}
 }
 
-/* Reversed depth is the same view, and so is its bare matrix. */
+/* Reversed depth does not change the picture, also of a matrix without a camera. */
 static void depth_may_be_reversed(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_PERSP,

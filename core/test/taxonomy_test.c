@@ -4,7 +4,7 @@
 
 #include "claims.h"
 
-/* Counts of the numbers of one kind by their verdict. */
+/* The numbers of one kind, counted by verdict. */
 struct tally {
 	int n[VERDICTS];
 };
@@ -14,7 +14,7 @@ static void check(double got, struct form n, struct form d, struct tally *tally)
 	tally->n[truth_verdict(got, n, d, false)]++;
 }
 
-/* Checks a point: h over its w, if the point is seen. */
+/* Checks that got is h / w, or nan if the point is not visible or w is 0. */
 static void check_point(const double *got, const struct form h[4], int n,
     bool seen, struct tally *tally)
 {
@@ -48,8 +48,8 @@ static void check_vanishing_points(const struct scene *s,
 	}
 }
 
-/* Checks, by the inverse matrix, the eye, where x, y and w are 0, and the corners, at
- * the sides that the viewport's scale cuts. */
+/* Checks the eye, where clip x, y and w are 0, and the corners, by the inverse matrix.
+ * The viewport's scale decides where the side planes are. */
 static void check_places(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
@@ -87,8 +87,7 @@ static void check_places(const struct scene *s, const struct picture *t,
 	}
 }
 
-/* Checks the angles of view: those between the normals of planes, by the law of
- * cosines. */
+/* Checks the angles of view: the arc cosine of the normals of opposite planes. */
 static void check_fov(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
@@ -117,8 +116,9 @@ static void check_fov(const struct scene *s, const struct picture *t,
 	}
 }
 
-/* An axis is a combination of the projector and two perpendicular directions in
- * the plane; its image has the length of the latter. */
+/* Checks foreshortening. A world axis is a sum of a vector along the projectors and two
+ * perpendicular vectors in the plane. The length of the sum of these two vectors is the
+ * length of the image. */
 static void check_foreshortening(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
@@ -174,7 +174,7 @@ static void check_ahead(const struct picture *t)
 	}
 }
 
-/* Checks the gaze: the gradient of what is constant on the plane. */
+/* Checks the gaze: the gradient of w or, in a parallel projection, of z. */
 static void check_gaze(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
@@ -192,7 +192,7 @@ static void check_gaze(const struct scene *s, const struct picture *t,
 	check_ahead(t);
 }
 
-static void numbers_are_true(void **state)
+static void numbers_are_nearest(void **state)
 {
 	static const char *const what[] = { "places", "gazes",
 		"foreshortenings", "vanishing points", "angles" };
@@ -241,7 +241,7 @@ static void numbers_are_true(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(numbers_are_true),
+		cmocka_unit_test(numbers_are_nearest),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
