@@ -27,8 +27,7 @@ char first_char(const char *s)
 }
 
 /* Returns a file descriptor above those of the standard streams, or -1. If a standard
- * stream is closed, open returns its number, and the file would be read or written in
- * its place. */
+ * stream is closed, open returns its number, and the file would take its place. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;

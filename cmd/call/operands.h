@@ -31,8 +31,6 @@ bool has_points(const struct command *, const struct options *,
  * Operands are read once for all scenes. */
 void run_points(const struct options *, const struct document *, struct job *);
 
-/* Files and standard input as texts in memory. */
-
 /* A text: the first have bytes of s. There is memory for room bytes, and PIECE_MARGIN
  * more, as the readers of points read past the end. */
 struct text {

@@ -106,9 +106,6 @@ enum format options_output(const struct options *);
 /* Returns the style of numbers that are no points. Refuses a list of several styles. */
 struct number_style options_style(const struct options *);
 
-/* Words that are no command, option or topic of help: their refusal suggests a synonym,
- * a member of the scene, or the nearest name. */
-
 struct member;
 
 /* Returns the member called name, else the member with that alias, else NULL. Sets

@@ -43,8 +43,7 @@ static _Noreturn void refuse_option(const struct command *c, const char *word,
 	    c->name, word, c->name);
 }
 
-/* Returns the option that a word names, or the only option of the command whose name
- * begins with the word. */
+/* Returns the option that a word names, or the command's only one that begins so. */
 static const struct option_row *long_option(const struct command *c,
     const char *word)
 {
@@ -121,8 +120,7 @@ static void set_options(const struct command *c, char *word, char ***next,
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
-/* Returns whether a word is an operand and not an option, as "-" and a negative number
- * are. */
+/* Returns whether a word is an operand, as "-" and a negative number are. */
 static bool is_operand(const char *word)
 {
 	return *word != '-' || word[1] == '\0' || word[1] == '.' ||

@@ -62,11 +62,6 @@ static bool params_more(void)
 	return false;
 }
 
-static bool is_space(char c)
-{
-	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 /* Moves begin past white space, and past byte order marks, which stand between files
  * that were concatenated. Returns false if text ends there, or within such a mark. */
 static bool skip_spaces(void)
@@ -76,7 +71,7 @@ static bool skip_spaces(void)
 
 	do {
 		s = next;
-		next = s < end && is_space(*s) ? s + 1 : skip_mark(s, end);
+		next = skip_mark(json_skip_blanks(s, end), end);
 	} while (next != s);
 	json_count_lines(params.text.s + params.begin, s, &params.line,
 	    &params.column);
@@ -93,7 +88,7 @@ static bool find_end(void)
 	while (params.end < params.text.have) {
 		char c = params.text.s[params.end];
 
-		if (!params.quoted && params.level == 0 && is_space(c))
+		if (!params.quoted && params.level == 0 && json_is_blank(c))
 			return true;
 		params.end++;
 		if (params.escaped) {

@@ -7,6 +7,47 @@
 
 #include "../json/text.h"
 
+struct cut cut_value(struct span value, const char *end)
+{
+	const char *s = json_skip_blanks(value.s + 1, end);
+
+	return (struct cut){ .in = { FORMAT_JSON, ',' },
+		.s = *s == ']' || *s == '}' ? NULL : s,
+		.end = end,
+		.bracket = value.s + 1,
+		.members = *value.s == '{' };
+}
+
+struct cut cut_line(struct dialect in, struct span line)
+{
+	if (*format_of(in)->open != '\0')
+		return cut_value(trimmed(in, line), line.end);
+	return (struct cut){ .in = in, .s = line.s, .end = line.end };
+}
+
+bool cut_next(struct cut *c, struct field *f)
+{
+	if (c->s == NULL)
+		return false;
+	f->name.s = NULL;
+	f->open = false;
+	f->from = c->from;
+	f->comma = c->comma;
+	format_of(c->in)->next(c, f);
+	c->s = f->next;
+	return true;
+}
+
+size_t cut_count(struct cut c)
+{
+	struct field f;
+	size_t n = 0;
+
+	while (cut_next(&c, &f))
+		n++;
+	return n;
+}
+
 /* The way from a value to a coordinate or name that is sought: a name or pointer; if
  * path is NULL, the number of a field, or -1 if there is no way. */
 struct way {
@@ -78,19 +119,20 @@ static void choose_in(struct search *r, struct cut c,
 
 	for (long k = 0; k <= r->last && cut_next(&c, &f); k++) {
 		struct way inside[SOUGHT];
-		unsigned led = 0;
+		bool led = false;
 
 		for (int i = 0; i < r->n; i++) {
 			const char *path = ways[i].path, *rest = "";
 
+			inside[i] = nowhere;
 			if (path == NULL ?
 				ways[i].place != k :
 				!leads_to(r->l, path, i, &c, &f, k, &rest))
 				continue;
 			seen[i]++;
 			if (*rest != '\0') {
-				inside[i] = (struct way){ rest, -1 };
-				led |= 1u << i;
+				inside[i].path = rest;
+				led = true;
 			} else if (out->times[i]++ == 0) {
 				out->field[i] = f;
 				out->place[i] = k;
@@ -98,10 +140,7 @@ static void choose_in(struct search *r, struct cut c,
 				out->again[i] = k;
 			}
 		}
-		for (int i = 0; i < r->n && led != 0; i++)
-			if ((led >> i & 1) == 0)
-				inside[i] = nowhere;
-		if (led != 0 && (*f.value.s == '{' || *f.value.s == '['))
+		if (led && (*f.value.s == '{' || *f.value.s == '['))
 			choose_in(r, cut_value(f.value, c.end), inside);
 		if (r->text && k > 0 && f.value.s < c.end &&
 		    (k < r->last || counts_on(r->l, &f))) {
@@ -174,39 +213,14 @@ void choose_places(const struct layout *l, const struct chosen *c,
 bool choose_clashes(const struct layout *l, const struct chosen *c,
     bool members, char reason[REASON_MAX])
 {
-	int first = 0;
+	int i = 4;
 
-	for (int i = 4; i < SOUGHT; i++)
-		if (c->times[i] > 0 &&
-		    (first == 0 ||
-			c->field[i].whole.s < c->field[first].whole.s))
-			first = i;
-	if (first > 0)
+	while (i < SOUGHT && c->times[i] == 0)
+		i++;
+	if (i < SOUGHT)
 		snprintf(reason, REASON_MAX,
 		    "%s '%s', which %s adds; give it another name",
 		    members ? "has a member" : "the header has a column",
-		    l->name[first - 4], l->append ? "--append" : "the output");
-	return first > 0;
-}
-
-size_t choose_words(const struct layout *l, struct span line,
-    char out[OPTION_ROOM])
-{
-	bool moved = false;
-	struct chosen c;
-
-	while (line.s < line.end && strchr("#%/;! \t", *line.s) != NULL)
-		line.s++;
-	struct cut words = cut_line((struct dialect){ FORMAT_TEXT, ' ' }, line);
-
-	words.names = true;
-	choose(l, words, &c);
-	out = stpcpy(out, "--columns ");
-	for (int i = 0; i < l->reads; i++) {
-		if (!l->columns.by_header || c.times[i] == 0)
-			return 0;
-		moved |= c.place[i] != i;
-		out += sprintf(out, i > 0 ? ",%ld" : "%ld", c.place[i] + 1);
-	}
-	return moved ? cut_count(words) : 0;
+		    l->name[i - 4], l->append ? "--append" : "the output");
+	return i < SOUGHT;
 }

@@ -45,6 +45,7 @@ static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
+	const char *what = *s == '{' ? "object" : "array";
 	struct json_check c = { .kind = JSON_LINE,
 		.text = line.s,
 		.end = line.end };
@@ -61,8 +62,7 @@ static bool json_line_check(struct dialect d, struct span line,
 		snprintf(reason, REASON_MAX,
 		    "the %s does not end with the line; one %s a line: jq -c "
 		    "%s",
-		    *s == '{' ? "object" : "array",
-		    *s == '{' ? "object" : "array", *s == '{' ? "." : "'.[]'");
+		    what, what, *s == '{' ? "." : "'.[]'");
 	else
 		snprintf(reason, REASON_MAX, "is no JSON: %s", c.reason);
 	return false;

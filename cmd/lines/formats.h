@@ -38,8 +38,7 @@ struct field {
 	bool open;         /* in csv: the quote of the field is not closed */
 };
 
-/* A cursor over the fields of a line. It keeps no field, so that a line may have any
- * number of fields. */
+/* A cursor over the fields of a line, of which there may be any number. */
 struct cut {
 	struct dialect in;
 	const char *s, *end; /* the next field, or NULL; the line's end */

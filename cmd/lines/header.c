@@ -78,14 +78,6 @@ static bool is_counted(const struct layout *l, struct cut c,
 	return true;
 }
 
-bool header_is_named(const struct layout *l)
-{
-	for (int i = 0; i < l->reads; i++)
-		if (l->columns.name[i] != NULL)
-			return true;
-	return false;
-}
-
 static bool begins_with_digit(struct span f)
 {
 	f.s += f.s < f.end && (*f.s == '-' || *f.s == '+');
@@ -133,7 +125,7 @@ bool header_in_comment(const struct layout *l, struct span text, bool first)
 
 	choose(l, header, &c);
 	return header.s != text.s &&
-	    (l->header == HEADER_NONE || !header_is_named(l) ||
+	    (l->header == HEADER_NONE || !layout_is_named(l) ||
 		find_missing(l, &c) < l->reads);
 }
 
@@ -148,7 +140,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	if (c->by_header)
 		c->n = 0;
 	const bool maybe = l->header == HEADER_MAYBE &&
-	    (c->by_header || !header_is_named(l));
+	    (c->by_header || !layout_is_named(l));
 	const bool counted = maybe && is_counted(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
@@ -164,9 +156,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 			c->field[i] = (int)chosen.place[i];
 	c->n = l->reads;
 	l->fields = l->most = cut_count(header);
-	l->moved = false;
-	for (int i = 0; i < l->reads; i++)
-		l->moved |= c->field[i] != i;
+	l->moved = !layout_is_first(l);
 	choose_places(l, &chosen, line);
 	return true;
 }
@@ -181,7 +171,7 @@ bool header_is_short(struct layout *l, struct cut c, enum first first,
 	for (; cut_next(&c, &f); n++)
 		blanks |= say_blanks(l, &f, reason);
 	if (first != FIRST_IS_READ && n > l->most &&
-	    (l->fields == 0 || !header_is_named(l)))
+	    (l->fields == 0 || !layout_is_named(l)))
 		l->most = n;
 	n -= f.value.s == f.value.end;
 	if (n <= l->most || l->fields == 0)

@@ -53,13 +53,6 @@ static inline void find_order(const struct line *line, int n, int order[4])
 		}
 }
 
-/* Returns the size of a line without its closing bracket. */
-static inline uint32_t end_of_fields(const struct layout *l,
-    const struct line *line)
-{
-	return line->size - (*format_of(l->out)->close != '\0');
-}
-
 /* Returns whether added values can follow the last of n coordinates directly: they need
  * no names, the coordinate no quote, and in text the separator before it is one byte.
  * By --append they follow the line, which must not end in blanks. */
@@ -67,10 +60,11 @@ static inline bool can_add_in_place(const struct layout *l,
     const struct line *line, int n)
 {
 	uint32_t last = line->at[n - 1].to;
+	const char *end = line->s + line->size;
 
 	if (l->append &&
-	    (is_blank(line->s[line->size - 1]) ||
-		is_blank(line->s[end_of_fields(l, line) - 1])))
+	    (is_blank(end[-1]) ||
+		is_blank(end[-1 - (*format_of(l->out)->close != '\0')])))
 		return false;
 	if (format_of(l->out)->blanks)
 		return line->at[n - 1].from - line->at[n - 2].to == 1;
@@ -117,7 +111,7 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 		done = line->at[k].to;
 	}
 	if (append) {
-		done = end_of_fields(l, line);
+		done = line->size - (*format_of(l->out)->close != '\0');
 		out = put_gap(line, 0, done, out);
 	}
 	for (int k = written; k < l->writes; k++) {

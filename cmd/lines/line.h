@@ -4,8 +4,8 @@
  *
  * Most lines are simple, and walk.c finds the numbers of many of them at once. Every
  * other line goes to line_read in read.c, which alone decides what a legal line is:
- * struct cut (cut.c) is a cursor over the fields of the line, choose.c finds the
- * coordinates among these fields, and say.c writes what is wrong. The first line of csv
+ * struct cut is a cursor over the fields of the line, choose.c finds the coordinates
+ * among these fields, and say.c writes what is wrong. The first line of csv
  * may be a header (header.c), which names the fields.
  *
  * in_place.h writes a line of which numbers alone change. Every other line goes to
@@ -22,12 +22,11 @@
 #include "formats.h"
 #include "../number/plain.h"
 
-/* The most numbers that are written for a point: a ray's position and direction. At
- * most four are read. */
+/* The most numbers written for a point: a ray's position and direction. */
 enum { COORDINATES_MAX = 6 };
 
-/* The room for the name of a number that is written, and for --columns. */
-enum { NAME_ROOM = 16, OPTION_ROOM = 64 };
+/* The room for the name of a number that is written. */
+enum { NAME_ROOM = 16 };
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
@@ -44,8 +43,7 @@ struct columns {
  * a comment, the first row after a header, or no special line. */
 enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
-/* Whether csv has a header: MAYBE is decided by the first line, FIRST is --header, NONE
- * is --no-header. */
+/* Whether csv has a header: FIRST by --header, NONE by --no-header, else MAYBE. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* The formats of points, and the numbers that are read and written. */
@@ -62,9 +60,8 @@ struct layout {
 	size_t fields; /* of the header; 0: there is none */
 	size_t most;   /* the most fields of a row of csv; 0: any number */
 	bool moved; /* the last header has coordinates elsewhere than first */
-	/* choose_words of the last comment above the first row */
-	size_t words;
-	char option[OPTION_ROOM];
+	/* by a comment above the first row; n is the number of its names */
+	struct columns told;
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are copied whole, beside the image */
 	const char *two; /* a hint for points of two numbers; or NULL */
@@ -170,6 +167,16 @@ static inline bool layout_is_first(const struct layout *l)
 	return i == l->reads;
 }
 
+/* Returns whether any coordinate is found by the name of its column or member. */
+static inline bool layout_is_named(const struct layout *l)
+{
+	int i = 0;
+
+	while (i < l->reads && l->columns.name[i] == NULL)
+		i++;
+	return i < l->reads;
+}
+
 /* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {
@@ -189,8 +196,7 @@ void line_read(struct layout *, struct span text, enum first *, struct line *,
  * format's word for an unknown number. Returns the end of the text. */
 char *line_put_rare(const struct layout *, int k, double v, char *out);
 
-/* Returns the most bytes that line_write may touch for a number of lines that have a
- * number of bytes in all. */
+/* Returns the most bytes that line_write may touch for lines of so many bytes in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
@@ -208,14 +214,11 @@ char *line_write(const struct layout *, const struct line *,
  * for each field. */
 char *line_rest(const struct layout *, const struct line *, char *out);
 
-/* A cut goes over the fields of a line, one after another. */
-
 /* Returns a cut before the first field of a line. JSON must be checked text that begins
  * with an array or object. */
 struct cut cut_line(struct dialect, struct span line);
 
-/* Returns a cut before the first element or member of a JSON value; end is that of the
- * line. */
+/* Returns a cut before the first element or member of a JSON value; the line has end. */
 struct cut cut_value(struct span value, const char *end);
 
 /* Sets the next field and moves behind it. Returns false after the last field. */
@@ -223,9 +226,6 @@ bool cut_next(struct cut *, struct field *);
 
 /* Returns the number of fields after the cut. */
 size_t cut_count(struct cut);
-
-/* Finds the coordinates among the fields of a line by place, name or pointer, and by
- * --append the names that are added. */
 
 enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
 
@@ -253,17 +253,8 @@ int choose_overlap(const struct layout *, const struct chosen *);
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Writes --columns with the places of the names x, y, z and w among the words of a
- * line. Returns the number of words, or 0 if a name is missing or all are first in
- * order. */
-size_t choose_words(const struct layout *, struct span line,
-    char out[OPTION_ROOM]);
-
 /* Returns whether the token is the decimal number k without leading zeros. */
 bool is_index(struct span token, long k);
-
-/* Decides whether the first line of csv is a header, and finds the coordinates by its
- * names. */
 
 /* Returns whether a line that begins with #, the first line or another, is a comment.
  * If not, it is a header or a row: # is a field alone, the names of all coordinates
@@ -283,17 +274,8 @@ bool header_read(struct layout *, struct span text, struct line *,
 bool header_is_short(struct layout *, struct cut row, enum first,
     char reason[REASON_MAX]);
 
-/* Returns whether any coordinate is found by the name of its column. */
-bool header_is_named(const struct layout *);
-
 /* Returns a cut before the first name of a header without a byte order mark. */
 struct cut header_cut(struct dialect, struct span text);
-
-/* Words what is wrong with a line. */
-
-/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; writes
- * the reason if not. */
-bool say_range(int i, double v, char reason[REASON_MAX]);
 
 /* Writes why the field f cannot be coordinate i; if f is empty, that it is missing. */
 void say_field(const struct layout *, int i, struct span f,
@@ -308,10 +290,21 @@ bool say_blanks(const struct layout *, const struct field *f,
 void say_missing(const struct layout *, int i, struct cut,
     const struct chosen *, char reason[REASON_MAX]);
 
+/* Sets the layout's told if the words of a comment name the coordinates, and these are
+ * not its first words. */
+void say_comment(struct layout *, struct span text);
+
+/* Returns whether a first row can't be read without a header: the row is lost and the
+ * columns have names; or the coordinates do not stand first by the header of a file
+ * before, or by a comment above that has as many words as the row has fields and names
+ * numbers of the row. Writes the reason; a lost row has one. */
+bool say_headless(const struct layout *, struct span row, bool lost,
+    char reason[REASON_MAX]);
+
 /* Writes that the first line of text looks like a header, if none of its first fields
  * is a number. */
 void say_text_header(const struct layout *, struct span line,
-    char reason[REASON_MAX]);
+    const struct chosen *, char reason[REASON_MAX]);
 
 /* Reads simple lines fast, by an index. The index lists the stops of a stretch of text:
  * the bytes that can end a field. A walk goes from stop to stop and finds the

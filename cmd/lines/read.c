@@ -1,9 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads one line of any kind; this file alone says which lines are legal. */
+#include <math.h>
 #include <stdio.h>
 
+#include "../../core/scene/scene.h"
 #include "line.h"
 #include "../message/utf8.h"
+
+/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; writes
+ * the reason if not. */
+static bool in_range(const struct layout *l, int i, double v,
+    char reason[REASON_MAX])
+{
+	if (!(fabs(v) > MAGNITUDE_MAX))
+		return true;
+	snprintf(reason, REASON_MAX,
+	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :
+		       "%s is beyond 1e150 in magnitude; choose another unit",
+	    coordinate_name(i), format_of(l->in)->unknown);
+	return false;
+}
 
 /* Reads the numbers v of the coordinates. Returns false, with the reason, at the first
  * that is not a number within the range. */
@@ -22,7 +37,7 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 			    format_of(l->in)->header ? f->whole : f->value,
 			    reason);
 		else if (!say_blanks(l, f, reason) &&
-		    say_range(i, v[i], reason))
+		    in_range(l, i, v[i], reason))
 			continue;
 		return false;
 	}
@@ -135,7 +150,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		l->most = 0; /* a bad row may lack fields */
 	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
 	    l->columns.n == 0)
-		say_text_header(l, text, reason);
+		say_text_header(l, text, &c, reason);
 }
 
 void line_read(struct layout *l, struct span text, enum first *first,
@@ -159,37 +174,20 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	    format_is_old(l->in, text, reason)) {
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_in_comment(l, text, was == FIRST_LINE)) {
-		char option[OPTION_ROOM];
-		size_t n = was == FIRST_LINE ? choose_words(l, text, option) :
-					       0;
-
-		if (n > 0) {
-			l->words = n;
-			strcpy(l->option, option);
-		}
+		if (was == FIRST_LINE)
+			say_comment(l, text);
 		return;
-	} else if (was == FIRST_LINE && in->header && *s == '{') {
+	} else if (was == FIRST_LINE && in->header &&
+	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
 		line->kind = LINE_LOST;
-		snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
+		say_field(l, 0, (struct span){ s, text.end }, reason);
 	} else if (was != FIRST_LINE || !in->header ||
 	    !header_read(l, text, line, reason)) {
 		read_fields(l, text, was, line, v, reason);
 	}
-	/* the fields of --columns lon,lat are not known without a header */
-	if (was == FIRST_LINE && line->kind == LINE_LOST && in->header &&
-	    !l->columns.by_header && header_is_named(l))
-		line->kind = LINE_REFUSED;
-	if (was == FIRST_LINE && line->kind != LINE_HEADER &&
-	    line->kind != LINE_REFUSED && l->columns.by_header &&
-	    l->header == HEADER_MAYBE && *in->open == '\0' &&
-	    (l->moved ||
-		(l->words > 0 &&
-		    l->words == cut_count(cut_line(l->in, text))))) {
-		line->kind = LINE_REFUSED;
-		snprintf(reason, REASON_MAX, "%s; say %s",
-		    l->moved ? "lacks the header of a file before" :
-			       "the comment above names other columns",
-		    l->moved ? "--columns by number" : l->option);
-	}
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
+	if (was == FIRST_LINE && *in->open == '\0' && *first != FIRST_ROW &&
+	    line->kind != LINE_REFUSED &&
+	    say_headless(l, text, line->kind == LINE_LOST, reason))
+		line->kind = LINE_REFUSED;
 }

@@ -1,25 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <strings.h>
 
-#include "../../core/scene/scene.h"
 #include "../message/utf8.h"
-
-bool say_range(int i, double v, char reason[REASON_MAX])
-{
-	if (!(fabs(v) > MAGNITUDE_MAX))
-		return true;
-	snprintf(reason, REASON_MAX,
-	    isinf(v) ?
-		"%s is infinite; a number up to 1e150 is wanted, or nan" :
-		"%s is beyond 1e150 in magnitude; choose another unit",
-	    coordinate_name(i));
-	return false;
-}
 
 /* Appends to the reason; what has no room is cut. */
 static void __attribute__((format(printf, 2, 3)))
@@ -60,11 +46,17 @@ static const struct separator *find_separator(const struct layout *l,
 	return NULL;
 }
 
-static void say_separator(const struct separator *other,
+static void say_separator(const struct layout *l, const struct separator *other,
     char reason[REASON_MAX])
 {
-	say_more(reason, "; is %s the separator? say %s", other->shown,
-	    other->option);
+	if (l->fields > 1)
+		say_more(reason,
+		    "; is %s the separator? the header has another; make both "
+		    "the same by tr or sed",
+		    other->shown);
+	else
+		say_more(reason, "; is %s the separator? say %s", other->shown,
+		    other->option);
 }
 
 /* Adds to the reason how to mend f, coordinate i. If f begins with a number, the text
@@ -72,29 +64,33 @@ static void say_separator(const struct separator *other,
 static void say_right(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
-	const struct format_row *in = format_of(l->in);
+	const bool json = *format_of(l->in)->open != '\0';
 	double v;
 	const char *after = number_read(f.s, f.end, &v);
-	const struct separator *other = find_separator(l, f,
-	    in->header && after != NULL);
+	const struct separator *other = json ?
+	    NULL :
+	    find_separator(l, f, format_of(l->in)->header && after != NULL);
 
-	if (*in->open != '\0')
-		say_more(reason, "; a number is wanted%s",
-		    after != NULL ?
-			", as JSON writes it" :
-			*f.s == '[' || *f.s == '{' ?
-			"; one array or object a line: jq -c '.[]'" :
-			"");
-	else if (other != NULL && other->c == ',' &&
+	if (other != NULL && other->c == ',' &&
 	    number_read(after + 1, f.end, &v) == f.end)
 		say_more(reason, "; a decimal point is a point: 1.5");
-	else if (other != NULL && (other->c != ' ' || l->in.separator == ','))
-		say_separator(other, reason);
+	else if (f.end - f.s > 2 && memcmp(f.s, "---", 3) == 0)
+		say_more(reason, "; leave out such lines by grep -v -e ---");
+	else if (other != NULL &&
+	    (other->c != ' ' ||
+		(l->in.separator != ';' &&
+		    number_read(skip_separator(after, f.end), f.end, &v) !=
+			NULL)))
+		say_separator(l, other, reason);
 	else
 		say_more(reason, "; a number is wanted%s",
-		    after != NULL ?
+		    after != NULL && json ?
+			", as JSON writes it" :
+			after != NULL ?
 			", and nothing else in the field" :
-			l->columns.n == 0 && i == 0 ?
+			*f.s == '[' || *f.s == '{' ?
+			"; one array or object a line: jq -c '.[]'" :
+			!json && l->columns.n == 0 && i == 0 ?
 			"; --columns says which fields the coordinates are" :
 			"");
 }
@@ -111,9 +107,7 @@ void say_field(const struct layout *l, int i, struct span f,
 		    coordinate_name(i), l->reads,
 		    i == 2 && l->two != NULL ? l->two : "");
 	} else if (!json && (*f.s == '[' || *f.s == '{')) {
-		say_more(reason,
-		    "looks like JSON; say -i json, with one array or object a "
-		    "line: jq -c '.[]'");
+		say_more(reason, "looks like JSON; say -i json");
 	} else {
 		say_more(reason, "%s is '%s'", coordinate_name(i),
 		    escaped(word, f.s, (size_t)(f.end - f.s)));
@@ -144,7 +138,7 @@ struct names {
 	bool more; /* there are other names */
 };
 
-/* Copies the names of the fields of a cut. */
+/* Copies the names of the fields of a cut; of a comment without units in brackets. */
 static void names_of(struct cut c, struct names *names)
 {
 	struct field f;
@@ -157,29 +151,30 @@ static void names_of(struct cut c, struct names *names)
 		    f.value;
 		size_t size = (size_t)(all.end - all.s);
 
+		if (c.in.format == FORMAT_TEXT && size > 0 &&
+		    (strchr("[(", *all.s) || strchr("])", all.end[-1])))
+			continue;
 		if (names->n == NAMES_MAX || size >= COLUMN_ROOM) {
 			names->more = true;
 			continue;
 		}
-		char *name = names->name[names->n];
-
-		memcpy(name, all.s, size);
-		name[size] = '\0';
-		names->list[names->n++] = name;
+		names->list[names->n] = memcpy(names->name[names->n], all.s,
+		    size);
+		names->name[names->n++][size] = '\0';
 	}
 	names->list[names->n] = NULL;
 }
 
-/* Returns the name that consists of the first n bytes of a and the word, in upper or
- * lower case; NULL if there is none. */
-static const char *name_beside(const struct names *names, const char *a,
-    size_t n, const char *word)
+/* Returns which name consists of the first n bytes of a and the word, in upper or lower
+ * case; -1 if there is none. */
+static int name_beside(const struct names *names, const char *a, size_t n,
+    const char *word)
 {
 	for (int i = 0; i < names->n; i++)
 		if (strncmp(names->list[i], a, n) == 0 &&
 		    strcasecmp(names->list[i] + n, word) == 0)
-			return names->list[i];
-	return NULL;
+			return i;
+	return -1;
 }
 
 /* Returns whether the name can be typed in --columns without quotes of a shell. */
@@ -191,10 +186,11 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Adds to the reason --columns with two names that begin alike and end in a pair of
- * axes, such as gps_lon and gps_lat. Returns false if there are no such names. */
-static bool say_guess(const struct names *names, int reads,
-    char reason[REASON_MAX])
+/* Finds the next names, from the pair *k of axes on, that begin alike and end in axes,
+ * such as gps_lon and gps_lat; -1 for a coordinate without such a name. Leaves out a
+ * quaternion, such as qx, qy, qz beside qw; beside a column x, all such names. */
+static bool guess_next(const struct names *names, int reads, int *k,
+    int found[4])
 {
 	static const char *const axes[][2] = { { "x", "y" },
 		{ "longitude", "latitude" }, { "lon", "lat" },
@@ -202,31 +198,55 @@ static bool say_guess(const struct names *names, int reads,
 		{ "east", "north" }, { "e", "n" }, { "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "h", "up", "w" };
+	const int many = reads < 4 ? 10 : 9;
 
-	for (int k = 0; k < 9 * names->n; k++) {
-		const char *a = names->list[k % names->n], *b;
-		const char *const *axis = axes[k / names->n], *c = NULL;
+	while (*k < 9 * names->n) {
+		const char *const *axis = axes[*k / names->n];
+		const char *a = names->list[*k % names->n];
 		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
+		*found = (*k)++ % names->n;
 		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
-		    !can_be_typed(a) ||
-		    (b = name_beside(names, a, at, axis[1])) == NULL)
+		    name_beside(names, a, at, axis[0]) != *found ||
+		    (found[1] = name_beside(names, a, at, axis[1])) < 0 ||
+		    !can_be_typed(a))
 			continue;
-		for (int i = 0; i < 20 && c == NULL; i++)
-			c = name_beside(names, a, i < 10 ? at : 0,
-			    heights[i % 10]);
-		say_more(reason, "; say --columns %s,%s%s%s%s%s", a, b,
-		    reads > 2 ? "," : "",
-		    reads < 3     ? "" :
-			c != NULL ? c :
-				    "NAME",
-		    reads > 3 ? ",NAME" : "",
-		    reads > 3 || (reads > 2 && c == NULL) ?
-			", where NAME is another column" :
-			"");
+		found[3] = name_beside(names, a, at, "w");
+		if (at > 0 &&
+		    (name_beside(names, a, 0, "x") >= 0 ||
+			(axis == axes[0] && reads < 4 && found[3] >= 0)))
+			continue;
+		found[2] = -1;
+		for (int i = 0; i < 2 * many && found[2] < 0; i++)
+			found[2] = name_beside(names, a, i < many ? at : 0,
+			    heights[i % many]);
 		return true;
 	}
 	return false;
+}
+
+/* Adds to the reason --columns with the names that guess_next finds: "; say --columns
+ * px,py,pz or vx,vy,vz". Returns false if there are none, or more. */
+static bool say_guess(const struct names *names, int reads,
+    char reason[REASON_MAX])
+{
+	const size_t was = strlen(reason);
+	int n = 0, k = 0, found[4];
+	bool all = true;
+
+	while (guess_next(names, reads, &k, found)) {
+		say_more(reason, n++ == 0 ? "; say --columns " : " or ");
+		for (int i = 0; i < reads; i++) {
+			say_more(reason, "%s%s", i > 0 ? "," : "",
+			    found[i] < 0 ? "NAME" : names->list[found[i]]);
+			all &= found[i] >= 0;
+		}
+	}
+	if (!all)
+		say_more(reason, ", where NAME is another column");
+	if (n > 2 || strlen(reason) == REASON_MAX - 1)
+		reason[was] = '\0';
+	return reason[was] != '\0';
 }
 
 /* Adds to the reason the names of the columns or members of the cut, and if one of them
@@ -246,8 +266,18 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 	if (names.n > 0 && strncmp(names.list[0], "sep=", 4) == 0)
 		say_more(reason, "; leave this line out by tail -n +2");
 	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
+	const size_t head = typed != NULL ? strcspn(typed, ".[") : 0;
 
-	if (typed != NULL && near != NULL) {
+	if (c.members && typed[head] != '\0' &&
+	    name_beside(&names, typed, head, "") >= 0) {
+		const char *s = escaped(shown, typed, strlen(typed));
+
+		say_more(reason, "; say /");
+		for (; *s != '\0'; s++)
+			if (*s != ']')
+				say_more(reason, "%c",
+				    strchr(".[", *s) != NULL ? '/' : *s);
+	} else if (typed != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
 	} else if (typed == NULL && !say_guess(&names, l->reads, reason)) {
@@ -255,7 +285,7 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 		    names.n == 1);
 
 		if (other != NULL) {
-			say_separator(other, reason);
+			say_separator(l, other, reason);
 			return;
 		}
 		say_more(reason,
@@ -263,7 +293,7 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 	}
 	if (names.n > 0 || names.more)
 		say_more(reason, "%s it has ",
-		    near != NULL && typed ? "" : ";");
+		    reason[strlen(reason) - 1] == '?' ? "" : ";");
 	for (; i < names.n && strlen(reason) < room; i++)
 		say_more(reason, "%s%s", i > 0 ? ", " : "",
 		    escaped(shown, names.list[i], strlen(names.list[i])));
@@ -274,29 +304,30 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 void say_missing(const struct layout *l, int i, struct cut cut,
     const struct chosen *c, char reason[REASON_MAX])
 {
-	const bool guess = cut.names && l->columns.by_header;
 	const char *name = cut.members || cut.names ? l->columns.name[i] : NULL;
 	char shown[ESCAPED_MAX];
 
-	if (name == NULL && l->columns.n == 0) {
-		say_field(l, i, (struct span){ NULL, NULL }, reason);
-		return;
-	}
 	*reason = '\0';
-	escaped(shown, name != NULL ? name : "",
-	    name != NULL ? strlen(name) : 0);
 	if (name == NULL) {
-		if (!say_blanks(l, &(struct field){ .next = NULL }, reason))
+		if (l->columns.n == 0)
+			say_field(l, i, (struct span){ NULL, NULL }, reason);
+		else if (!say_blanks(l, &(struct field){ .next = NULL },
+			     reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
-	} else if (c->times[i] == 0) {
+		return;
+	}
+	escaped(shown, name, strlen(name));
+	if (c->times[i] == 0) {
 		say_more(reason, "%s '%s'%s",
 		    cut.names ? "the header has no column" : "has no member",
 		    shown,
 		    cut.names || l->columns.n > 0 ?
 			"" :
-			"; --columns names the coordinates");
-		say_names(l, cut, guess ? NULL : name, reason);
+			"; --columns names the coordinates, such as lon "
+			"or /pos/x");
+		say_names(l, cut,
+		    cut.names && l->columns.by_header ? NULL : name, reason);
 	} else if (cut.names) {
 		say_more(reason,
 		    "the header has two columns for %s, %ld and %ld; say with "
@@ -307,18 +338,73 @@ void say_missing(const struct layout *l, int i, struct cut cut,
 	}
 }
 
-void say_text_header(const struct layout *l, struct span line,
+void say_comment(struct layout *l, struct span text)
+{
+	struct columns told = { 0 };
+	struct layout other = *l;
+	int k = 0, *field = other.columns.field;
+	struct names names;
+
+	for (const char *s = text.s; s < text.end; s++)
+		if (strchr("#%!;:=", *s) != NULL)
+			text.s = s + 1;
+	names_of(cut_line((struct dialect){ FORMAT_TEXT, ' ' }, text), &names);
+	other.columns.n = names.n;
+	while (!names.more && guess_next(&names, l->reads, &k, field)) {
+		if (field[l->reads - 1] < 0 || (l->reads > 3 && field[2] < 0))
+			continue;
+		if (layout_is_first(&other))
+			return;
+		if (told.n == 0)
+			told = other.columns;
+	}
+	if (told.n > 0)
+		l->told = told;
+}
+
+bool say_headless(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
-	const struct separator *other = find_separator(l, line, true);
-	struct cut c = cut_line(l->in, line);
+	const int *field = l->told.field;
+	struct cut c = cut_line(l->in, row);
+	bool numbers = l->told.n > 0;
 	struct field f;
+	int n = 0;
+	double v;
 
-	for (int i = 0; i < l->reads && cut_next(&c, &f); i++) {
+	if (!l->columns.by_header)
+		return lost && layout_is_named(l);
+	if (l->header != HEADER_MAYBE)
+		return false;
+	for (; cut_next(&c, &f); n++)
+		for (int i = 0; i < l->reads; i++)
+			numbers &= n != field[i] ||
+			    format_number(l->in, f.value.s, f.value.end, &v) ==
+				f.value.end;
+	if (!l->moved && (!numbers || n != l->told.n))
+		return false;
+	strcpy(reason,
+	    l->moved ?
+		"lacks the header of a file before; say --columns by number" :
+		"the comment above names other columns");
+	for (int i = 0; i < l->reads && !l->moved; i++)
+		say_more(reason, "%s%d", i > 0 ? "," : "; say --columns ",
+		    field[i] + 1);
+	return true;
+}
+
+void say_text_header(const struct layout *l, struct span line,
+    const struct chosen *c, char reason[REASON_MAX])
+{
+	const struct separator *other = find_separator(l, line, true);
+
+	for (int i = 0; i < l->reads; i++) {
+		struct span f = c->field[i].value;
 		double v;
 
-		if (format_number(l->in, f.value.s, f.value.end, &v) != NULL ||
-		    (i == 0 && (*f.value.s == '[' || *f.value.s == '{')))
+		if (c->times[i] > 0 && f.s < f.end &&
+		    (*f.s == '[' || *f.s == '{' ||
+			format_number(l->in, f.s, f.end, &v) != NULL))
 			return;
 	}
 	snprintf(reason, REASON_MAX,

@@ -49,18 +49,12 @@ char *line_put_rare(const struct layout *l, int k, double v, char *out)
 			   number_write(out, v, l->style[k]);
 }
 
-/* Copies s up to end. Returns where the copy ends. */
-static char *splice_text(char *out, const char *s, const char *end)
-{
-	memcpy(out, s, (size_t)(end - s));
-	return out + (end - s);
-}
-
 /* Copies the line from done up to s. */
 static void splice_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
-		w->out = splice_text(w->out, w->done, s);
+		memcpy(w->out, w->done, (size_t)(s - w->done));
+		w->out += s - w->done;
 		w->done = s;
 	}
 }
@@ -165,14 +159,14 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 	    one;
 }
 
-/* Returns the text that has to be deleted with a field: the field and the separator
- * before it, or after it if it is the first. */
-static struct span cut_out(const struct field *f)
+/* Leaves out a field and the separator before it, or after it if it is the first. */
+static void splice_out(struct splice *w, const struct field *f)
 {
-	if (f->from != NULL)
-		return (struct span){ f->from, f->whole.end };
-	return (struct span){ f->whole.s,
-		f->next != NULL ? f->next : f->whole.end };
+	bool first = f->from == NULL;
+	const char *end = first && f->next != NULL ? f->next : f->whole.end;
+
+	splice_to(w, first ? f->whole.s : f->from);
+	w->done = end > w->done ? end : w->done;
 }
 
 /* Splices the fields of a line or, unless outer is set, of a value inside. A field
@@ -181,17 +175,12 @@ static struct span cut_out(const struct field *f)
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
-	int found = 0;
 
 	while (cut_next(&c, &f)) {
 		int k = value_of(w, &f, outer);
 
 		if (k >= 0 && (w->due >> k & 1) == 0) {
-			struct span gone = cut_out(&f);
-
-			splice_to(w, gone.s);
-			w->done = gone.end > w->done ? gone.end : w->done;
-			found++;
+			splice_out(w, &f);
 			continue;
 		}
 		w->fields += outer;
@@ -217,8 +206,6 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			splice_to(w, trimmed(c.in, f.whole).end);
 			put_others(w, w->l->reads, false);
 		}
-		if (outer && last >= 0 && ++found == w->l->reads)
-			return; /* the rest of the line is copied */
 	}
 	if (outer) {
 		splice_to(w, c.from != NULL ? c.from : c.bracket);
@@ -342,11 +329,10 @@ static void put_rest(struct splice *w)
 		cut_behind(&c, line_at(line, l->reads - 1).end);
 		if (in->blanks && to->blanks && l->columns.n == 0 &&
 		    c.s != NULL) {
-			struct span rest = { c.s, c.end };
-
-			*out = ' ';
-			w->out = splice_text(out + 1, rest.s,
-			    trimmed(l->in, rest).end);
+			*w->out++ = ' ';
+			w->done = c.s;
+			splice_to(w,
+			    trimmed(l->in, (struct span){ c.s, c.end }).end);
 			return;
 		}
 	} else {

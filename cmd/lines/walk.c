@@ -84,8 +84,7 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 }
 
 /* A position on a line. A function pass_... moves at to the end of what it passes. If
- * it returns false, the line is left to line_read, unless its comment says otherwise.
- */
+ * it returns false, the line is left to line_read unless its comment says otherwise. */
 struct walker {
 	const char *text;
 	uint32_t at;
@@ -137,8 +136,7 @@ INLINE bool pass_separator(struct walker *p, struct dialect d)
 	return p->comma || (text && !stands(p, '\n'));
 }
 
-/* Returns the number of stops after the backslash in the escape at s; -1 if this is no
- * escape. */
+/* Returns the number of stops after the backslash of the escape at s; -1: no escape. */
 static int escaped_stops(const char *s)
 {
 	unsigned code;
@@ -187,8 +185,7 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Passes coordinate k. Returns false if it is too long for a plain number, or no number
- * of JSON. */
+/* Passes coordinate k. Returns false if it is no number of JSON, or too long for plain. */
 INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
