@@ -7,7 +7,8 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* [size - 3]: the rows and columns of a map that a matrix of 3 or 4 rows keeps. */
+/* kept_axes[n - 3]: the rows of a 4x4 map that its matrix of n rows has. Three rows lack
+ * that of z. The same holds for columns. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -15,8 +16,9 @@ struct elements {
 	double at[4][4];
 };
 
-/* Puts the elements as lines of text, or in binary in memory order, which gives the
- * same sequence for row vectors (row by row) and column vectors (column by column). */
+/* Puts the elements row by row, as lines of text or in binary. Binary elements are for
+ * row vectors, as a matrix for column vectors is stored column by column, which gives
+ * the same sequence. */
 static void put_elements(struct printer *p, const struct elements *m,
     struct dialect out)
 {
@@ -48,8 +50,8 @@ static void put_json(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* Returns the elements for row vectors or, if column, for column vectors, as the
- * nearest doubles or, if floats, floats. Refuses an element beyond their range. */
+/* Returns the elements of the matrix, for column vectors if column is set: the nearest
+ * doubles or, if floats is set, floats. Refuses an element beyond the range of floats. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {
@@ -103,10 +105,10 @@ static void matrix_transform(const struct command *c, const struct options *o,
 	bool planes = o->flags || o->visible;
 
 	document_check(d,
-	    c->kind == PLANAR ? flat_transform(s, (enum flat_space)c->from,
-				    (enum flat_space)to, &j->transform) :
-				scene_transform(s, (enum space)c->from,
-				    (enum space)to, false, &j->transform));
+	    c->kind == MATRIX_2D ? flat_transform(s, (enum flat_space)c->from,
+				       (enum flat_space)to, &j->transform) :
+				   scene_transform(s, (enum space)c->from,
+				       (enum space)to, false, &j->transform));
 	if (planes)
 		document_check(d,
 		    flat_frustum_of(s, (enum flat_space)c->from, &j->frustum));
@@ -127,7 +129,7 @@ void run_matrix(const struct command *c, const struct options *o)
 		print_matrix(o, &d, &j.transform);
 		return;
 	}
-	j.space = c->kind == PLANAR ? flat_names[c->points_to] :
-				      space_names[c->points_to];
+	j.space = c->kind == MATRIX_2D ? flat_names[c->points_to] :
+					 space_names[c->points_to];
 	run_points(o, &d, &j);
 }

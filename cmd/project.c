@@ -26,7 +26,8 @@ static void project_check(const struct options *o)
 		    plane ? "plane" : "ray", plane ? "--ray" : "-m");
 }
 
-/* Sets the maps and planes of a job. Returns NULL, or why the scene has none. */
+/* Sets what the job does with points: its transform or ray maker, and its frustum. Returns
+ * NULL, or the reason why the scene has none. */
 static const char *project_prepare(const struct scene *s,
     const struct options *o, enum space from, enum space to, struct job *j)
 {
@@ -47,7 +48,7 @@ static const char *project_prepare(const struct scene *s,
 	    why;
 }
 
-/* Refuses --from or --to alone where the default of the other is the same space. */
+/* Refuses --from or --to alone if the other option's default is the same space. */
 static void project_check_alone(const struct options *o, enum space from,
     enum space to)
 {
