@@ -5,19 +5,18 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* The directions along which the command fit measures points, and the extremes of the
- * points along them. */
+/* The directions along which fit measures, and the farthest points along each. */
 struct fit {
 	struct directions directions;
 	struct extremes extremes;
 };
 
-/* Adds the points of a block to the chunk's extremes, which are stored as its output. */
+/* Adds the points of a block to the extremes of the chunk, which are in its out. */
 static void fit_take_block(const struct job *j, struct chunk *c)
 {
 	const struct fit *fit = j->data;
 	bool flat = j->transform.in == 2;
-	/* extremes_add reads three columns, but in 2D the directions have z = 0 */
+	/* in 2D there is no z, and no direction uses z: passes x instead */
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
 	if (c->size == 0)

@@ -80,8 +80,7 @@ static void print_options(const struct command *c)
 	}
 }
 
-/* Prints the members of PARAMS if it is one object, such as a camera, and if it is a
- * scene. */
+/* Prints the members that PARAMS has as a single object, such as a camera, or scene. */
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;

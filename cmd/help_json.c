@@ -22,7 +22,7 @@ static void open_list(struct printer *p, const char *name)
 	put_open(p, "[");
 }
 
-/* Puts a member with an array of the words that bits select. No words: words is NULL. */
+/* Puts a member with an array of the words that bits select; words may be NULL. */
 static void put_words(struct printer *p, const char *name,
     const char *const *words, unsigned bits)
 {
@@ -34,7 +34,7 @@ static void put_words(struct printer *p, const char *name,
 }
 
 /* Opens an object on a new line, as the next element of an array. */
-static void open_line(struct printer *p)
+static void open_object(struct printer *p)
 {
 	p->separator = *p->separator != '\0' ? ",\n    " : "\n    ";
 	put_open(p, "{");
@@ -49,7 +49,7 @@ static void put_command(struct printer *p, const struct command *c)
 		names[i] = scene_members[i].name;
 	snprintf(call, sizeof call, "projcalc %s %s", c->name,
 	    c->example != NULL ? c->example : "");
-	open_line(p);
+	open_object(p);
 	put_text_member(p, "name", c->name);
 	put_text_member(p, "about", c->about);
 	open_list(p, "options");
@@ -59,7 +59,7 @@ static void put_command(struct printer *p, const struct command *c)
 	put_close(p, "]");
 	if (c->kind != HELP) {
 		put_words(p, "reads", names, document_reads(&c->wants));
-		/* a command that takes flat documents, too, needs no member in all of them */
+		/* flat and other documents have no needed member in common */
 		put_words(p, "needs", names,
 		    c->wants.flat != 0 ? 0 : c->wants.needed);
 		put_words(p, "alone", names, c->wants.bare);
@@ -73,7 +73,7 @@ static void put_option(struct printer *p, const struct option_row *r,
 {
 	const char letter[] = { r->letter, '\0' };
 
-	open_line(p);
+	open_object(p);
 	put_text_member(p, "name", r->name);
 	put_text_member(p, "letter", r->letter != 0 ? letter : NULL);
 	put_text_member(p, "argument", r->argument);
@@ -96,14 +96,14 @@ static void put_range(struct printer *p, const struct value_range *r)
 	put_number(p, r->max);
 }
 
-/* Puts the row of a member: of the scene or, if object is not NULL, of the scene's member
- * called object. types names the kinds of this object. */
+/* Puts the row of a member: of the scene or, if object is not NULL, of the scene's
+ * member called object. types has the names of the object's types. */
 static void put_member(struct printer *p, const struct member *row,
     const char *object, const char *const *types)
 {
 	char type[LIST_ROOM];
 
-	open_line(p);
+	open_object(p);
 	put_text_member(p, "name", row->name);
 	put_text_member(p, "in", object);
 	put_text_member(p, "type", member_type(row, type));
@@ -121,11 +121,11 @@ static void put_member(struct printer *p, const struct member *row,
 	put_close(p, "}");
 }
 
-/* Puts the ways to combine members of object, and fit's own ways if it has any. */
+/* Puts the ways to combine members of object, and fit's ways if these are others. */
 static void put_ways(struct printer *p, const char *object,
     const struct ways *w, const char *const *types)
 {
-	open_line(p);
+	open_object(p);
 	put_text_member(p, "in", object);
 	put_words(p, "ways", w->way, ~0u);
 	if (w->own_fit)
@@ -160,7 +160,7 @@ static void put_conventions(struct printer *p)
 	for (int i = 0; i < CONVENTIONS; i++) {
 		const bool *choice = (const bool *)&conventions[i];
 
-		open_line(p);
+		open_object(p);
 		put_text_member(p, "name", convention_names[i]);
 		for (const struct member *m = convention_members;
 		     m->name != NULL; m++)

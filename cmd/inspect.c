@@ -91,7 +91,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-/* Puts an object whose members are the sides: numbers if n is 0, else arrays of n. */
+/* Puts an object with a number for each side or, if n > 0, an array of n numbers. */
 static void put_sides(struct printer *p, const char *name, int sides,
     const double *v, int n)
 {
@@ -109,6 +109,8 @@ static void put_sides(struct printer *p, const char *name, int sides,
 
 static void put_picture(struct printer *p, const struct picture *r)
 {
+	const bool no_near = projection_is_open(&r->scene.projection);
+
 	put_named_word(p, "projection", taxa[r->taxon]);
 	put_named_word(p, "kind", kinds[r->kind]);
 	put_named_vector(p, "foreshortening", r->foreshortening, 3);
@@ -124,11 +126,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_distance(p, r->far);
 	put_named_vector(p, "aspect", &r->aspect, 0);
 	put_name(p, "reverse_z");
-	put_literal(p,
-	    projection_is_open(&r->scene.projection) ?
-		"null" : /* no near plane */
-		r->reverse_z ? "true" :
-			       "false");
+	put_literal(p, no_near ? "null" : r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", 4, r->near_edge, 0);
 	put_rows(p, "frustum", r->corner[0], 8, 3, false);
 	put_sides(p, "frustum_planes", 6, r->frustum_plane[0], 4);
@@ -153,8 +151,7 @@ static void check_distances(const struct document *d, const struct options *o,
 	double near = depth_distance(z, false), far = depth_distance(z, true);
 	char why[160];
 
-	if (isnan(
-		far)) /* far is behind the eye: there is no greatest distance */
+	if (isnan(far)) /* behind the eye: any distance beyond near is right */
 		far = HUGE_VAL;
 	for (int i = 0; i < o->distances.n && !z->open; i++) {
 		double at = o->distances.v[i];

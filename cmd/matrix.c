@@ -7,8 +7,8 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* kept_axes[n - 3]: the rows of a 4x4 map that its matrix of n rows has. Three rows lack
- * that of z. The same holds for columns. */
+/* kept_axes[n - 3]: of the four rows of a map, those that a matrix with n rows has. One
+ * with three rows has none for z. The same holds for columns. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -16,9 +16,8 @@ struct elements {
 	double at[4][4];
 };
 
-/* Puts the elements row by row, as lines of text or in binary. Binary elements are for
- * row vectors, as a matrix for column vectors is stored column by column, which gives
- * the same sequence. */
+/* Puts the elements row by row, as text or in binary. In binary they are for row
+ * vectors: those for column vectors, column by column, are the same sequence. */
 static void put_elements(struct printer *p, const struct elements *m,
     struct dialect out)
 {
@@ -51,7 +50,7 @@ static void put_json(struct printer *p, const struct elements *m, bool column)
 }
 
 /* Returns the elements of the matrix, for column vectors if column is set: the nearest
- * doubles or, if floats is set, floats. Refuses an element beyond the range of floats. */
+ * doubles or, if floats is set, floats. Refuses elements beyond the range of floats. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {

@@ -16,7 +16,7 @@ struct hit {
 	double distance, point[4];
 	long long line;
 	size_t size;
-	char text[]; /* what is printed; for JSON, without the member line */
+	char text[]; /* what is printed; in JSON, after "line" */
 };
 
 struct hits {
@@ -37,9 +37,9 @@ static size_t hit_stride(size_t size)
 	return (sizeof(struct hit) + size + unit - 1) / unit * unit;
 }
 
-static struct hit *hit_at(char *text, size_t at)
+static struct hit *hit_at(char *buffer, size_t at)
 {
-	return (void *)(text + at);
+	return (void *)(buffer + at);
 }
 
 /* Appends a hit with its text, which is line or, for JSON, the members of an object. */
@@ -84,8 +84,7 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool computed =
-	    false; /* outside is set, and view if h->finite_near is */
+	bool computed = false; /* outside and, if finite_near, view are set */
 
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -165,7 +164,7 @@ static int hit_compare(const void *a, const void *b)
 
 /* Returns the index of the first of n sorted hits that is printed. Headers of several
  * sources are printed once if they are equal, else not at all. */
-static size_t hits_first(struct hit *const *hit, size_t n)
+static size_t hits_first_printed(struct hit *const *hit, size_t n)
 {
 	size_t i = 0;
 	bool differ = false;
@@ -189,7 +188,7 @@ static void print_hits(const struct job *j)
 		hit[i] = hit_at(h->buffer, size);
 	hit_picker = &h->picker;
 	qsort(hit, h->n, sizeof *hit, hit_compare);
-	for (size_t i = hits_first(hit, h->n); i < h->n; i++) {
+	for (size_t i = hits_first_printed(hit, h->n); i < h->n; i++) {
 		if (h->json)
 			at += sprintf(at, "{\"line\":%lld,", hit[i]->line);
 		memcpy(at, hit[i]->text, hit[i]->size);

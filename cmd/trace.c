@@ -10,7 +10,7 @@
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
 
 struct trace {
-	int n; /* number of spaces: 6, or 5 without device */
+	int n_spaces;                /* 6, or 5 without device */
 	struct transform to[SPACES]; /* from the space of the points */
 	char label[SPACES][16];      /* text before the image in a space */
 	bool printed;                /* a point was printed */
@@ -23,7 +23,7 @@ struct images {
 	unsigned char outside[BATCH];
 };
 
-/* Transforms points p to p + n - 1 of the block to all spaces, and makes their texts. */
+/* Transforms points p to p + n - 1 of the block to all spaces, and makes the texts. */
 static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {
@@ -31,7 +31,7 @@ static void images_transform(struct images *m, const struct job *j,
 	const double *const from[4] = { &c->in[0][p], &c->in[1][p],
 		&c->in[2][p], &c->in[3][p] };
 
-	for (int s = 0; s < trace->n; s++) {
+	for (int s = 0; s < trace->n_spaces; s++) {
 		double(*v)[BATCH] = m->v[s];
 		double *const to[4] = { v[0], v[1], v[2], v[3] };
 
@@ -44,8 +44,8 @@ static void images_transform(struct images *m, const struct job *j,
 }
 
 /* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
- * number beyond the range of doubles or, with -p single, of floats is written as nan, in
- * JSON as null. If m is NULL, all numbers are. JSON without numbers is one null. */
+ * number beyond the range of doubles (with -p single, of floats) is nan, in JSON null.
+ * If m is NULL, every number is nan. In JSON, an image without any number is null. */
 static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {
@@ -90,7 +90,7 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 	at = chunk_reserve(c,
 	    SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size + WORD_MAX);
 	*at++ = json ? '{' : '\n';
-	for (int s = 0; s < (json ? SPACES : trace->n); s++) {
+	for (int s = 0; s < (json ? SPACES : trace->n_spaces); s++) {
 		at = trace_put_image(stpcpy(at, trace->label[s]), j, m, s, p);
 		*at++ = json ? ',' : '\n';
 	}
@@ -148,10 +148,10 @@ void run_trace(const struct command *c, const struct options *o)
 	struct document d;
 
 	read_document(c, o, &d);
-	trace = (struct trace){ .n = SPACES };
+	trace = (struct trace){ .n_spaces = SPACES };
 	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
-		trace.n--;
-	for (int s = 0; s < trace.n; s++)
+		trace.n_spaces--;
+	for (int s = 0; s < trace.n_spaces; s++)
 		document_check(&d,
 		    scene_transform(&d.scene, o->from, (enum space)s, false,
 			&trace.to[s]));

@@ -32,9 +32,9 @@ struct command {
 	/* What the command needs of a document. read_document adds the convention and
 	 * the number of coordinates, which depend on the options. */
 	struct document_wants wants;
-	/* For a matrix command: the matrix maps the space from to the space to; points
-	 * are mapped to points_to. MATRIX_2D commands have values of enum flat_space,
-	 * MATRIX_3D commands of enum space. */
+	/* For matrix commands: the spaces from and to which the matrix maps, and the
+	 * space of the images of points. Values are of enum flat_space for MATRIX_2D,
+	 * of enum space for MATRIX_3D. */
 	int from, to, points_to;
 	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;
@@ -48,8 +48,8 @@ void run_fit(const struct command *, const struct options *);
 void run_inspect(const struct command *, const struct options *);
 
 /* Prints the matrix of a transform in the format and precision of the options, for the
- * row or column vectors of the answer's convention. A matrix for two coordinates has no
- * row or column for z. */
+ * row or column vectors of the answer's convention. Where
+ * points have two coordinates, the matrix has no row or column for z. */
 void print_matrix(const struct options *, const struct document *,
     const struct transform *);
 
@@ -61,7 +61,7 @@ void help_command(const struct command *);
 bool help_member(const char *name);
 void help_json(const struct command *, const char *version);
 
-/* Returns the command called name from a table that a name of NULL ends; or NULL. */
+/* Returns the command called name, or NULL. A name of NULL ends the table c. */
 static inline const struct command *find_command(const struct command *c,
     const char *name)
 {

@@ -26,9 +26,8 @@ char first_nonblank(const char *s)
 	return *s;
 }
 
-/* Opens a file. Returns a descriptor above those of the standard streams, or -1. If a
- * standard stream is closed, open returns the descriptor of that stream, which the
- * program would then use for the stream. */
+/* Opens a file and returns its descriptor, or -1. If open returns the descriptor of a
+ * standard stream, which was closed, returns a higher one instead. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;

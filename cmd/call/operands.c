@@ -10,7 +10,7 @@
 #include "../message/message.h"
 #include "../scene/types.h"
 
-/* Refuses word, an operand that is no file, for the reason why. The message ends with
+/* Refuses word, an operand that is no file; why is the reason. The message ends with
  * hint or, if word is the name of an option, with that option. The name may follow
  * characters from U+2010 to U+201F, such as the dash that editors make of "--". */
 static _Noreturn void refuse_no_file(const struct command *c, const char *word,
@@ -28,7 +28,7 @@ static _Noreturn void refuse_no_file(const struct command *c, const char *word,
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 
-/* Refuses a file that can't be read, with the hint of refuse_no_file. */
+/* Refuses a file that can't be read; hint is as in refuse_no_file. */
 static void check_file(const struct command *c, const char *name,
     const char *hint)
 {
@@ -47,7 +47,7 @@ void operands_check(const struct command *c, const struct options *o)
 	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' "
 	    "shows",
 	    c->name);
-	/* a shell makes several operands of an object that is not in quotes */
+	/* an object without quotes becomes several operands; the first lacks } */
 	if (first_nonblank(o->params) != '{')
 		check_file(c, o->params, hint);
 	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
@@ -132,8 +132,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses options that exclude each other. printed: images of points are printed, and
- * so have to fit into binary records. */
+/* Refuses options that exclude each other. If printed is set, images of points are
+ * printed, and have to fit into binary records. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
@@ -178,7 +178,7 @@ static void check_layout(const struct options *o, const struct layout *l,
 }
 
 /* Chooses the kernels that PROJCALC_CPU names, an environment variable for tests and
- * measurements; without a name, the fastest kernels that this processor can run. */
+ * measurements. If it is unset or empty, chooses the fastest that can run here. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
@@ -240,8 +240,8 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Does the job on text, lines of JSON that document_points or document_read made. name
- * is for messages. The format of the options holds for files only. */
+/* Does the job on text, lines of JSON that document_points or document_read made. The
+ * format of --input is only for files. name is for messages. */
 static void run_json(const struct options *o, struct job *j, const char *name,
     const char *text, size_t size)
 {

@@ -14,10 +14,10 @@
 void operands_check(const struct command *, const struct options *);
 
 /* Moves to the next document of PARAMS and returns whether there is one. Without
- * --scenes there is only one; with --scenes, messages begin with its number. */
+ * --scenes there is one; with --scenes, messages begin with the document's number. */
 bool params_next(const struct options *);
 
-/* Reads the document for the command and the options. The document's points stay in the
+/* Reads the current document for the command and the options. The points stay in the
  * text of PARAMS until the next call of params_next. */
 void read_document(const struct command *, const struct options *,
     struct document *);
@@ -44,8 +44,8 @@ bool is_stdin(const char *operand);
 /* Returns the first character that is not white space; 0 if there is none. */
 char first_nonblank(const char *);
 
-/* Returns whether fstat(fd) or, if fd < 0, stat(name) succeeds. Refuses with exit status
- * 2 a directory, and the file of standard output: output would be read as input. */
+/* Returns whether fstat(fd), or stat(name) if fd < 0, succeeds. Refuses with status 2 a
+ * directory, and the file that is standard output, as output would become input. */
 bool check_input(const char *name, int fd);
 
 /* Returns a descriptor of a file, or of standard input for "-". Refuses with exit

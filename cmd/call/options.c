@@ -314,14 +314,14 @@ const char *option_takers(const struct option_row *r, char list[LIST_ROOM])
 	int n = 0;
 
 	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
-		if (r->commands >> i & 1)
+		if (r->kinds >> i & 1)
 			takers[n++] = names[i];
 	return list_words(list, takers, " and ", "");
 }
 
 bool option_is_for(const struct option_row *r, const struct command *c)
 {
-	return (r->commands & c->kind) != 0;
+	return (r->kinds & c->kind) != 0;
 }
 
 void options_read_first(char **words)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads the options of a command. Finds synonyms of names that are not known. */
+/* Reads the options of a command, and suggests names for unknown ones. */
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
@@ -28,12 +28,12 @@ struct options {
 	bool has_convention; /* -c was given */
 	bool help, version;
 	enum format in, out;
-	int in_record, out_record; /* 4 for records f32x4; 0: no records */
-	bool has_out; /* if not: points keep the format in, a matrix is text */
-	char separator;         /* of csv, a comma by default */
-	bool header, no_header; /* neither: the fields of the line decide */
-	struct columns columns; /* of POINTS, by --columns */
-	struct styles styles;   /* of --decimals or --digits */
+	int in_record, out_record; /* numbers in a record; 0: no records */
+	bool has_out;              /* -o was given; if not, out is text */
+	char separator;            /* of csv, a comma by default */
+	bool header, no_header;    /* neither: the first line's fields decide */
+	struct columns columns;    /* of POINTS, by --columns */
+	struct styles styles;      /* of --decimals or --digits */
 	enum precision precision;
 	double tolerance; /* of inspect, in device units; 0: not given */
 	struct number_list distances; /* of inspect */
@@ -42,8 +42,8 @@ struct options {
 	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
 	    progress;
 	int jobs; /* threads; 0: one for each processor */
-	struct number_list pick_at, plane;
-	double radius; /* of pick; 0: not given */
+	struct number_list pick_at, plane; /* by --at, by --plane */
+	double radius;                     /* of pick; 0: not given */
 	/* the name of a given option that is for points only; or NULL */
 	const char *points_option;
 	bool scenes;        /* params has any number of documents */
@@ -59,7 +59,7 @@ extern const char *const precision_names[], *const space_names[];
 struct option_row {
 	const char *name;
 	char letter;       /* or 0 */
-	unsigned commands; /* kinds of commands with the option, as bits */
+	unsigned kinds;    /* of the commands that take the option, as bits */
 	const char *about; /* one line of help */
 	/* For an option with an argument: the argument's name in the help, the function
 	 * that reads the argument, and the offset in struct options of the member that
@@ -84,25 +84,25 @@ extern const struct option_row option_rows[];
  * are read first because they hold for messages about other words, too. */
 void options_read_first(char **words);
 
-/* Returns the option called name, or NULL. The name may end at = or a blank. */
+/* Returns the option called name, or NULL. In name, = or a blank ends the option. */
 const struct option_row *option_named(const char *name);
 
-/* Writes the commands that take an option: "project and trace". Returns list. */
+/* Writes to list, and returns, the commands that take an option: "fit and trace". */
 const char *option_takers(const struct option_row *, char list[LIST_ROOM]);
 
 bool option_is_for(const struct option_row *, const struct command *);
 
-/* Reads the options and operands behind a command's name; stops at --help or --version. */
+/* Reads the options and operands behind a command's name, up to --help or --version. */
 void options_read(const struct command *, char **words, struct options *);
 
 /* Returns the number of coordinates that the command reads of a point, by the options.
  * A flat document has points of two coordinates instead. */
 int coordinates_of(const struct command *, const struct options *);
 
-/* Returns the format of the output. */
+/* Returns the format of printed points: by -o, else that of the input. */
 enum format options_output(const struct options *);
 
-/* Returns the style for a matrix, inspect and pick. Refuses a list of several styles. */
+/* Returns the style of a matrix, inspect and pick; refuses a list of several styles. */
 struct number_style options_style(const struct options *);
 
 struct member;
@@ -113,7 +113,7 @@ struct member;
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses a word that is not the name of a command or, if topic is set, no topic of
+/* Refuses word, which is not the name of a command or, if topic is set, not a topic of
  * help. A name of NULL ends commands. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);

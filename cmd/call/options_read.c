@@ -93,7 +93,7 @@ static void set_option(const struct command *c, const struct option_row *r,
 }
 
 /* Sets the options of a word such as "--name=value", or "-md3" for -m -d 3. Refuses the
- * name of an option or member behind one dash: "-to" would be -t with the argument o. */
+ * name of an option or member behind one dash: "-to" would mean -t with argument o. */
 static void set_options_of_word(const struct command *c, char *word,
     char ***next, struct options *o)
 {
@@ -119,7 +119,7 @@ static void set_options_of_word(const struct command *c, char *word,
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
-/* Returns whether a word is an operand and no option. "-" and negative numbers are. */
+/* Returns whether a word is no option. "-" and negative numbers are operands. */
 static bool is_operand(const char *word)
 {
 	return *word != '-' || word[1] == '\0' || word[1] == '.' ||
@@ -140,7 +140,7 @@ static void choose_output(const struct command *c, struct options *o)
 		    "%s prints text or json; use -o text or -o json", c->name);
 }
 
-/* Moves the operands to the beginning of words: options may stand between operands,
+/* Moves the operands to the beginning of words. Options may stand between operands,
  * unless POSIXLY_CORRECT is set. */
 void options_read(const struct command *c, char **words, struct options *o)
 {

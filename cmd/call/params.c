@@ -20,12 +20,12 @@ static struct {
 	 * document's end. The search counts quotes and brackets only, so that it finds
 	 * the end of invalid JSON, too. */
 	size_t begin, end;
-	/* The lines of begin and end, and the columns in bytes, from 1. next_scene
-	 * counts lines before the readers of the document change the text. */
+	/* The lines and columns (in bytes) of begin and end, from 1. next_scene finds
+	 * all four before the readers of the document change the text. */
 	long long line, end_line;
 	size_t column, end_column;
 	long level;           /* open brackets at end */
-	bool quoted, escaped; /* end is in a string; is behind a backslash */
+	bool quoted, escaped; /* end is in a string; behind a backslash */
 } params = { .line = 1, .column = 1, .end_line = 1, .end_column = 1 };
 
 static void params_open(const struct options *o)
@@ -38,8 +38,8 @@ static void params_open(const struct options *o)
 		params.text = text_of_operand(o->params);
 }
 
-/* Appends more of PARAMS to text, and removes what is before begin. Returns false at the
- * end of PARAMS. */
+/* Appends more of PARAMS to text, and drops the bytes before begin. Returns false at
+ * the end of PARAMS. */
 static bool params_more(void)
 {
 	struct text *t = &params.text;
@@ -65,7 +65,7 @@ static bool params_more(void)
 
 /* Moves begin past white space and byte order marks, which stand between concatenated
  * files. Returns false if text ends at begin or within a byte order mark. */
-static bool skip_spaces(void)
+static bool params_skip_blanks(void)
 {
 	const char *s, *next = params.text.s + params.begin;
 	const char *end = params.text.s + params.text.size;
@@ -82,9 +82,9 @@ static bool skip_spaces(void)
 
 /* Continues the search for the end of the document in text. Returns false if the end is
  * not in text yet. */
-static bool find_end(void)
+static bool params_find_end(void)
 {
-	if (params.end == params.begin && !skip_spaces())
+	if (params.end == params.begin && !params_skip_blanks())
 		return false;
 	while (params.end < params.text.size) {
 		char c = params.text.s[params.end];
@@ -117,7 +117,7 @@ static bool next_scene(void)
 	params.quoted = params.escaped = false;
 	message_state.scene = (struct scene_place){ params.number,
 		(long)params.line };
-	while (!find_end())
+	while (!params_find_end())
 		if (!params_more()) {
 			params.end = params.text.size;
 			break;
@@ -142,9 +142,9 @@ bool params_next(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses PARAMS if it holds points, with EXIT_USAGE as the call is wrong, not the file.
- * After blank lines and comments, points begin with a number or, if POINTS are given,
- * with [. If POINTS are given and binary, all that does not begin with { is points. */
+/* Refuses PARAMS if it holds points, with EXIT_USAGE: the call is wrong, not the file.
+ * After blank lines and comments, points begin with a number. If POINTS are given,
+ * points may also begin with [ or, in binary, with any byte but {. */
 static void check_not_points(const struct command *c, const struct options *o)
 {
 	const struct place place = { .file = params.name };
@@ -188,7 +188,7 @@ void read_document(const struct command *c, const struct options *o,
 	while (!o->scenes && params_more())
 		continue;
 	if (!o->scenes) {
-		skip_spaces();
+		params_skip_blanks();
 		params.end = params.text.size;
 		params.text.s[params.end] = '\0';
 		check_not_points(c, o);

@@ -63,9 +63,9 @@ static const struct synonym {
 
 enum {
 	SYNONYMS = sizeof synonyms / sizeof *synonyms,
-	NAMES_MAX = 240,   /* of commands, of members, of their members */
-	UNKNOWN_MAX = 512, /* bytes of "unknown command ..." */
-	NAME_SHOWN = 64,   /* bytes of a name of a member or option */
+	NAMES_MAX = 240,    /* commands, members, and members of members */
+	UNKNOWN_ROOM = 512, /* for "unknown command ..." */
+	SHOWN_ROOM = 64,    /* for the name of a member or option */
 };
 
 /* Returns the member called name or, if alias is set, with the alias name; or NULL.
@@ -102,9 +102,8 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that names the member m of object. Prints the text unknown, and then
- * an example with m or the help to ask. reads: the scene's members that c reads, as
- * bits. */
+/* Refuses a word that names the member m of object. Prints the text unknown, and an
+ * example with m or the call of help. reads: bits of members that the command reads. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -112,7 +111,7 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	const char *where = reads >> (object - scene_members) & 1 ?
 	    "in PARAMS" :
 	    "for other commands";
-	char quoted[NAME_SHOWN];
+	char quoted[SHOWN_ROOM];
 
 	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
 	if (object->example == NULL ||
@@ -156,15 +155,15 @@ static void check_word(const struct command *c, const char *unknown,
 	/* project --at more likely means pick's option than the camera's member */
 	const unsigned objects[] = { w->bare,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
-	/* if the command takes projections of any type, searches those of persp */
+	/* for a command with any type of projection, searches the members of persp */
 	const int kind = w->projection > 0 ? w->projection - 1 : 0;
 	const struct member *m, *object;
-	char option[NAME_SHOWN];
+	char option[SHOWN_ROOM];
 
 	snprintf(option, sizeof option, "--%s", r != NULL ? r->name : "");
 	if (c != NULL && r != NULL && option_is_for(r, c))
 		refuse_synonym(c, unknown, option);
-	/* searches names, and aliases if no option has the name */
+	/* an odd i searches aliases, too; skips these if an option has the name */
 	for (int i = 0; i < 4; i += r == NULL ? 1 : 2) {
 		m = find_member(objects[i / 2], kind, name, i % 2, &object);
 		if (m != NULL)
@@ -184,14 +183,14 @@ static void check_word(const struct command *c, const char *unknown,
 void synonym_check_option(const struct command *c, const char *option,
     const char *name)
 {
-	char unknown[UNKNOWN_MAX];
+	char unknown[UNKNOWN_ROOM];
 
 	snprintf(unknown, sizeof unknown, "%s: unknown option %s", c->name,
 	    option);
 	check_word(c, unknown, name);
 }
 
-/* Returns the name of a command or member that is nearest to word; NULL: none is near. */
+/* Returns the name of a command or member that is nearest to word; or NULL. */
 static const char *nearest_known(const struct command *commands,
     const char *word)
 {
@@ -220,7 +219,7 @@ void synonym_refuse_word(const struct command *commands, bool topic,
 	const bool early = !topic &&
 	    (option || first == '{' || first == '[' ||
 		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);
-	char unknown[UNKNOWN_MAX];
+	char unknown[UNKNOWN_ROOM];
 
 	snprintf(unknown, sizeof unknown, "unknown %s '%.400s'",
 	    topic ? "topic" : "command", word);
