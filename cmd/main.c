@@ -16,26 +16,26 @@
 	", \"device\": " DEVICE_EXAMPLE "}'"
 
 /* For a command that needs one member, which may be the whole document; uses others. */
-#define NEEDS_ONE(member, others)                                              \
+#define NEEDS_ONE(member, others)                                          \
 	.bare = SCENE_##member, .needed = SCENE_##member,                  \
 	.used = SCENE_##member | SCENE_POINTS | (others)
 
 /* For a command about one type of projection, whose aspect a viewport may determine. */
 #define VIEW_TO_CLIP(type)                                                 \
-	MATRIX_3D, run_matrix,                                                \
-	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT), .projection = type },  \
+	MATRIX_3D, run_matrix,                                             \
+	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT), .projection = type },\
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
 /* A window adapts to the device if the document has one. */
 #define NEEDS_WINDOW NEEDS_ONE(WINDOW, SCENE_DEVICE)
 #define NEEDS_DEVICE NEEDS_ONE(DEVICE, 0)
-#define NEEDS_WINDOW_AND_DEVICE                                                  \
+#define NEEDS_WINDOW_AND_DEVICE                                            \
 	.needed = SCENE_WINDOW | SCENE_DEVICE,                             \
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
-#define FLAT_MAP(a, b)                                                     \
-	MATRIX_2D, run_matrix, .from = FLAT_##a, .to = FLAT_##b,                \
-	.points_to = FLAT_##b
+#define FLAT_MAP(a, b, members)                                            \
+	MATRIX_2D, run_matrix, .wants = { NEEDS_##members },               \
+	.from = FLAT_##a, .to = FLAT_##b, .points_to = FLAT_##b
 
 static const struct command commands[] = {
 	{ "lookat", "print the matrix from world to view", MATRIX_3D, run_matrix,
@@ -51,18 +51,18 @@ static const struct command commands[] = {
 	{ "oblique", "print the matrix from view to clip of an oblique projection",
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
 	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, \"near\": 0, \"far\": 10}'" },
-	{ "w2n", "take 2D points from the window to ndc, or print the matrix", FLAT_MAP(WINDOW, NDC),
-	    .wants = { NEEDS_WINDOW }, .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
-	{ "n2w", "take 2D points from ndc to the window, or print the matrix", FLAT_MAP(NDC, WINDOW),
-	    .wants = { NEEDS_WINDOW }, .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
-	{ "n2d", "take 2D points from ndc to the device, or print the matrix", FLAT_MAP(NDC, DEVICE),
-	    .wants = { NEEDS_DEVICE }, .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
-	{ "d2n", "take 2D points from the device to ndc, or print the matrix", FLAT_MAP(DEVICE, NDC),
-	    .wants = { NEEDS_DEVICE }, .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
-	{ "w2d", "take 2D points from the window to the device, or print the matrix", FLAT_MAP(WINDOW, DEVICE),
-	    .wants = { NEEDS_WINDOW_AND_DEVICE }, .example = FLAT_EXAMPLE " '[22,32]'" },
-	{ "d2w", "take 2D points from the device to the window, or print the matrix", FLAT_MAP(DEVICE, WINDOW),
-	    .wants = { NEEDS_WINDOW_AND_DEVICE }, .example = FLAT_EXAMPLE " '[210,210]'" },
+	{ "w2n", "take 2D points from the window to ndc, or print the matrix",
+	    FLAT_MAP(WINDOW, NDC, WINDOW), .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
+	{ "n2w", "take 2D points from ndc to the window, or print the matrix",
+	    FLAT_MAP(NDC, WINDOW, WINDOW), .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
+	{ "n2d", "take 2D points from ndc to the device, or print the matrix",
+	    FLAT_MAP(NDC, DEVICE, DEVICE), .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
+	{ "d2n", "take 2D points from the device to ndc, or print the matrix",
+	    FLAT_MAP(DEVICE, NDC, DEVICE), .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
+	{ "w2d", "take 2D points from the window to the device, or print the matrix",
+	    FLAT_MAP(WINDOW, DEVICE, WINDOW_AND_DEVICE), .example = FLAT_EXAMPLE " '[22,32]'" },
+	{ "d2w", "take 2D points from the device to the window, or print the matrix",
+	    FLAT_MAP(DEVICE, WINDOW, WINDOW_AND_DEVICE), .example = FLAT_EXAMPLE " '[210,210]'" },
 	{ "volume", "print the matrix from view to clip of a view volume of seven numbers",
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
 	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, \"z_near\": 1, \"z_far\": 10}'" },

@@ -7,8 +7,8 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* kept_axes[n - 3]: of the four rows of a map, those that a matrix with n rows has. One
- * with three rows has none for z. The same holds for columns. */
+/* kept_axes[n - 3]: of the four rows of a map, those that a matrix with n rows has. A
+ * matrix with three rows has none for z. The same holds for columns. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {

@@ -25,7 +25,7 @@ struct hits {
 	bool json;
 	bool finite_near; /* the near plane is not at infinity */
 	size_t n;
-	char *buffer; /* struct hit after struct hit */
+	char *buffer; /* the hits, one after another */
 	size_t size, room;
 };
 

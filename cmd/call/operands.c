@@ -265,9 +265,10 @@ static void run_operand(const struct options *o, struct job *j, int i)
 {
 	static struct text *kept;
 	const char *operand = i < o->n_points ? o->points[i] : "-";
-	size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
+	const size_t kept_size = ((size_t)o->n_points + 1) * sizeof *kept;
 
 	if (first_nonblank(operand) == '[') {
+		size_t size;
 		struct text t = text_of_operand(operand);
 		const char *points = document_points("POINTS", t.s, t.size,
 		    j->layout.reads, j->layout.two, &size);
@@ -276,7 +277,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 		text_free(&t);
 	} else if (o->scenes) {
 		if (kept == NULL)
-			kept = memset(xrealloc(NULL, size), 0, size);
+			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
 			kept[i] = text_of_file(operand);
 		stream(j, source_of_text(operand, kept[i].s, kept[i].size));

@@ -96,6 +96,7 @@ const struct member *synonym_find(const char *name,
 {
 	const struct member *m = NULL;
 
+	/* prefers a name to an alias, and kind 0 to other kinds */
 	for (int i = 0; i < 4 && m == NULL; i++)
 		m = find_member(SCENE_ALL, i % 2 == 0 ? 0 : ANY_KIND, name,
 		    i >= 2, object);
@@ -163,12 +164,13 @@ static void check_word(const struct command *c, const char *unknown,
 	snprintf(option, sizeof option, "--%s", r != NULL ? r->name : "");
 	if (c != NULL && r != NULL && option_is_for(r, c))
 		refuse_synonym(c, unknown, option);
-	/* an odd i searches aliases, too; skips these if an option has the name */
-	for (int i = 0; i < 4; i += r == NULL ? 1 : 2) {
-		m = find_member(objects[i / 2], kind, name, i % 2, &object);
-		if (m != NULL)
-			refuse_member(unknown, reads, m, object);
-	}
+	/* searches aliases, too, unless an option has the name */
+	for (int i = 0; i < 2; i++)
+		for (int alias = 0; alias <= (r == NULL); alias++) {
+			m = find_member(objects[i], kind, name, alias, &object);
+			if (m != NULL)
+				refuse_member(unknown, reads, m, object);
+		}
 	for (int i = 0; i < SYNONYMS; i++)
 		if (word_is_one_of(name, synonyms[i].words))
 			refuse_synonym(c, unknown, synonyms[i].hint);
