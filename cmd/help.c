@@ -80,7 +80,7 @@ static void print_options(const struct command *c)
 	}
 }
 
-/* Prints the members that PARAMS has as a single object, such as a camera, or scene. */
+/* Prints the members of each object that PARAMS may be, such as a camera or a scene. */
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;

@@ -59,7 +59,7 @@ static void put_command(struct printer *p, const struct command *c)
 	put_close(p, "]");
 	if (c->kind != HELP) {
 		put_words(p, "reads", names, document_reads(&c->wants));
-		/* flat and other documents have no needed member in common */
+		/* 2D and 3D documents have no needed member in common */
 		put_words(p, "needs", names,
 		    c->wants.flat != 0 ? 0 : c->wants.needed);
 		put_words(p, "alone", names, c->wants.bare);
@@ -121,7 +121,7 @@ static void put_member(struct printer *p, const struct member *row,
 	put_close(p, "}");
 }
 
-/* Puts the ways to combine members of object, and fit's ways if these are others. */
+/* Puts the ways to combine members of object, and the ways of fit if they differ. */
 static void put_ways(struct printer *p, const char *object,
     const struct ways *w, const char *const *types)
 {

@@ -15,12 +15,12 @@
 #define FLAT_EXAMPLE "'{\"window\": " WINDOW_EXAMPLE                       \
 	", \"device\": " DEVICE_EXAMPLE "}'"
 
-/* For a command that needs one member, which may be the whole document; uses others. */
+/* The command needs one member, which may be the whole document, and uses others. */
 #define NEEDS_ONE(member, others)                                          \
 	.bare = SCENE_##member, .needed = SCENE_##member,                  \
 	.used = SCENE_##member | SCENE_POINTS | (others)
 
-/* For a command about one type of projection, whose aspect a viewport may determine. */
+/* The command is for one type of projection. A viewport may determine the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX_3D, run_matrix,                                             \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT), .projection = type },\

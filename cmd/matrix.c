@@ -7,8 +7,7 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* kept_axes[n - 3]: of the four rows of a map, those that a matrix with n rows has. A
- * matrix with three rows has none for z. The same holds for columns. */
+/* kept_axes[n - 3]: the rows (or columns) of a map that a matrix with n of them has. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -16,8 +15,8 @@ struct elements {
 	double at[4][4];
 };
 
-/* Puts the elements row by row, as text or in binary. In binary they are for row
- * vectors: those for column vectors, column by column, are the same sequence. */
+/* Puts the elements row by row, as text or in binary. Binary is always for row
+ * vectors: column vectors need the same bytes, as their matrix is stored by columns. */
 static void put_elements(struct printer *p, const struct elements *m,
     struct dialect out)
 {
@@ -36,7 +35,7 @@ static void put_elements(struct printer *p, const struct elements *m,
 	}
 }
 
-static void put_json(struct printer *p, const struct elements *m, bool column)
+static void put_matrix(struct printer *p, const struct elements *m, bool column)
 {
 	put_open(p, "{");
 	put_name(p, "matrix");
@@ -88,7 +87,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	    column && !is_binary(o->out));
 
 	if (o->out == FORMAT_JSON)
-		put_json(&p, &m, column);
+		put_matrix(&p, &m, column);
 	else
 		put_elements(&p, &m, dialect_of(o->out, o->separator));
 	output_write(text, (size_t)(p.at - text));
@@ -97,7 +96,7 @@ void print_matrix(const struct options *o, const struct document *d,
 /* In the order of enum flat_space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
-static void matrix_transform(const struct command *c, const struct options *o,
+static void matrix_prepare(const struct command *c, const struct options *o,
     const struct document *d, int to, struct job *j)
 {
 	const struct scene *s = &d->scene;
@@ -123,7 +122,7 @@ void run_matrix(const struct command *c, const struct options *o)
 
 	bool points = !o->matrix && has_points(c, o, &d);
 
-	matrix_transform(c, o, &d, points ? c->points_to : c->to, &j);
+	matrix_prepare(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		print_matrix(o, &d, &j.transform);
 		return;

@@ -16,7 +16,7 @@ struct hit {
 	double distance, point[4];
 	long long line;
 	size_t size;
-	char text[]; /* what is printed; in JSON, after "line" */
+	char text[]; /* what is printed; in JSON, what follows "line" */
 };
 
 struct hits {
@@ -141,12 +141,12 @@ static void hits_collect_chunk(const struct job *j, const struct chunk *c)
 	}
 }
 
-static bool is_header(const struct hit *hit)
+static bool hit_is_header(const struct hit *hit)
 {
 	return hit->distance < -DBL_MAX;
 }
 
-/* The picker for hit_compare. A variable, as qsort passes no further argument to it. */
+/* The picker of hit_compare, to which qsort passes no further argument. */
 static const struct picker *hit_picker;
 
 /* Compares hits for qsort: by distance, exactly if the nearest doubles are equal, and
@@ -157,7 +157,7 @@ static int hit_compare(const void *a, const void *b)
 	const struct hit *q = *(struct hit *const *)b;
 	int order = (p->distance > q->distance) - (p->distance < q->distance);
 
-	if (order == 0 && !is_header(p))
+	if (order == 0 && !hit_is_header(p))
 		order = pick_compare(hit_picker, p->point, q->point);
 	return order != 0 ? order : (p > q) - (p < q);
 }
@@ -169,7 +169,7 @@ static size_t hits_first_printed(struct hit *const *hit, size_t n)
 	size_t i = 0;
 	bool differ = false;
 
-	for (; i < n && is_header(hit[i]); i++)
+	for (; i < n && hit_is_header(hit[i]); i++)
 		differ |= hit[i]->size != hit[0]->size ||
 		    memcmp(hit[i]->text, hit[0]->text, hit[0]->size) != 0;
 	return differ || i == 0 ? i : i - 1;

@@ -10,7 +10,7 @@
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
 
 struct trace {
-	int n_spaces;                /* 6, or 5 without device */
+	int n_spaces;                /* 6, or 5 without a viewport */
 	struct transform to[SPACES]; /* from the space of the points */
 	char label[SPACES][16];      /* text before the image in a space */
 	bool printed;                /* a point was printed */

@@ -177,8 +177,8 @@ static void check_layout(const struct options *o, const struct layout *l,
 		    o->styles.n, l->writes);
 }
 
-/* Chooses the kernels that PROJCALC_CPU names, an environment variable for tests and
- * measurements. If it is unset or empty, chooses the fastest that can run here. */
+/* Chooses the kernels by the environment variable PROJCALC_CPU, which is for tests. If
+ * it is unset or empty, chooses the fastest kernels that this processor can run. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
@@ -242,8 +242,8 @@ static void prepare_job(struct job *j, const struct options *o)
 
 /* Does the job on text, lines of JSON that document_points or document_read made. The
  * format of --input is only for files. name is for messages. */
-static void run_json(const struct options *o, struct job *j, const char *name,
-    const char *text, size_t size)
+static void run_json_points(const struct options *o, struct job *j,
+    const char *name, const char *text, size_t size)
 {
 	struct layout files_layout = j->layout;
 
@@ -273,7 +273,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 		const char *points = document_points("POINTS", t.s, t.size,
 		    j->layout.reads, j->layout.two, &size);
 
-		run_json(o, j, "POINTS", points, size);
+		run_json_points(o, j, "POINTS", points, size);
 		text_free(&t);
 	} else if (o->scenes) {
 		if (kept == NULL)
@@ -302,7 +302,8 @@ void run_points(const struct options *o, const struct document *d,
 	}
 	j->layout.two = d->source.hint_for_two;
 	if (o->n_points == 0 && d->points != NULL)
-		run_json(o, j, d->source.name, d->points, d->points_size);
+		run_json_points(o, j, d->source.name, d->points,
+		    d->points_size);
 	else
 		for (int i = 0; i == 0 || i < o->n_points; i++)
 			run_operand(o, j, i);

@@ -189,11 +189,11 @@ static const char *const color_names[] = { "auto", "always", "never", NULL };
 
 /* Kinds of commands that share options, as unions of bits of enum command_kind. */
 enum {
-	TAKE_FLAGS = PROJECT | TRACE | MATRIX_2D, /* and --visible */
+	TAKE_FLAGS = PROJECT | TRACE | MATRIX_2D, /* and take --visible */
 	PRINT_IMAGES = MATRIX_3D | TAKE_FLAGS,
 	PRINT_POINTS = PRINT_IMAGES | PICK,
 	READ_POINTS = PRINT_POINTS | FIT,
-	PRINT_NUMBERS = PRINT_POINTS | INSPECT, /* by -d and --digits */
+	PRINT_NUMBERS = PRINT_POINTS | INSPECT, /* take -d and --digits */
 	ALL_BUT_HELP = READ_POINTS | INSPECT,
 	ALL_COMMANDS = ALL_BUT_HELP | HELP,
 };

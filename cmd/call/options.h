@@ -35,15 +35,15 @@ struct options {
 	struct columns columns;    /* of POINTS, by --columns */
 	struct styles styles;      /* of --decimals or --digits */
 	enum precision precision;
-	double tolerance; /* of inspect, in device units; 0: not given */
-	struct number_list distances; /* of inspect */
+	double tolerance;             /* by --tolerance; 0: not given */
+	struct number_list distances; /* by --distances */
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
 	    progress;
 	int jobs; /* threads; 0: one for each processor */
 	struct number_list pick_at, plane; /* by --at, by --plane */
-	double radius;                     /* of pick; 0: not given */
+	double radius;                     /* by --radius; 0: not given */
 	/* the name of a given option that is for points only; or NULL */
 	const char *points_option;
 	bool scenes;        /* params has any number of documents */
@@ -96,13 +96,14 @@ bool option_is_for(const struct option_row *, const struct command *);
 void options_read(const struct command *, char **words, struct options *);
 
 /* Returns the number of coordinates that the command reads of a point, by the options.
- * A flat document has points of two coordinates instead. */
+ * In a document of two dimensions, points have two coordinates instead. */
 int coordinates_of(const struct command *, const struct options *);
 
 /* Returns the format of printed points: by -o, else that of the input. */
 enum format options_output(const struct options *);
 
-/* Returns the style of a matrix, inspect and pick; refuses a list of several styles. */
+/* Returns the style of the numbers in a matrix and in the output of inspect and pick.
+ * Refuses a list of several styles. */
 struct number_style options_style(const struct options *);
 
 struct member;

@@ -42,7 +42,7 @@ static _Noreturn void refuse_option(const struct command *c, const char *word,
 }
 
 /* Returns the option of c whose name is word, or the only one that begins with word. */
-static const struct option_row *long_option(const struct command *c,
+static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
@@ -61,7 +61,7 @@ static const struct option_row *long_option(const struct command *c,
 }
 
 /* Returns the command's option with the letter. Refuses any other letter. */
-static const struct option_row *letter_option(const struct command *c,
+static const struct option_row *find_letter_option(const struct command *c,
     char letter)
 {
 	const char word[] = { '-', letter, '\0' };
@@ -103,7 +103,7 @@ static void set_options_of_word(const struct command *c, char *word,
 	if (equals != NULL)
 		*equals = '\0';
 	if (word[1] == '-') {
-		set_option(c, long_option(c, word),
+		set_option(c, find_long_option(c, word),
 		    equals != NULL ? equals + 1 : NULL, next, o);
 		return;
 	}
@@ -112,7 +112,7 @@ static void set_options_of_word(const struct command *c, char *word,
 	if (equals != NULL)
 		*equals = '=';
 	do {
-		r = letter_option(c, *++word);
+		r = find_letter_option(c, *++word);
 		set_option(c, r,
 		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL,
 		    next, o);

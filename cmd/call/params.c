@@ -25,7 +25,7 @@ static struct {
 	long long line, end_line;
 	size_t column, end_column;
 	long level;           /* open brackets at end */
-	bool quoted, escaped; /* end is in a string; behind a backslash */
+	bool quoted, escaped; /* end is in a string; is after a backslash */
 } params = { .line = 1, .column = 1, .end_line = 1, .end_column = 1 };
 
 static void params_open(const struct options *o)
@@ -38,8 +38,7 @@ static void params_open(const struct options *o)
 		params.text = text_of_operand(o->params);
 }
 
-/* Appends more of PARAMS to text, and drops the bytes before begin. Returns false at
- * the end of PARAMS. */
+/* Appends more of PARAMS to text. Returns false at the end of PARAMS. */
 static bool params_more(void)
 {
 	struct text *t = &params.text;

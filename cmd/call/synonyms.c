@@ -70,7 +70,7 @@ enum {
 
 /* Returns the member called name or, if alias is set, with the alias name; or NULL.
  * Searches the members of the scene whose bits are set in objects, the last first, and
- * the members of each that are of the kind. Sets *object as synonym_find does. */
+ * the members of these objects that the kind has. Sets *object as synonym_find does. */
 static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool alias, const struct member **object)
 {
@@ -103,8 +103,8 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that names the member m of object. Prints the text unknown, and an
- * example with m or the call of help. reads: bits of members that the command reads. */
+/* Refuses a word that names the member m of object. The message is unknown and then an
+ * example with m, or the help to ask. reads: bits of members that the command reads. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -153,7 +153,7 @@ static void check_word(const struct command *c, const char *unknown,
 	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
 	const unsigned reads = c != NULL ? document_reads(w) : 0;
 	const struct option_row *r = option_named(name);
-	/* project --at more likely means pick's option than the camera's member */
+	/* in project --at, pick's option is more likely meant than camera.at */
 	const unsigned objects[] = { w->bare,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
 	/* for a command with any type of projection, searches the members of persp */
