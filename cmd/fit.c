@@ -3,28 +3,27 @@
 
 #include "../core/derive/fit.h"
 #include "call/operands.h"
-#include "scene/document.h"
 #include "message/message.h"
 
-/* The directions that fit measures, shared by the threads, and the points' extremes. */
+/* The directions along which fit measures, and the farthest points along each. */
 struct fit {
 	struct directions directions;
 	struct extremes extremes;
 };
 
-/* Adds a block of points to the extremes that are the chunk's output. */
-static void take_extremes(const struct job *j, struct chunk *c)
+/* Adds the points of a block to the extremes of the chunk, which are in c->out. */
+static void fit_take_block(const struct job *j, struct chunk *c)
 {
 	const struct fit *fit = j->data;
 	bool flat = j->transform.in == 2;
-	/* in two dimensions z is not used: x stands in for it */
+	/* in 2D there is no z, and no direction uses z: passes x instead */
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
 	if (c->size == 0)
 		memset(chunk_reserve(c, sizeof fit->extremes), 0,
 		    sizeof fit->extremes);
 	c->size = sizeof fit->extremes;
-	/* extremes_add needs a multiple of 16 points: repeats the first */
+	/* extremes_add needs a multiple of 16 points: repeats the first point */
 	for (size_t i = c->block_points; i % 16 != 0; i++)
 		for (int k = 0; k < j->transform.in; k++)
 			c->in[k][i] = c->in[k][0];
@@ -32,7 +31,7 @@ static void take_extremes(const struct job *j, struct chunk *c)
 }
 
 /* Merges the extremes of a chunk into those of all points. */
-static void collect_extremes(const struct job *j, const struct chunk *c)
+static void fit_collect_chunk(const struct job *j, const struct chunk *c)
 {
 	struct fit *fit = j->data;
 
@@ -41,12 +40,12 @@ static void collect_extremes(const struct job *j, const struct chunk *c)
 		    (const void *)c->out);
 }
 
-/* Computes the bounds of the document from the points. */
+/* Sets the bounds of the document to those of the points. */
 static void fit_read_points(const struct options *o, struct document *d)
 {
 	static struct fit fit;
-	static struct job j = { .take_block = take_extremes,
-		.collect_chunk = collect_extremes,
+	static struct job j = { .take_block = fit_take_block,
+		.collect_chunk = fit_collect_chunk,
 		.data = &fit };
 
 	memset(&fit.extremes, 0, sizeof fit.extremes);
@@ -66,8 +65,8 @@ static void fit_read_points(const struct options *o, struct document *d)
 		    "hold in their place");
 }
 
-/* Refuses a scene for the reason why, which core/ returned. If the points gave the
- * bounds, a reason about /bounds is said of the points. */
+/* Refuses a scene for the reason why, which core/ returned. If the bounds were computed
+ * from points, the message for a reason about /bounds names the points instead. */
 static _Noreturn void refuse_fit(const struct options *o,
     const struct document *d, const char *why)
 {
@@ -77,7 +76,7 @@ static _Noreturn void refuse_fit(const struct options *o,
 
 	if (d->has_bounds || strncmp(why, bounds, n) != 0)
 		document_refuse(d, why);
-	if (o->n_points == 1 && first_char(o->points[0]) != '[')
+	if (o->n_points == 1 && first_nonblank(o->points[0]) != '[')
 		place = (struct place){ .file = o->points[0] };
 	else if (o->n_points > 0)
 		place = (struct place){ .file = "POINTS" };

@@ -7,7 +7,7 @@
 #include "scene/types.h"
 #include "message/message.h"
 
-static void heading(const char *text)
+static void put_heading(const char *text)
 {
 	bool colored = is_colored(STDOUT_FILENO);
 
@@ -18,7 +18,7 @@ static void heading(const char *text)
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
 /* Prints a member's name, type, unit, meaning and default and, if types is not NULL,
- * the types of the object that have it. */
+ * which of these types of its object have the member. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LIST_ROOM], type[2 * LIST_ROOM];
@@ -43,8 +43,8 @@ static void print_member(const struct member *row, const char *const *types)
 	print("%s\n", *before == ',' ? ")" : "");
 }
 
-/* Prints the rows of a table whose bits are set and that objects of the kind have; if
- * kind < 0, those of all kinds. */
+/* Prints the rows of a table whose bits are set and that objects of the kind have. If
+ * kind < 0, prints the rows of all kinds. */
 static void print_members(const struct member *table, int kind, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
@@ -55,7 +55,7 @@ static void print_members(const struct member *table, int kind, uint64_t bits)
 
 void help_all(const struct command *c)
 {
-	heading("usage:");
+	put_heading("usage:");
 	print(" projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
 	for (; c->name != NULL; c++)
 		print("  %-10s %s\n", c->name, c->about);
@@ -80,7 +80,7 @@ static void print_options(const struct command *c)
 	}
 }
 
-/* Prints the members of PARAMS as a single object, such as a camera, and as a scene. */
+/* Prints the members of each object that PARAMS may be, such as a camera or a scene. */
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;
@@ -90,13 +90,13 @@ static void print_params(const struct command *c)
 
 		if (w->bare >> i & 1 || strcmp(row->name, c->name) == 0) {
 			print("\n");
-			heading(row->name);
+			put_heading(row->name);
 			print(":\n");
 			print_members(row->members, w->projection - 1,
 			    ALL_MEMBERS);
 		}
 	}
-	heading("\nscene:\n");
+	put_heading("\nscene:\n");
 	print_members(scene_members, ANY_KIND, document_reads(w));
 	print("projcalc help NAME describes a member that is an object.\n");
 }
@@ -107,18 +107,18 @@ void help_command(const struct command *c)
 	    command_reads_points(c)            ? "[PARAMS [POINTS...]]" :
 						 "[PARAMS]";
 
-	heading("usage:");
+	put_heading("usage:");
 	print(" projcalc %s [OPTION...] %s\n%s\n\n", c->name, operands,
 	    c->about);
 	print_options(c);
 	if (c->kind != HELP)
 		print_params(c);
-	heading("\nexample:");
+	put_heading("\nexample:");
 	print(" projcalc %s %s\n", c->name, c->example);
 }
 
-/* Prints a row of the table of conventions: the words of its choices or, if choices is
- * NULL, the members' names. */
+/* Prints a row of the table of conventions: name, and the word that each choice selects
+ * or, if choices is NULL, the names of the members. */
 static void print_convention_row(const char *name, const bool *choices)
 {
 	print("  %-8s", name);
@@ -145,7 +145,7 @@ bool help_member(const char *name)
 	}
 	if (synonym_find(name, &row) == NULL)
 		return false;
-	heading(row->name);
+	put_heading(row->name);
 	print(": %s\n\n", row->about);
 	if (row->members == NULL || row->words != NULL)
 		print_member(row, NULL);
@@ -158,7 +158,7 @@ bool help_member(const char *name)
 			print_convention_row(convention_names[i],
 			    (const bool *)&conventions[i]);
 	}
-	heading("\nexample:");
+	put_heading("\nexample:");
 	print(" projcalc %s\n", row->command);
 	return true;
 }

@@ -5,7 +5,7 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* Puts a member with a string, or null. */
+/* Puts a member whose value is the string s, or null if s is NULL. */
 static void put_text_member(struct printer *p, const char *name, const char *s)
 {
 	put_name(p, name);
@@ -15,29 +15,29 @@ static void put_text_member(struct printer *p, const char *name, const char *s)
 		put_literal(p, "null");
 }
 
-/* Puts a member with the array of the words that bits select; words may be NULL. */
-static void put_words(struct printer *p, const char *name,
-    const char *const *words, unsigned bits)
+/* Opens a member whose value is an array. */
+static void open_list(struct printer *p, const char *name)
 {
 	put_name(p, name);
 	put_open(p, "[");
+}
+
+/* Puts a member with an array of the words that bits select; words may be NULL. */
+static void put_words(struct printer *p, const char *name,
+    const char *const *words, unsigned bits)
+{
+	open_list(p, name);
 	for (int i = 0; words != NULL && words[i] != NULL; i++)
 		if (bits >> i & 1)
 			put_string(p, words[i]);
 	put_close(p, "]");
 }
 
-/* Opens an object in a line of its own, as the next element of an array. */
-static void open_line(struct printer *p)
+/* Opens an object on a new line, as the next element of an array. */
+static void open_object(struct printer *p)
 {
 	p->separator = *p->separator != '\0' ? ",\n    " : "\n    ";
 	put_open(p, "{");
-}
-
-static void open_list(struct printer *p, const char *name)
-{
-	put_name(p, name);
-	put_open(p, "[");
 }
 
 static void put_command(struct printer *p, const struct command *c)
@@ -49,18 +49,17 @@ static void put_command(struct printer *p, const struct command *c)
 		names[i] = scene_members[i].name;
 	snprintf(call, sizeof call, "projcalc %s %s", c->name,
 	    c->example != NULL ? c->example : "");
-	open_line(p);
+	open_object(p);
 	put_text_member(p, "name", c->name);
 	put_text_member(p, "about", c->about);
-	put_name(p, "options");
-	put_open(p, "[");
+	open_list(p, "options");
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		if (option_is_for(r, c))
 			put_string(p, r->name);
 	put_close(p, "]");
 	if (c->kind != HELP) {
 		put_words(p, "reads", names, document_reads(&c->wants));
-		/* a scene of two dimensions needs no member */
+		/* 2D and 3D documents have no needed member in common */
 		put_words(p, "needs", names,
 		    c->wants.flat != 0 ? 0 : c->wants.needed);
 		put_words(p, "alone", names, c->wants.bare);
@@ -74,14 +73,13 @@ static void put_option(struct printer *p, const struct option_row *r,
 {
 	const char letter[] = { r->letter, '\0' };
 
-	open_line(p);
+	open_object(p);
 	put_text_member(p, "name", r->name);
 	put_text_member(p, "letter", r->letter != 0 ? letter : NULL);
 	put_text_member(p, "argument", r->argument);
 	put_words(p, "words", r->words, ~0u);
 	put_text_member(p, "about", r->about);
-	put_name(p, "commands");
-	put_open(p, "[");
+	open_list(p, "commands");
 	for (; c->name != NULL; c++)
 		if (option_is_for(r, c))
 			put_string(p, c->name);
@@ -98,16 +96,16 @@ static void put_range(struct printer *p, const struct value_range *r)
 	put_number(p, r->max);
 }
 
-/* Puts the row of a member: of the scene or, if in is not NULL, of the scene's member
- * in. types names the kinds of that object. */
+/* Puts the row of a member: of the scene or, if object is not NULL, of the scene's
+ * member called object. types has the names of the object's types. */
 static void put_member(struct printer *p, const struct member *row,
-    const char *in, const char *const *types)
+    const char *object, const char *const *types)
 {
 	char type[LIST_ROOM];
 
-	open_line(p);
+	open_object(p);
 	put_text_member(p, "name", row->name);
-	put_text_member(p, "in", in);
+	put_text_member(p, "in", object);
 	put_text_member(p, "type", member_type(row, type));
 	put_text_member(p, "unit", row->unit);
 	if (row->range != NULL)
@@ -123,12 +121,12 @@ static void put_member(struct printer *p, const struct member *row,
 	put_close(p, "}");
 }
 
-/* Puts the ways to combine members, and those for fit if they differ. */
-static void put_ways(struct printer *p, const char *in, const struct ways *w,
-    const char *const *types)
+/* Puts the ways to combine members of object, and the ways of fit if they differ. */
+static void put_ways(struct printer *p, const char *object,
+    const struct ways *w, const char *const *types)
 {
-	open_line(p);
-	put_text_member(p, "in", in);
+	open_object(p);
+	put_text_member(p, "in", object);
 	put_words(p, "ways", w->way, ~0u);
 	if (w->own_fit)
 		put_words(p, "fit", w->fit_way, ~0u);
@@ -162,7 +160,7 @@ static void put_conventions(struct printer *p)
 	for (int i = 0; i < CONVENTIONS; i++) {
 		const bool *choice = (const bool *)&conventions[i];
 
-		open_line(p);
+		open_object(p);
 		put_text_member(p, "name", convention_names[i]);
 		for (const struct member *m = convention_members;
 		     m->name != NULL; m++)

@@ -5,11 +5,10 @@
 #include "../core/derive/picture.h"
 #include "json/print.h"
 #include "call/operands.h"
-#include "scene/document.h"
 #include "scene/types.h"
 #include "message/message.h"
 
-/* In the order of enum taxon, kind and buffer. */
+/* In the order of enum taxon, enum kind and enum buffer. */
 static const char *const taxa[] = { "orthographic", "oblique", "perspective",
 	"reverse perspective" };
 static const char *const kinds[] = { "multiview", "isometric", "dimetric",
@@ -17,7 +16,7 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
-/* In the order of enum note: the meaning, and what to try. */
+/* In the order of enum note. Each says what is wrong, and what to try. */
 static const char *const notes[NOTES] = {
 	"mirrored: the picture is a mirror image, as the determinant says; "
 	"negate x or y in the matrix, or try another \"convention\"",
@@ -54,7 +53,7 @@ static const char *const notes[NOTES] = {
 	"range; look at near, far and eye",
 };
 
-/* Puts *v if n is 0; else n numbers as an array, or null if the first is nan. */
+/* Puts the number *v if n is 0; else an array of n numbers, or null if *v is nan. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (n == 0 || isnan(v[0]))
@@ -77,12 +76,12 @@ static void put_named_word(struct printer *p, const char *name,
 	put_string(p, word);
 }
 
-/* Puts rows of n numbers each; or null if none is true. */
+/* Puts an array of rows of n numbers each; or null if is_null is true. */
 static void put_rows(struct printer *p, const char *name, const double *v,
-    int rows, int n, bool none)
+    int rows, int n, bool is_null)
 {
 	put_name(p, name);
-	if (none) {
+	if (is_null) {
 		put_literal(p, "null");
 		return;
 	}
@@ -92,7 +91,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-/* Puts an object with a member for each side: a number if n is 0, else n numbers. */
+/* Puts an object with a number for each side or, if n > 0, an array of n numbers. */
 static void put_sides(struct printer *p, const char *name, int sides,
     const double *v, int n)
 {
@@ -110,6 +109,8 @@ static void put_sides(struct printer *p, const char *name, int sides,
 
 static void put_picture(struct printer *p, const struct picture *r)
 {
+	const bool no_near = projection_is_open(&r->scene.projection);
+
 	put_named_word(p, "projection", taxa[r->taxon]);
 	put_named_word(p, "kind", kinds[r->kind]);
 	put_named_vector(p, "foreshortening", r->foreshortening, 3);
@@ -125,10 +126,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_distance(p, r->far);
 	put_named_vector(p, "aspect", &r->aspect, 0);
 	put_name(p, "reverse_z");
-	put_literal(p,
-	    projection_is_open(&r->scene.projection) ? "null" : /* no near */
-		r->reverse_z ? "true" :
-			       "false");
+	put_literal(p, no_near ? "null" : r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", 4, r->near_edge, 0);
 	put_rows(p, "frustum", r->corner[0], 8, 3, false);
 	put_sides(p, "frustum_planes", 6, r->frustum_plane[0], 4);
@@ -146,14 +144,14 @@ static void put_notes(struct printer *p, unsigned bits)
 	put_close(p, "]");
 }
 
-/* Refuses a distance that is not from near to far, in either order. */
+/* Refuses a distance of --distances that is not between near and far. */
 static void check_distances(const struct document *d, const struct options *o,
     const struct depth *z)
 {
 	double near = depth_distance(z, false), far = depth_distance(z, true);
 	char why[160];
 
-	if (isnan(far)) /* beyond infinity: behind the eye */
+	if (isnan(far)) /* behind the eye: any distance beyond near is right */
 		far = HUGE_VAL;
 	for (int i = 0; i < o->distances.n && !z->open; i++) {
 		double at = o->distances.v[i];
@@ -168,7 +166,7 @@ static void check_distances(const struct document *d, const struct options *o,
 	}
 }
 
-/* Puts the depth steps at the near plane, at the far plane, and at distances. */
+/* Puts the depth steps at the near plane, at the far plane and at o->distances. */
 static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
@@ -191,7 +189,7 @@ static void put_depth_steps(struct printer *p, const struct options *o,
 
 /* Puts the error bounds, the cheapest precision's first, and the name of the cheapest
  * precision whose bound is within tolerance. */
-static void put_bounds(struct printer *p, const double bound[3],
+static void put_error_bounds(struct printer *p, const double bound[3],
     double tolerance)
 {
 	int precision = PRECISION_SINGLE;
@@ -224,8 +222,8 @@ static void put_window(struct printer *p, const struct document *d)
 	put_named_vector(p, "scale", w.scale, 2);
 }
 
-/* Puts the projection, and what follows from it. */
-static void put_spatial(struct printer *p, const struct document *d,
+/* Puts what inspect prints of a document with a projection. */
+static void put_projection(struct printer *p, const struct document *d,
     const struct options *o)
 {
 	static struct picture r;
@@ -234,7 +232,8 @@ static void put_spatial(struct printer *p, const struct document *d,
 	check_distances(d, o, &r.depth);
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
-	put_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
+	put_error_bounds(p, r.error_bound,
+	    o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);
@@ -261,7 +260,7 @@ void run_inspect(const struct command *c, const struct options *o)
 	if (d.flat)
 		put_window(&p, &d);
 	else
-		put_spatial(&p, &d, o);
+		put_projection(&p, &d, o);
 	put_close(&p, "}\n");
 	output_write(text, (size_t)(p.at - text));
 }

@@ -3,10 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "call/command.h"
 #include "call/operands.h"
-#include "call/options.h"
-#include "stream/job.h"
 #include "scene/types.h"
 #include "message/message.h"
 
@@ -18,72 +15,72 @@
 #define FLAT_EXAMPLE "'{\"window\": " WINDOW_EXAMPLE                       \
 	", \"device\": " DEVICE_EXAMPLE "}'"
 
-/* A command that needs one member, which may be the whole document, and uses others. */
-#define ALONE(member, others)                                              \
+/* The command needs one member, which may be the whole document, and uses others. */
+#define NEEDS_ONE(member, others)                                          \
 	.bare = SCENE_##member, .needed = SCENE_##member,                  \
 	.used = SCENE_##member | SCENE_POINTS | (others)
 
-/* A command for one type of projection. A viewport may determine the aspect. */
+/* The command is for one type of projection. A viewport may determine the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
-	MATRIX, run_matrix,                                                \
-	.wants = { ALONE(PROJECTION, SCENE_VIEWPORT), .projection = type },  \
+	MATRIX_3D, run_matrix,                                             \
+	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT), .projection = type },\
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
-/* A window adapts to the device if there is one. */
-#define WINDOW_ALONE ALONE(WINDOW, SCENE_DEVICE)
-#define DEVICE_ALONE ALONE(DEVICE, 0)
-#define WINDOW_AND_DEVICE                                                  \
+/* A window adapts to the device if the document has one. */
+#define NEEDS_WINDOW NEEDS_ONE(WINDOW, SCENE_DEVICE)
+#define NEEDS_DEVICE NEEDS_ONE(DEVICE, 0)
+#define NEEDS_WINDOW_AND_DEVICE                                            \
 	.needed = SCENE_WINDOW | SCENE_DEVICE,                             \
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
-#define IN_PLANE(a, b)                                                     \
-	PLANAR, run_matrix, .from = FLAT_##a, .to = FLAT_##b,                \
-	.points_to = FLAT_##b
+#define FLAT_MAP(a, b, members)                                            \
+	MATRIX_2D, run_matrix, .wants = { NEEDS_##members },               \
+	.from = FLAT_##a, .to = FLAT_##b, .points_to = FLAT_##b
 
 static const struct command commands[] = {
-	{ "lookat", "world to view matrix", MATRIX, run_matrix,
-	    .wants = { ALONE(CAMERA, 0) },
+	{ "lookat", "print the matrix from world to view", MATRIX_3D, run_matrix,
+	    .wants = { NEEDS_ONE(CAMERA, 0) },
 	    .from = SPACE_WORLD, .to = SPACE_VIEW, .points_to = SPACE_VIEW,
 	    .example = "'{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
-	{ "persp", "view to clip matrix of a perspective",
+	{ "persp", "print the matrix from view to clip of a perspective",
 	    VIEW_TO_CLIP(PROJECTION_PERSP),
 	    .example = "-c gl '{\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}'" },
-	{ "ortho", "view to clip matrix of an orthographic projection",
+	{ "ortho", "print the matrix from view to clip of an orthographic projection",
 	    VIEW_TO_CLIP(PROJECTION_ORTHO),
 	    .example = "'{\"height\": 2, \"aspect\": 1.5, \"near\": 0, \"far\": 10}'" },
-	{ "oblique", "view to clip matrix of an oblique projection",
+	{ "oblique", "print the matrix from view to clip of an oblique projection",
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
 	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, \"near\": 0, \"far\": 10}'" },
-	{ "w2n", "2D window to ndc matrix", IN_PLANE(WINDOW, NDC),
-	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
-	{ "n2w", "2D ndc to window matrix", IN_PLANE(NDC, WINDOW),
-	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
-	{ "n2d", "2D ndc to device matrix", IN_PLANE(NDC, DEVICE),
-	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
-	{ "d2n", "2D device to ndc matrix", IN_PLANE(DEVICE, NDC),
-	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
-	{ "w2d", "2D window to device matrix", IN_PLANE(WINDOW, DEVICE),
-	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_EXAMPLE " '[22,32]'" },
-	{ "d2w", "2D device to window matrix", IN_PLANE(DEVICE, WINDOW),
-	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_EXAMPLE " '[210,210]'" },
-	{ "volume", "view to clip matrix of a view volume of seven numbers",
+	{ "w2n", "take 2D points from the window to ndc, or print the matrix",
+	    FLAT_MAP(WINDOW, NDC, WINDOW), .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
+	{ "n2w", "take 2D points from ndc to the window, or print the matrix",
+	    FLAT_MAP(NDC, WINDOW, WINDOW), .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
+	{ "n2d", "take 2D points from ndc to the device, or print the matrix",
+	    FLAT_MAP(NDC, DEVICE, DEVICE), .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
+	{ "d2n", "take 2D points from the device to ndc, or print the matrix",
+	    FLAT_MAP(DEVICE, NDC, DEVICE), .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
+	{ "w2d", "take 2D points from the window to the device, or print the matrix",
+	    FLAT_MAP(WINDOW, DEVICE, WINDOW_AND_DEVICE), .example = FLAT_EXAMPLE " '[22,32]'" },
+	{ "d2w", "take 2D points from the device to the window, or print the matrix",
+	    FLAT_MAP(DEVICE, WINDOW, WINDOW_AND_DEVICE), .example = FLAT_EXAMPLE " '[210,210]'" },
+	{ "volume", "print the matrix from view to clip of a view volume of seven numbers",
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
 	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, \"z_near\": 1, \"z_far\": 10}'" },
-	{ "project", "points from any space to any other: to pixels, or back",
+	{ "project", "take points from any space to any other: to pixels, or back",
 	    PROJECT, run_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
-	{ "trace", "points in every space, and the planes that they are outside of",
+	{ "trace", "print points in every space, and the planes that they are outside of",
 	    TRACE, run_trace,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[1,1,1]'" },
-	{ "pick", "points within a radius of a device position, nearest first",
+	{ "pick", "print the points within a radius of a device position, nearest first",
 	    PICK, run_pick,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
 	    .example = "--at 320,240 --radius 3 '" SCENE_EXAMPLE
 		"' '[[0,0,0], [1,1,1]]'" },
-	{ "fit", "the scene, with a camera that holds bounds or points tightly",
+	{ "fit", "print the scene with a camera that holds bounds or points tightly",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
 		.flat = SCENE_WINDOW | SCENE_DEVICE,
@@ -92,11 +89,11 @@ static const struct command commands[] = {
 	    .example = "'{\"projection\": {\"type\": \"persp\", \"fovy\": 60, "
 		"\"aspect\": 1.5}}' '[[-1,-1,-1], [1,1,1]]'" },
 	{ "inspect",
-	    "what the projection or 2D window is: angles, edges, error bounds",
+	    "describe the projection or 2D window: angles, edges, error bounds",
 	    INSPECT, run_inspect,
 	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL },
 	    .example = "'" SCENE_EXAMPLE "'" },
-	{ "help", "what a command does, or what a member of the scene means", HELP,
+	{ "help", "describe a command, or a member of the scene", HELP,
 	    .example = "camera" },
 	{ .name = NULL },
 };
@@ -127,15 +124,15 @@ struct run {
 	struct options options;
 };
 
-static void *run_scenes(void *with)
+static void *run_scenes(void *data)
 {
-	struct run *run = with;
+	struct run *run = data;
 	const struct options *o = &run->options;
-	jmp_buf bad;
+	jmp_buf refused;
 
 	if (o->scenes && o->keep_going && !is_binary(options_output(o)))
-		message_state.on_refusal = &bad;
-	if (setjmp(bad) != 0)
+		message_state.on_refusal = &refused;
+	if (setjmp(refused) != 0)
 		answer_refused_scene(options_output(o));
 	while (params_next(o)) {
 		run->command->run(run->command, o);

@@ -7,7 +7,7 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* [size - 3]: the rows and columns of a map that a matrix of 3 or 4 rows keeps. */
+/* kept_axes[n - 3]: the rows (or columns) of a map that a matrix with n of them has. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -15,8 +15,8 @@ struct elements {
 	double at[4][4];
 };
 
-/* Puts the elements as lines of text, or in binary in memory order, which gives the
- * same sequence for row vectors (row by row) and column vectors (column by column). */
+/* Puts the elements row by row, as text or in binary. Binary is always for row
+ * vectors: column vectors need the same bytes, as their matrix is stored by columns. */
 static void put_elements(struct printer *p, const struct elements *m,
     struct dialect out)
 {
@@ -35,7 +35,7 @@ static void put_elements(struct printer *p, const struct elements *m,
 	}
 }
 
-static void put_json(struct printer *p, const struct elements *m, bool column)
+static void put_matrix(struct printer *p, const struct elements *m, bool column)
 {
 	put_open(p, "{");
 	put_name(p, "matrix");
@@ -48,8 +48,8 @@ static void put_json(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* Returns the elements for row vectors or, if column, for column vectors, as the
- * nearest doubles or, if floats, floats. Refuses an element beyond their range. */
+/* Returns the elements of the matrix, for column vectors if column is set: the nearest
+ * doubles or, if floats is set, floats. Refuses elements beyond the range of floats. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {
@@ -87,7 +87,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	    column && !is_binary(o->out));
 
 	if (o->out == FORMAT_JSON)
-		put_json(&p, &m, column);
+		put_matrix(&p, &m, column);
 	else
 		put_elements(&p, &m, dialect_of(o->out, o->separator));
 	output_write(text, (size_t)(p.at - text));
@@ -96,17 +96,17 @@ void print_matrix(const struct options *o, const struct document *d,
 /* In the order of enum flat_space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
-static void matrix_transform(const struct command *c, const struct options *o,
+static void matrix_prepare(const struct command *c, const struct options *o,
     const struct document *d, int to, struct job *j)
 {
 	const struct scene *s = &d->scene;
 	bool planes = o->flags || o->visible;
 
 	document_check(d,
-	    c->kind == PLANAR ? flat_transform(s, (enum flat_space)c->from,
-				    (enum flat_space)to, &j->transform) :
-				scene_transform(s, (enum space)c->from,
-				    (enum space)to, false, &j->transform));
+	    c->kind == MATRIX_2D ? flat_transform(s, (enum flat_space)c->from,
+				       (enum flat_space)to, &j->transform) :
+				   scene_transform(s, (enum space)c->from,
+				       (enum space)to, false, &j->transform));
 	if (planes)
 		document_check(d,
 		    flat_frustum_of(s, (enum flat_space)c->from, &j->frustum));
@@ -122,12 +122,12 @@ void run_matrix(const struct command *c, const struct options *o)
 
 	bool points = !o->matrix && has_points(c, o, &d);
 
-	matrix_transform(c, o, &d, points ? c->points_to : c->to, &j);
+	matrix_prepare(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		print_matrix(o, &d, &j.transform);
 		return;
 	}
-	j.space = c->kind == PLANAR ? flat_names[c->points_to] :
-				      space_names[c->points_to];
+	j.space = c->kind == MATRIX_2D ? flat_names[c->points_to] :
+					 space_names[c->points_to];
 	run_points(o, &d, &j);
 }

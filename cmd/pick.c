@@ -10,14 +10,13 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* A point within the radius, with what is printed of it. A csv header is a hit, too, at
- * the distance -infinity, which puts it first. */
+/* A point within the radius, with the text that is printed for it. A csv header is a
+ * hit, too. Its distance is -infinity, so that it becomes the first hit. */
 struct hit {
 	double distance, point[4];
 	long long line;
 	size_t size;
-	char text
-	    []; /* what is printed; in JSON what follows the line's number */
+	char text[]; /* what is printed; in JSON, what follows "line" */
 };
 
 struct hits {
@@ -26,11 +25,11 @@ struct hits {
 	bool json;
 	bool finite_near; /* the near plane is not at infinity */
 	size_t n;
-	char *text; /* struct hit after struct hit */
+	char *buffer; /* the hits, one after another */
 	size_t size, room;
 };
 
-/* Returns the bytes of a hit with size bytes of text, to the next aligned hit. */
+/* Returns the distance in bytes from a hit with size bytes of text to the next hit. */
 static size_t hit_stride(size_t size)
 {
 	const size_t unit = _Alignof(struct hit);
@@ -38,12 +37,12 @@ static size_t hit_stride(size_t size)
 	return (sizeof(struct hit) + size + unit - 1) / unit * unit;
 }
 
-static struct hit *hit_at(char *text, size_t at)
+static struct hit *hit_at(char *buffer, size_t at)
 {
-	return (void *)(text + at);
+	return (void *)(buffer + at);
 }
 
-/* Appends a hit with what is printed of it: the line or, for JSON, an object. */
+/* Appends a hit with its text, which is line or, for JSON, the members of an object. */
 static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
@@ -75,8 +74,8 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 	c->size += hit_stride(hit.size);
 }
 
-/* Appends the points of a block that are within the radius, and its csv headers. */
-static void hits_take(const struct job *j, struct chunk *c)
+/* Appends hits for the visible points of a block within the radius, and csv headers. */
+static void hits_take_block(const struct job *j, struct chunk *c)
 {
 	const struct hits *h = j->data;
 	size_t points = c->block_points;
@@ -85,7 +84,7 @@ static void hits_take(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool computed = false; /* outside and, if finite_near is set, view */
+	bool computed = false; /* outside and, if finite_near, view are set */
 
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -123,73 +122,73 @@ static void hits_take(const struct job *j, struct chunk *c)
 	}
 }
 
-static void hits_collect(const struct job *j, const struct chunk *c)
+static void hits_collect_chunk(const struct job *j, const struct chunk *c)
 {
 	struct hits *h = j->data;
 	const size_t end = h->size + c->size;
 
 	if (end > h->room) {
 		h->room = h->room / 2 + end;
-		h->text = xrealloc(h->text, h->room);
+		h->buffer = xrealloc(h->buffer, h->room);
 	}
 	if (c->size > 0)
-		memcpy(h->text + h->size, c->out, c->size);
+		memcpy(h->buffer + h->size, c->out, c->size);
 	for (; h->size < end; h->n++) {
-		struct hit *hit = hit_at(h->text, h->size);
+		struct hit *hit = hit_at(h->buffer, h->size);
 
 		hit->line += c->place.line;
 		h->size += hit_stride(hit->size);
 	}
 }
 
-static bool is_header(const struct hit *hit)
+static bool hit_is_header(const struct hit *hit)
 {
 	return hit->distance < -DBL_MAX;
 }
 
-/* What hit_compare compares by. A variable, as qsort passes no argument on. */
-static const struct picker *compared_by;
+/* The picker of hit_compare, to which qsort passes no further argument. */
+static const struct picker *hit_picker;
 
-/* Compares the distances, exactly where their nearest doubles are equal, and then the
- * places in the input. */
+/* Compares hits for qsort: by distance, exactly if the nearest doubles are equal, and
+ * at the same distance by address, as hits are stored in the order of the input. */
 static int hit_compare(const void *a, const void *b)
 {
 	const struct hit *p = *(struct hit *const *)a;
 	const struct hit *q = *(struct hit *const *)b;
 	int order = (p->distance > q->distance) - (p->distance < q->distance);
 
-	if (order == 0 && !is_header(p))
-		order = pick_compare(compared_by, p->point, q->point);
+	if (order == 0 && !hit_is_header(p))
+		order = pick_compare(hit_picker, p->point, q->point);
 	return order != 0 ? order : (p > q) - (p < q);
 }
 
 /* Returns the index of the first of n sorted hits that is printed. Headers of several
  * sources are printed once if they are equal, else not at all. */
-static size_t hits_first(struct hit *const *hit, size_t n)
+static size_t hits_first_printed(struct hit *const *hit, size_t n)
 {
 	size_t i = 0;
 	bool differ = false;
 
-	for (; i < n && is_header(hit[i]); i++)
+	for (; i < n && hit_is_header(hit[i]); i++)
 		differ |= hit[i]->size != hit[0]->size ||
 		    memcmp(hit[i]->text, hit[0]->text, hit[0]->size) != 0;
 	return differ || i == 0 ? i : i - 1;
 }
 
-/* Prints the hits, the nearest first. Hits at one distance keep their order. */
+/* Prints the hits, the nearest first. */
 static void print_hits(const struct job *j)
 {
 	struct hits *h = j->data;
-	/* there is room: a line number is shorter than the struct that it replaces */
+	/* large enough: "line" and its number are shorter than struct hit without text */
 	char *const out = xrealloc(NULL, h->size), *at = out;
 	struct hit **hit = xrealloc(NULL, (h->n + 1) * sizeof(struct hit *));
 
 	for (size_t i = 0, size = 0; i < h->n;
 	     size += hit_stride(hit[i++]->size))
-		hit[i] = hit_at(h->text, size);
-	compared_by = &h->picker;
+		hit[i] = hit_at(h->buffer, size);
+	hit_picker = &h->picker;
 	qsort(hit, h->n, sizeof *hit, hit_compare);
-	for (size_t i = hits_first(hit, h->n); i < h->n; i++) {
+	for (size_t i = hits_first_printed(hit, h->n); i < h->n; i++) {
 		if (h->json)
 			at += sprintf(at, "{\"line\":%lld,", hit[i]->line);
 		memcpy(at, hit[i]->text, hit[i]->size);
@@ -200,8 +199,8 @@ static void print_hits(const struct job *j)
 	free(out);
 }
 
-/* Sets the position and radius: an option replaces what "pick" in the document says. */
-static void hits_aim(const struct document *d, const struct options *o,
+/* Sets the position and radius of the picker, by options or else by the document. */
+static void hits_set_circle(const struct document *d, const struct options *o,
     struct hits *h)
 {
 	const struct pick *p = &d->pick;
@@ -223,8 +222,8 @@ void run_pick(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct hits hits;
-	static struct job j = { .take_block = hits_take,
-		.collect_chunk = hits_collect,
+	static struct job j = { .take_block = hits_take_block,
+		.collect_chunk = hits_collect_chunk,
 		.flush = print_hits,
 		.data = &hits };
 
@@ -232,7 +231,7 @@ void run_pick(const struct command *c, const struct options *o)
 	hits.style = options_style(o);
 	hits.n = hits.size = 0;
 	read_document(c, o, &d);
-	hits_aim(&d, o, &hits);
+	hits_set_circle(&d, o, &hits);
 	document_check(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
 		&j.transform));

@@ -26,14 +26,15 @@ static void project_check(const struct options *o)
 		    plane ? "plane" : "ray", plane ? "--ray" : "-m");
 }
 
-/* Sets the maps and planes of a job. Returns NULL, or why the scene has none. */
+/* Sets what the job needs of the scene. Returns NULL, or why the scene lacks it. */
 static const char *project_prepare(const struct scene *s,
     const struct options *o, enum space from, enum space to, struct job *j)
 {
-	const bool planes = o->flags || o->visible;
+	const bool needs_frustum = o->flags || o->visible;
 
 	j->rays = o->ray;
-	j->count_imageless = !planes && !o->homogeneous && to != SPACE_CLIP;
+	j->count_imageless = !needs_frustum && !o->homogeneous &&
+	    to != SPACE_CLIP;
 	if (o->plane.n > 0)
 		return ray_plane_transform(s, from, to, o->plane.v,
 		    &j->transform);
@@ -42,12 +43,12 @@ static const char *project_prepare(const struct scene *s,
 	const char *why = scene_transform(s, from, to, o->homogeneous,
 	    &j->transform);
 
-	return why == NULL && planes ?
+	return why == NULL && needs_frustum ?
 	    frustum_of(s, from, o->homogeneous, &j->frustum) :
 	    why;
 }
 
-/* Refuses --from or --to alone where the default of the other is the same space. */
+/* Refuses --from or --to alone if the other option's default is the same space. */
 static void project_check_alone(const struct options *o, enum space from,
     enum space to)
 {

@@ -10,9 +10,9 @@
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
 
 struct trace {
-	int n;                       /* spaces; without a viewport no device */
+	int n_spaces;                /* 6, or 5 without a viewport */
 	struct transform to[SPACES]; /* from the space of the points */
-	char label[SPACES][16];      /* text before an image */
+	char label[SPACES][16];      /* text before the image in a space */
 	bool printed;                /* a point was printed */
 };
 
@@ -23,7 +23,7 @@ struct images {
 	unsigned char outside[BATCH];
 };
 
-/* Transforms points p to p + n - 1 of the chunk to all spaces. */
+/* Transforms points p to p + n - 1 of the block to all spaces, and makes the texts. */
 static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {
@@ -31,7 +31,7 @@ static void images_transform(struct images *m, const struct job *j,
 	const double *const from[4] = { &c->in[0][p], &c->in[1][p],
 		&c->in[2][p], &c->in[3][p] };
 
-	for (int s = 0; s < trace->n; s++) {
+	for (int s = 0; s < trace->n_spaces; s++) {
 		double(*v)[BATCH] = m->v[s];
 		double *const to[4] = { v[0], v[1], v[2], v[3] };
 
@@ -43,9 +43,9 @@ static void images_transform(struct images *m, const struct job *j,
 	frustum_outside_all(&j->frustum, from, m->outside, n);
 }
 
-/* Writes the image of point p of m in space s, in JSON as an array. A number beyond the
- * range of doubles or, if single, of floats is null or nan, and so are all if m is
- * NULL. Returns the end. */
+/* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
+ * number beyond the range of doubles (with -p single, of floats) is nan, in JSON null.
+ * If m is NULL, every number is nan. In JSON, an image without any number is null. */
 static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {
@@ -74,9 +74,9 @@ static char *trace_put_image(char *at, const struct job *j,
 	return at;
 }
 
-/* Appends what is printed of a line: the images of point p of m or, if m is NULL as for
- * a bad line, null or nan. Text begins with a blank line. */
-static void trace_put(const struct job *j, struct chunk *c,
+/* Appends the output for a line: the images of point p of m or, for a bad line, whose m
+ * is NULL, nan or null. The output as text begins with a blank line. */
+static void trace_put_point(const struct job *j, struct chunk *c,
     const struct line *line, const struct images *m, size_t p)
 {
 	const struct trace *trace = j->data;
@@ -90,7 +90,7 @@ static void trace_put(const struct job *j, struct chunk *c,
 	at = chunk_reserve(c,
 	    SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size + WORD_MAX);
 	*at++ = json ? '{' : '\n';
-	for (int s = 0; s < (json ? SPACES : trace->n); s++) {
+	for (int s = 0; s < (json ? SPACES : trace->n_spaces); s++) {
 		at = trace_put_image(stpcpy(at, trace->label[s]), j, m, s, p);
 		*at++ = json ? ',' : '\n';
 	}
@@ -104,7 +104,7 @@ static void trace_put(const struct job *j, struct chunk *c,
 }
 
 /* Appends the output for a block of lines. */
-static void trace_take(const struct job *j, struct chunk *c)
+static void trace_take_block(const struct job *j, struct chunk *c)
 {
 	/* too large for a thread's stack */
 	struct images *m = aligned_alloc(_Alignof(struct images), sizeof *m);
@@ -115,20 +115,20 @@ static void trace_take(const struct job *j, struct chunk *c)
 		const struct line *line = &c->line[i];
 
 		if (line_is_bad(line))
-			trace_put(j, c, line, NULL, 0);
+			trace_put_point(j, c, line, NULL, 0);
 		if (line->kind != LINE_POINT)
 			continue;
 		if (p % BATCH == 0)
 			images_transform(m, j, c, p,
 			    c->block_points - p < BATCH ? c->block_points - p :
 							  BATCH);
-		trace_put(j, c, line, m, p++ % BATCH);
+		trace_put_point(j, c, line, m, p++ % BATCH);
 	}
 	free(m);
 }
 
-/* Writes a chunk, without the blank line before the first point. */
-static void trace_collect(const struct job *j, const struct chunk *c)
+/* Prints the output of a chunk, without the blank line before the very first point. */
+static void trace_collect_chunk(const struct job *j, const struct chunk *c)
 {
 	struct trace *trace = j->data;
 	bool first = !trace->printed && j->layout.out.format == FORMAT_TEXT;
@@ -142,16 +142,16 @@ static void trace_collect(const struct job *j, const struct chunk *c)
 void run_trace(const struct command *c, const struct options *o)
 {
 	static struct trace trace;
-	static struct job j = { .take_block = trace_take,
-		.collect_chunk = trace_collect,
+	static struct job j = { .take_block = trace_take_block,
+		.collect_chunk = trace_collect_chunk,
 		.data = &trace };
 	struct document d;
 
 	read_document(c, o, &d);
-	trace = (struct trace){ .n = SPACES };
+	trace = (struct trace){ .n_spaces = SPACES };
 	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
-		trace.n--;
-	for (int s = 0; s < trace.n; s++)
+		trace.n_spaces--;
+	for (int s = 0; s < trace.n_spaces; s++)
 		document_check(&d,
 		    scene_transform(&d.scene, o->from, (enum space)s, false,
 			&trace.to[s]));

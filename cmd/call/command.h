@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The commands, rows of the table in main.c. */
+/* Each command is a row of the table in main.c. */
 #ifndef COMMAND_H
 #define COMMAND_H
 
@@ -10,16 +10,16 @@
 struct options;
 struct transform;
 
-/* Commands of one kind take the same options. Kinds are bits: an option row has the
- * union of the kinds that take it. */
+/* Commands of one kind take the same options. Kinds are bits: the row of an option has
+ * the bits of all kinds that take the option. */
 enum command_kind {
-	MATRIX = 1, /* prints a 3D matrix, or the images of points */
+	MATRIX_3D = 1, /* prints a 3D matrix, or the images of points */
 	PROJECT = 2,
 	PICK = 4,
 	FIT = 8,
 	INSPECT = 16,
 	TRACE = 32,
-	PLANAR = 64, /* as MATRIX, in two dimensions */
+	MATRIX_2D = 64, /* prints a 2D matrix, or the images of 2D points */
 	HELP = 128,
 };
 
@@ -27,16 +27,16 @@ struct command {
 	const char *name;
 	const char *about; /* one line of help */
 	enum command_kind kind;
-	/* Answers one scene. An error ends the program. */
+	/* Reads the current scene and prints the answer. Does not return after errors. */
 	void (*run)(const struct command *, const struct options *);
-	/* What the command needs of a document. The convention and the number of
-	 * coordinates are set later, from the options. */
+	/* What the command needs of a document. read_document adds the convention and
+	 * the number of coordinates, which depend on the options. */
 	struct document_wants wants;
-	/* For MATRIX and PLANAR commands: the spaces between which the matrix maps, and
-	 * the space to which points are mapped: of enum flat_space for PLANAR, else of
-	 * enum space. */
+	/* For matrix commands: the spaces from and to which the matrix maps, and the
+	 * space of the images of points. Values are of enum flat_space for MATRIX_2D,
+	 * of enum space for MATRIX_3D. */
 	int from, to, points_to;
-	/* The arguments of a call that works, as typed in a shell. */
+	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;
 };
 
@@ -48,20 +48,20 @@ void run_fit(const struct command *, const struct options *);
 void run_inspect(const struct command *, const struct options *);
 
 /* Prints the matrix of a transform in the format and precision of the options, for the
- * row or column vectors of the answer's convention. A matrix for two coordinates has no
- * row or column for z. */
+ * row or column vectors of the answer's convention. Where
+ * points have two coordinates, the matrix has no row or column for z. */
 void print_matrix(const struct options *, const struct document *,
     const struct transform *);
 
-/* Print help. help_all lists the commands, up to the row without a name; help_command
- * describes one; help_member describes a member of the scene or of its objects, or
- * returns false if there is none; help_json prints all that the tables say. */
+/* Print help. help_all lists the commands, up to a row without a name. help_command
+ * describes one command. help_member describes a member of the scene or of its objects,
+ * and returns false if no member has the name. help_json prints all help as JSON. */
 void help_all(const struct command *);
 void help_command(const struct command *);
 bool help_member(const char *name);
 void help_json(const struct command *, const char *version);
 
-/* Returns the command with a name, or NULL, from a table that a name of NULL ends. */
+/* Returns the command called name, or NULL. A name of NULL ends the table c. */
 static inline const struct command *find_command(const struct command *c,
     const char *name)
 {

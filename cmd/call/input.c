@@ -19,15 +19,15 @@ bool is_stdin(const char *operand)
 	return strcmp(operand, "-") == 0;
 }
 
-char first_char(const char *s)
+char first_nonblank(const char *s)
 {
 	while (isspace((unsigned char)*s))
 		s++;
 	return *s;
 }
 
-/* Returns a file descriptor above those of the standard streams, or -1. If a standard
- * stream is closed, open returns its number, and the file would take its place. */
+/* Opens a file and returns its descriptor, or -1. If open returns the descriptor of a
+ * standard stream, which was closed, returns a higher one instead. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;
@@ -65,48 +65,48 @@ int open_input(const char *name)
 	return fd;
 }
 
-static void reserve(struct text *t, size_t room)
+static void text_reserve(struct text *t, size_t room)
 {
 	t->s = xrealloc(t->s, room + PIECE_MARGIN);
 	t->room = room;
 }
 
-bool read_more(struct text *t, int fd, const char *name)
+bool text_read_more(struct text *t, int fd, const char *name)
 {
 	ssize_t n;
 
-	if (t->have == t->room)
-		reserve(t, t->room > 0 ? 2 * t->room : 1 << 16);
-	size_t left = t->room - t->have;
+	if (t->size == t->room)
+		text_reserve(t, t->room > 0 ? 2 * t->room : 1 << 16);
+	size_t left = t->room - t->size;
 
 	/* some systems refuse to read more than INT_MAX bytes at once */
 	do
-		n = read(fd, t->s + t->have, left < INT_MAX ? left : INT_MAX);
+		n = read(fd, t->s + t->size, left < INT_MAX ? left : INT_MAX);
 	while (n < 0 && io_retry(fd, POLLIN));
 	if (n < 0)
 		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, "%s",
 		    strerror(errno));
-	t->have += (size_t)n;
+	t->size += (size_t)n;
 	return n > 0;
 }
 
-struct text read_whole(const char *name)
+struct text text_of_file(const char *name)
 {
 	struct text t = { 0 };
 	int fd = open_input(name);
 
-	while (read_more(&t, fd, name))
+	while (text_read_more(&t, fd, name))
 		continue;
 	close(fd);
 	return t;
 }
 
-struct text copy_operand(const char *operand)
+struct text text_of_operand(const char *operand)
 {
-	struct text t = { .have = strlen(operand) };
+	struct text t = { .size = strlen(operand) };
 
-	reserve(&t, t.have);
-	memcpy(t.s, operand, t.have);
+	text_reserve(&t, t.size);
+	memcpy(t.s, operand, t.size);
 	return t;
 }
 

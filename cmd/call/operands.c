@@ -7,14 +7,13 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../stream/job.h"
 #include "../message/message.h"
 #include "../scene/types.h"
 
-/* Refuses an operand that is no file. The message ends with hint or, if the word is an
- * option's name, with that option. The name may stand without dashes, or with dashes of
- * U+2010 to U+2015 in UTF-8, which editors make of two hyphens. */
-static _Noreturn void refuse_operand(const struct command *c, const char *word,
+/* Refuses word, an operand that is no file; why is the reason. The message ends with
+ * hint or, if word is the name of an option, with that option. The name may follow
+ * characters from U+2010 to U+201F, such as the dash that editors make of "--". */
+static _Noreturn void refuse_no_file(const struct command *c, const char *word,
     const char *why, const char *hint)
 {
 	const struct place place = { .file = word };
@@ -29,14 +28,14 @@ static _Noreturn void refuse_operand(const struct command *c, const char *word,
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 
-/* Refuses a file that can't be read. */
+/* Refuses a file that can't be read; hint is as in refuse_no_file. */
 static void check_file(const struct command *c, const char *name,
     const char *hint)
 {
 	if (is_stdin(name))
 		check_input(name, STDIN_FILENO);
 	else if (!check_input(name, -1) || access(name, R_OK) != 0)
-		refuse_operand(c, name, strerror(errno), hint);
+		refuse_no_file(c, name, strerror(errno), hint);
 }
 
 void operands_check(const struct command *c, const struct options *o)
@@ -48,11 +47,11 @@ void operands_check(const struct command *c, const struct options *o)
 	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' "
 	    "shows",
 	    c->name);
-	/* the shell divides an object without quotes */
-	if (first_char(o->params) != '{')
+	/* an object without quotes becomes several operands; the first lacks } */
+	if (first_nonblank(o->params) != '{')
 		check_file(c, o->params, hint);
 	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
-		refuse_operand(c, o->params, "has no }", hint);
+		refuse_no_file(c, o->params, "has no }", hint);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
@@ -66,7 +65,7 @@ void operands_check(const struct command *c, const struct options *o)
 			    "standard input is named twice; name a file for "
 			    "one of them");
 		from_stdin |= is_stdin(name);
-		if (first_char(name) != '[')
+		if (first_nonblank(name) != '[')
 			check_file(c, name, hint);
 	}
 }
@@ -76,17 +75,17 @@ bool has_points(const struct command *c, const struct options *o,
 {
 	bool none = o->n_points == 0 && d->points == NULL;
 
-	if (none && o->of_points != NULL)
+	if (none && o->points_option != NULL)
 		die_at(EXIT_USAGE, &(struct place){ .of_scene = true },
 		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
-		    c->name, o->of_points);
+		    c->name, o->points_option);
 	return !none;
 }
 
-/* Returns whether path, a name or a JSON pointer, leads to or into a member that the
- * output adds. */
-static bool is_added(const struct layout *l, const char *path)
+/* Returns whether path is the name of a member that the output adds, or a JSON pointer
+ * whose first token is such a name. */
+static bool is_added_member(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
 	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
@@ -112,7 +111,7 @@ static void check_columns(const struct options *o, const struct layout *l)
 			    "--columns: '%s' is a name; names are for json and "
 			    "for csv with a header, else numbers: 2,3,4",
 			    name);
-		if (name != NULL && json && is_added(l, name))
+		if (name != NULL && json && is_added_member(l, name))
 			die(EXIT_USAGE,
 			    "--columns: '%s' is also the name of a number that "
 			    "the output adds",
@@ -133,15 +132,15 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses options that exclude each other. If images are printed, they have to fit into
- * the binary records. */
+/* Refuses options that exclude each other. If printed is set, images of points are
+ * printed, and have to fit into binary records. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
 	const bool record = l->record > 0, binary = is_binary(l->out.format);
 	const struct {
-		bool is;
-		const char *wrong;
+		bool refused;
+		const char *message;
 	} rows[] = {
 		{ (o->header || o->no_header) && l->in.format != FORMAT_CSV,
 		    "--header and --no-header are for csv; use -i csv or -i "
@@ -169,8 +168,8 @@ static void check_layout(const struct options *o, const struct layout *l,
 
 	check_columns(o, l);
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-		if (rows[i].is)
-			die(EXIT_USAGE, "%s", rows[i].wrong);
+		if (rows[i].refused)
+			die(EXIT_USAGE, "%s", rows[i].message);
 	if (o->styles.n > l->writes)
 		die(EXIT_USAGE,
 		    "--decimals or --digits: %d numbers; %d coordinates are "
@@ -178,8 +177,8 @@ static void check_layout(const struct options *o, const struct layout *l,
 		    o->styles.n, l->writes);
 }
 
-/* Chooses the kernels by the environment's PROJCALC_CPU, which tests and measurements
- * set; if it is unset or empty, the fastest that this processor can run. */
+/* Chooses the kernels by the environment variable PROJCALC_CPU, which is for tests. If
+ * it is unset or empty, chooses the fastest kernels that this processor can run. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
@@ -191,9 +190,9 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-/* Sets the names of the values that are written. With --append they begin with the
- * space of the images: device_x. */
-static void name_values(struct layout *l, const char *space)
+/* Sets the names of the numbers that are written for a point. With --append the names
+ * begin with the space of the images: device_x. */
+static void name_numbers(struct layout *l, const char *space)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
@@ -209,7 +208,7 @@ static void name_values(struct layout *l, const char *space)
 
 static void prepare_job(struct job *j, const struct options *o)
 {
-	/* a ray is read as its position x y, and written as a point and a direction */
+	/* for a ray, x y are read, and a point and a direction are written */
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
 		.out = dialect_of(options_output(o), o->separator),
@@ -230,7 +229,7 @@ static void prepare_job(struct job *j, const struct options *o)
 		j->layout.columns.name[k] = coordinate_name(k);
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
-	name_values(&j->layout, j->space);
+	name_numbers(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
@@ -241,12 +240,12 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Runs the job on the lines that document_points or document_read returned: they are
- * JSON, whatever the format of files is. */
-static void run_json(const struct options *o, struct job *j, const char *name,
-    const char *text, size_t size)
+/* Does the job on text, lines of JSON that document_points or document_read made. The
+ * format of --input is only for files. name is for messages. */
+static void run_json_points(const struct options *o, struct job *j,
+    const char *name, const char *text, size_t size)
 {
-	struct layout of_files = j->layout;
+	struct layout files_layout = j->layout;
 
 	if (o->in_record > 0 || o->columns.n > 0)
 		die(EXIT_USAGE,
@@ -257,30 +256,31 @@ static void run_json(const struct options *o, struct job *j, const char *name,
 	j->layout.columns.n = 0;
 	j->layout.fields = 0;
 	stream(j, source_of_text(name, text, size));
-	j->layout = of_files;
+	j->layout = files_layout;
 }
 
-/* Runs the job on operand i or, if there are no operands, on standard input. With
+/* Does the job on operand i of POINTS or, without POINTS, on standard input. With
  * --scenes, the text of a file is kept for the next scenes. */
 static void run_operand(const struct options *o, struct job *j, int i)
 {
 	static struct text *kept;
 	const char *operand = i < o->n_points ? o->points[i] : "-";
-	size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
+	const size_t kept_size = ((size_t)o->n_points + 1) * sizeof *kept;
 
-	if (first_char(operand) == '[') {
-		struct text t = copy_operand(operand);
-		const char *points = document_points("POINTS", t.s, t.have,
+	if (first_nonblank(operand) == '[') {
+		size_t size;
+		struct text t = text_of_operand(operand);
+		const char *points = document_points("POINTS", t.s, t.size,
 		    j->layout.reads, j->layout.two, &size);
 
-		run_json(o, j, "POINTS", points, size);
+		run_json_points(o, j, "POINTS", points, size);
 		text_free(&t);
 	} else if (o->scenes) {
 		if (kept == NULL)
-			kept = memset(xrealloc(NULL, size), 0, size);
+			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
-			kept[i] = read_whole(operand);
-		stream(j, source_of_text(operand, kept[i].s, kept[i].have));
+			kept[i] = text_of_file(operand);
+		stream(j, source_of_text(operand, kept[i].s, kept[i].size));
 	} else {
 		int fd = open_input(operand);
 
@@ -302,7 +302,8 @@ void run_points(const struct options *o, const struct document *d,
 	}
 	j->layout.two = d->source.hint_for_two;
 	if (o->n_points == 0 && d->points != NULL)
-		run_json(o, j, d->source.name, d->points, d->points_size);
+		run_json_points(o, j, d->source.name, d->points,
+		    d->points_size);
 	else
 		for (int i = 0; i == 0 || i < o->n_points; i++)
 			run_operand(o, j, i);

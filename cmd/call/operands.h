@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* The operands of a command: PARAMS, a document, and POINTS. */
+/* Reads the operands: PARAMS, which is one JSON document or several, and POINTS. */
 #ifndef OPERANDS_H
 #define OPERANDS_H
 
 #include "options.h"
 #include "../stream/job.h"
 
-/* A hint of pick for points of two numbers: the user may mean the position. */
+/* The hint of pick about a point of two numbers, which may be meant as the position. */
 #define POSITION_HINT "; --at 320,240 is the position"
 
-/* Refuses operands that can't be opened, before anything is printed. */
+/* Refuses operands that the command does not take or that can't be opened. Runs before
+ * anything is printed. */
 void operands_check(const struct command *, const struct options *);
 
-/* Moves to the next document of PARAMS and returns whether there is one: without
- * --scenes only the first. Messages name that scene from then on. */
+/* Moves to the next document of PARAMS and returns whether there is one. Without
+ * --scenes there is one; with --scenes, messages begin with the document's number. */
 bool params_next(const struct options *);
 
-/* Reads the document as the command needs it, by the options. Its points stay in the
- * text of PARAMS until params_next. */
+/* Reads the current document for the command and the options. The points stay in the
+ * text of PARAMS until the next call of params_next. */
 void read_document(const struct command *, const struct options *,
     struct document *);
 
@@ -26,25 +27,25 @@ void read_document(const struct command *, const struct options *,
 bool has_points(const struct command *, const struct options *,
     const struct document *);
 
-/* Completes a job by the options, and runs it on all points: of the operands, else of
- * the document, else of standard input. The caller sets the transform or the ray maker.
- * Operands are read once for all scenes. */
+/* Completes the job by the options, and does it on all points: those of the operands,
+ * else of the document, else of standard input. The caller has set the job's transform
+ * or ray maker. Operands are read once for all scenes. */
 void run_points(const struct options *, const struct document *, struct job *);
 
-/* A text: the first have bytes of s. There is memory for room bytes, and PIECE_MARGIN
- * more, as the readers of points read past the end. */
+/* A text of size bytes at s. s has memory for room bytes and PIECE_MARGIN more, as the
+ * readers of points read past the end of the text. */
 struct text {
 	char *s; /* NULL at first */
-	size_t room, have;
+	size_t room, size;
 };
 
 bool is_stdin(const char *operand);
 
-/* Returns the first character that is not white space. */
-char first_char(const char *);
+/* Returns the first character that is not white space; 0 if there is none. */
+char first_nonblank(const char *);
 
-/* Returns whether there is a file: fd or, if fd < 0, name. Refuses with exit status 2 a
- * directory, and the file of standard output, whose output would be read again. */
+/* Returns whether fstat(fd), or stat(name) if fd < 0, succeeds. Refuses with status 2 a
+ * directory, and the file that is standard output, as output would become input. */
 bool check_input(const char *name, int fd);
 
 /* Returns a descriptor of a file, or of standard input for "-". Refuses with exit
@@ -53,12 +54,12 @@ int open_input(const char *name);
 
 /* Appends the next bytes of fd to the text. Returns false at the end of the file. name
  * is for messages. */
-bool read_more(struct text *, int fd, const char *name);
+bool text_read_more(struct text *, int fd, const char *name);
 
 /* Returns the text of a file, or of standard input for "-". */
-struct text read_whole(const char *name);
+struct text text_of_file(const char *name);
 
-struct text copy_operand(const char *operand);
+struct text text_of_operand(const char *operand);
 void text_free(struct text *);
 
 #endif

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "../../core/scene/scene.h"
-#include "../json/value.h"
 #include "../message/message.h"
 #include "../message/utf8.h"
 #include "../scene/types.h"
@@ -17,12 +16,12 @@ const char *const precision_names[] = { "exact", "double", "single", NULL };
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
-/* Reads one of the words of a row, and sets the row's member or global to its index. */
+/* Reads one of r->words, and sets the row's member or global to the word's index. */
 static void option_read_word(struct options *o, const struct option_row *r,
     char *word)
 {
 	unsigned *at = r->global != NULL ? r->global :
-					   (void *)((char *)o + r->at);
+					   (void *)((char *)o + r->offset);
 	char all[LIST_ROOM];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
@@ -50,10 +49,10 @@ static int whole_number(const struct option_row *r, const char *word, int min,
 static void option_read_whole_number(struct options *o,
     const struct option_row *r, char *word)
 {
-	*(int *)((char *)o + r->at) = whole_number(r, word, r->min, r->max);
+	*(int *)((char *)o + r->offset) = whole_number(r, word, r->min, r->max);
 }
 
-/* Reads the name of a format, or of binary records, "f32x4". */
+/* Reads the name of a format or of binary records, such as "f32x4". */
 static void option_read_format(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -77,7 +76,7 @@ static void option_read_size(struct options *o, const struct option_row *r,
     char *word)
 {
 	const char *end = word + strlen(word);
-	double *v = (void *)((char *)o + r->at);
+	double *v = (void *)((char *)o + r->offset);
 
 	if (number_read(word, end, v) != end ||
 	    !(*v >= SIZE_MIN && *v <= MAGNITUDE_MAX))
@@ -90,7 +89,7 @@ static void option_read_size(struct options *o, const struct option_row *r,
 static void option_read_numbers(struct options *o, const struct option_row *r,
     char *word)
 {
-	struct number_list *list = (void *)((char *)o + r->at);
+	struct number_list *list = (void *)((char *)o + r->offset);
 	const char *at = word, *end = word + strlen(word);
 
 	for (int n = 0; n < r->max; n++) {
@@ -159,7 +158,7 @@ static void option_read_styles(struct options *o, const struct option_row *r,
 	}
 }
 
-/* Reads fields by their number, from 1, or by their name: "2,z". */
+/* Reads a list of fields, by number from 1 or by name: "2,z". */
 static void option_read_columns(struct options *o, const struct option_row *r,
     char *list)
 {
@@ -188,101 +187,106 @@ static void option_read_columns(struct options *o, const struct option_row *r,
 static const char *const message_forms[] = { "text", "json", NULL };
 static const char *const color_names[] = { "auto", "always", "never", NULL };
 
-/* Kinds of commands that share options, as unions of enum command_kind. */
+/* Kinds of commands that share options, as unions of bits of enum command_kind. */
 enum {
-	PLANES = PROJECT | TRACE | PLANAR, /* take --flags and --visible */
-	IMAGES = MATRIX | PLANES,          /* print points' images */
-	PRINTED = IMAGES | PICK,           /* print points */
-	POINTS = PRINTED | FIT,            /* read points */
-	NUMBERS = PRINTED | INSPECT,       /* print numbers that -d rounds */
-	ALL = POINTS | INSPECT,
-	EVERY = ALL | HELP,
+	TAKE_FLAGS = PROJECT | TRACE | MATRIX_2D, /* and take --visible */
+	PRINT_IMAGES = MATRIX_3D | TAKE_FLAGS,
+	PRINT_POINTS = PRINT_IMAGES | PICK,
+	READ_POINTS = PRINT_POINTS | FIT,
+	PRINT_NUMBERS = PRINT_POINTS | INSPECT, /* take -d and --digits */
+	ALL_BUT_HELP = READ_POINTS | INSPECT,
+	ALL_COMMANDS = ALL_BUT_HELP | HELP,
 };
 
-#define ON(member) .on = offsetof(struct options, member)
-#define AT(member) .at = offsetof(struct options, member)
+#define FLAG(member) .flag = offsetof(struct options, member)
+#define OFFSET(member) .offset = offsetof(struct options, member)
 
 /* clang-format off */
 const struct option_row option_rows[] = {
-	{ "convention", 'c', ALL, 
-	    "convention of the answer: d3d, gl, vulkan, webgpu or opencv",
-	    "NAME", option_read_word, AT(convention), .words = convention_names,
-	    ON(has_convention) },
-	{ "input", 'i', POINTS,
-	    "format of the points: text (default), csv, tsv, json, f64, f32, f32x4",
-	    "FORMAT", option_read_format, AT(in), .words = format_names,
-	    .of_points = true },
-	{ "output", 'o', ALL, "format of the output; default that of the input",
-	    "FORMAT", option_read_format, AT(out), .words = format_names, ON(has_out) },
-	{ "separator", 0, POINTS, "character between fields of csv, or tab",
+	{ "convention", 'c', ALL_BUT_HELP,
+	    "answer in this convention: d3d, gl, vulkan, webgpu or opencv",
+	    "NAME", option_read_word, OFFSET(convention), .words = convention_names,
+	    FLAG(has_convention) },
+	{ "input", 'i', READ_POINTS,
+	    "read points as text (default), csv, tsv, json, f64, f32 or f32x4",
+	    "FORMAT", option_read_format, OFFSET(in), .words = format_names,
+	    .points_only = true },
+	{ "output", 'o', ALL_BUT_HELP,
+	    "print in this format; default that of the input, for a matrix text",
+	    "FORMAT", option_read_format, OFFSET(out), .words = format_names, FLAG(has_out) },
+	{ "separator", 0, READ_POINTS, "separate fields of csv by this character, or by tab",
 	    "C", .read = option_read_separator },
-	{ "header", 0, POINTS, "the first line of csv is a header", ON(header), .of_points = true },
-	{ "no-header", 0, POINTS, "the first line of csv is no header", ON(no_header), .of_points = true },
-	{ "columns", 0, POINTS,
-	    "fields of the coordinates: 2,3,4, or names in csv and JSON",
-	    "LIST", .read = option_read_columns, .of_points = true },
-	{ "decimals", 'd', NUMBERS, "print N decimals; for points also a list: x,y,z",
+	{ "header", 0, READ_POINTS, "take the first line of csv for a header",
+	    FLAG(header), .points_only = true },
+	{ "no-header", 0, READ_POINTS, "take the first line of csv for a row",
+	    FLAG(no_header), .points_only = true },
+	{ "columns", 0, READ_POINTS,
+	    "find coordinates in these fields: 2,3,4, or names in csv and JSON",
+	    "LIST", .read = option_read_columns, .points_only = true },
+	{ "decimals", 'd', PRINT_NUMBERS, "print N decimals; a list has one N for each coordinate",
 	    "N,...", option_read_styles, .min = 0, .max = 100 },
-	{ "digits", 0, NUMBERS, 
-	    "print at most N significant digits; for points also a list",
+	{ "digits", 0, PRINT_NUMBERS,
+	    "print at most N significant digits; a list has one N for each coordinate",
 	    "N,...", option_read_styles, .min = 1, .max = 100 },
-	{ "precision", 'p', IMAGES, 
-	    "arithmetic for points: exact (default), double or single",
-	    "NAME", option_read_word, AT(precision), .words = precision_names },
+	{ "precision", 'p', PRINT_IMAGES,
+	    "compute points in exact (default), double or single arithmetic",
+	    "NAME", option_read_word, OFFSET(precision), .words = precision_names },
 	{ "tolerance", 't', INSPECT,
-	    "name the cheapest precision with errors up to T; default 0.5",
-	    "T", option_read_size, AT(tolerance) },
+	    "name the cheapest precision whose error is at most T; default 0.5",
+	    "T", option_read_size, OFFSET(tolerance) },
 	{ "distances", 0, INSPECT,
-	    "distances from near to far at which to print depth_step too",
-	    "D,...", option_read_numbers, AT(distances), .min = 1,
+	    "print depth_step also at these distances, from near to far",
+	    "D,...", option_read_numbers, OFFSET(distances), .min = 1,
 	    .max = NUMBER_LIST_MAX, .example = "10,1000" },
-	{ "from", 0, PROJECT | TRACE, 
-	    "space of the input: model, world, view, clip, ndc or device",
-	    "SPACE", option_read_word, AT(from), .words = space_names, ON(has_from) },
-	{ "to", 0, PROJECT, "space of the output; default device, or ndc without a viewport",
-	    "SPACE", option_read_word, AT(to), .words = space_names, ON(has_to) },
+	{ "from", 0, PROJECT | TRACE,
+	    "read points in this space: model, world, view, clip, ndc or device",
+	    "SPACE", option_read_word, OFFSET(from), .words = space_names, FLAG(has_from) },
+	{ "to", 0, PROJECT,
+	    "print points in this space; default device, or ndc without a viewport",
+	    "SPACE", option_read_word, OFFSET(to), .words = space_names, FLAG(has_to) },
 	{ "homogeneous", 'H', PROJECT, "print x y z w without division",
-	    ON(homogeneous) },
-	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
-	    "print the matrix and read no points", ON(matrix) },
-	{ "at", 0, PICK, "position on the device around which to look",
-	    "X,Y", option_read_numbers, AT(pick_at), .min = 2, .max = 2,
+	    FLAG(homogeneous) },
+	{ "matrix", 'm', MATRIX_3D | PROJECT | MATRIX_2D,
+	    "print the matrix and read no points", FLAG(matrix) },
+	{ "at", 0, PICK, "find points around this position on the device",
+	    "X,Y", option_read_numbers, OFFSET(pick_at), .min = 2, .max = 2,
 	    .example = "320,240" },
-	{ "radius", 0, PICK, "radius around the position of --at, in device units",
-	    "R", option_read_size, AT(radius) },
+	{ "radius", 0, PICK, "find points within this radius, in device units",
+	    "R", option_read_size, OFFSET(radius) },
 	{ "ray", 0, PROJECT,
-	    "read x y on the device; print the ray: point, direction",
-	    ON(ray) },
+	    "read x y on the device; print a point of the ray, and its direction",
+	    FLAG(ray) },
 	{ "plane", 0, PROJECT,
 	    "read x y; print where the ray meets a x + b y + c z + d = 0",
-	    "A,B,C,D", option_read_numbers, AT(plane), .min = 4, .max = 4,
+	    "A,B,C,D", option_read_numbers, OFFSET(plane), .min = 4, .max = 4,
 	    .example = "0,0,1,0" },
-	{ "append", 0, MATRIX | PROJECT | PLANAR,
+	{ "append", 0, MATRIX_3D | PROJECT | MATRIX_2D,
 	    "keep each line whole and add the image behind it",
-	    ON(append), .of_points = true },
-	{ "flags", 0, PLANES,
+	    FLAG(append), .points_only = true },
+	{ "flags", 0, TAKE_FLAGS,
 	    "add a word: in, or the planes that the point is outside of",
-	    ON(flags), .of_points = true },
-	{ "visible", 0, PLANES,
-	    "print only points inside the view volume or window", ON(visible), .of_points = true },
-	{ "keep-going", 0, ALL, "go on after a wrong scene or a bad line (prints nan)",
-	    ON(keep_going) },
-	{ "jobs", 'j', POINTS, "number of threads; default one for each processor",
-	    "N", option_read_whole_number, AT(jobs), .min = 1, .max = 256 },
-	{ "progress", 0, POINTS, "report on standard error how many lines are done",
-	    ON(progress) },
-	{ "scenes", 0, ALL, "PARAMS is any number of scenes, one after another",
-	    ON(scenes) },
+	    FLAG(flags), .points_only = true },
+	{ "visible", 0, TAKE_FLAGS, "print only points inside the view volume or window",
+	    FLAG(visible), .points_only = true },
+	{ "keep-going", 0, ALL_BUT_HELP,
+	    "go on after a wrong scene or a bad line; print nan for the line",
+	    FLAG(keep_going) },
+	{ "jobs", 'j', READ_POINTS, "use N threads; default one for each processor",
+	    "N", option_read_whole_number, OFFSET(jobs), .min = 1, .max = 256 },
+	{ "progress", 0, READ_POINTS, "report on standard error how many lines are done",
+	    FLAG(progress) },
+	{ "scenes", 0, ALL_BUT_HELP, "read any number of scenes from PARAMS, one after another",
+	    FLAG(scenes) },
 	{ "json", 0, HELP, "print all that the program knows of itself as JSON",
-	    ON(json) },
-	{ "errors", 0, EVERY, "form of messages: text (default) or json",
+	    FLAG(json) },
+	{ "errors", 0, ALL_COMMANDS, "print messages as text (default) or json",
 	    "FORM", option_read_word, .words = message_forms,
 	    .global = &message_state.json },
-	{ "color", 0, EVERY, "colour messages and help: auto (default), always or never",
+	{ "color", 0, ALL_COMMANDS, "colour messages and help: auto (default), always or never",
 	    "WHEN", option_read_word, .words = color_names,
 	    .global = &message_state.color },
-	{ "help", 'h', EVERY, "print this help", ON(help) },
-	{ "version", 'V', EVERY, "print the version", ON(version) },
+	{ "help", 'h', ALL_COMMANDS, "print the help of the command", FLAG(help) },
+	{ "version", 'V', ALL_COMMANDS, "print the version", FLAG(version) },
 	{ .name = NULL },
 };
 /* clang-format on */
@@ -310,14 +314,14 @@ const char *option_takers(const struct option_row *r, char list[LIST_ROOM])
 	int n = 0;
 
 	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
-		if (r->commands >> i & 1)
+		if (r->kinds >> i & 1)
 			takers[n++] = names[i];
 	return list_words(list, takers, " and ", "");
 }
 
 bool option_is_for(const struct option_row *r, const struct command *c)
 {
-	return (r->commands & c->kind) != 0;
+	return (r->kinds & c->kind) != 0;
 }
 
 void options_read_first(char **words)
@@ -336,12 +340,12 @@ void options_read_first(char **words)
 
 int coordinates_of(const struct command *c, const struct options *o)
 {
-	if (c->kind == PLANAR || o->ray || o->plane.n > 0)
+	if (c->kind == MATRIX_2D || o->ray || o->plane.n > 0)
 		return 2;
-	bool w = o->from == SPACE_CLIP ||
-	    (o->from == SPACE_DEVICE && o->homogeneous);
-
-	return w ? 4 : 3;
+	if (o->from == SPACE_CLIP ||
+	    (o->from == SPACE_DEVICE && o->homogeneous))
+		return 4;
+	return 3;
 }
 
 enum format options_output(const struct options *o)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The options of all commands, and the operands after the options. */
+/* Reads the options of a command, and suggests names for unknown ones. */
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
@@ -9,48 +9,48 @@
 #include "command.h"
 
 /* The list of --decimals or --digits: a style for each printed coordinate. The last
- * number given is that of the coordinates after it, too. */
+ * number of the list also holds for all further coordinates. */
 struct styles {
-	int n; /* numbers given; 0: print the fewest digits that read back */
+	int n; /* numbers in the list; 0: neither option was given */
 	struct number_style style[COORDINATES_MAX];
 };
 
-/* The numbers of an option's list, up to 1e150 in magnitude. */
 enum { NUMBER_LIST_MAX = 32 };
 
+/* The numbers of an option's list. The magnitude of each is at most 1e150. */
 struct number_list {
 	int n; /* 0: the option was not given */
 	double v[NUMBER_LIST_MAX];
 };
 
 struct options {
-	unsigned convention; /* index in conventions */
-	bool has_convention; /* else the document has it */
+	unsigned convention; /* index in conventions[], by -c */
+	bool has_convention; /* -c was given */
 	bool help, version;
 	enum format in, out;
-	int in_record, out_record; /* numbers in a record: 4 of f32x4; or 0 */
-	bool has_out;   /* else points stay in format in, a matrix is text */
-	char separator; /* of csv, a comma by default */
-	bool header, no_header; /* neither: the first line of csv decides */
-	struct columns columns; /* of POINTS, by --columns */
-	struct styles styles;   /* of --decimals or --digits */
+	int in_record, out_record; /* numbers in a record; 0: no records */
+	bool has_out;              /* -o was given; if not, out is text */
+	char separator;            /* of csv, a comma by default */
+	bool header, no_header;    /* neither: the first line's fields decide */
+	struct columns columns;    /* of POINTS, by --columns */
+	struct styles styles;      /* of --decimals or --digits */
 	enum precision precision;
-	double tolerance; /* of inspect, device units; 0: not given */
-	struct number_list distances; /* of inspect */
+	double tolerance;             /* by --tolerance; 0: not given */
+	struct number_list distances; /* by --distances */
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
 	    progress;
-	int jobs; /* 0: as many as there are cores */
-	struct number_list pick_at, plane;
-	double radius; /* of pick; 0: not given */
-	const char
-	    *of_points; /* a given option that is for points only, or NULL */
-	bool scenes;    /* params has any number of documents */
-	bool json;      /* of help */
-	const char *params; /* operand, "-" by default */
+	int jobs; /* threads; 0: one for each processor */
+	struct number_list pick_at, plane; /* by --at, by --plane */
+	double radius;                     /* by --radius; 0: not given */
+	/* the name of a given option that is for points only; or NULL */
+	const char *points_option;
+	bool scenes;        /* params has any number of documents */
+	bool json;          /* of help */
+	const char *params; /* the operand PARAMS; "-" by default */
 	int n_points;
-	char **points; /* operands */
+	char **points; /* the operands POINTS */
 };
 
 /* In the order of enum precision and enum space; NULL ends them. */
@@ -59,21 +59,20 @@ extern const char *const precision_names[], *const space_names[];
 struct option_row {
 	const char *name;
 	char letter;       /* or 0 */
-	unsigned commands; /* the kinds that take it, as bits */
+	unsigned kinds;    /* of the commands that take the option, as bits */
 	const char *about; /* one line of help */
-	/* For an option with an argument: its name in the help, the function that reads
-	 * the argument, and the offset in struct options of the member that the
-	 * function sets. */
+	/* For an option with an argument: the argument's name in the help, the function
+	 * that reads the argument, and the offset in struct options of the member that
+	 * the function sets. */
 	const char *argument;
 	void (*read)(struct options *, const struct option_row *, char *word);
-	size_t at;
-	unsigned *global; /* a variable to set instead of a member; or NULL */
-	const char *const
-	    *words;   /* the values of the argument; NULL ends them */
+	size_t offset;
+	unsigned *global; /* a variable to set instead of the member; or NULL */
+	const char *const *words; /* possible arguments; NULL ends them */
 	int min, max; /* range of a whole number, or of the length of a list */
 	const char *example;
-	size_t on;      /* offset in struct options of a bool to set; or 0 */
-	bool of_points; /* the option is for points only */
+	size_t flag;      /* offset in struct options of a bool to set; or 0 */
+	bool points_only; /* the option is for points only */
 };
 
 enum { OPTIONS_MAX = 40 };
@@ -81,14 +80,14 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Reads --errors and --color, the options with a global, wherever they stand, so that
- * they hold for the first message, too. */
+/* Reads --errors and --color, the options with a global, at any place in words. They
+ * are read first because they hold for messages about other words, too. */
 void options_read_first(char **words);
 
-/* Returns the option of a name, which may end before = or a blank; or NULL. */
+/* Returns the option called name, or NULL. In name, = or a blank ends the option. */
 const struct option_row *option_named(const char *name);
 
-/* Writes the commands that take an option: "project and trace". Returns list. */
+/* Writes to list, and returns, the commands that take an option: "fit and trace". */
 const char *option_takers(const struct option_row *, char list[LIST_ROOM]);
 
 bool option_is_for(const struct option_row *, const struct command *);
@@ -97,30 +96,31 @@ bool option_is_for(const struct option_row *, const struct command *);
 void options_read(const struct command *, char **words, struct options *);
 
 /* Returns the number of coordinates that the command reads of a point, by the options.
- * For the points of a flat document document_read changes it to 2. */
+ * In a document of two dimensions, points have two coordinates instead. */
 int coordinates_of(const struct command *, const struct options *);
 
-/* Returns the format in which the command answers. */
+/* Returns the format of printed points: by -o, else that of the input. */
 enum format options_output(const struct options *);
 
-/* Returns the style of numbers that are no points. Refuses a list of several styles. */
+/* Returns the style of the numbers in a matrix and in the output of inspect and pick.
+ * Refuses a list of several styles. */
 struct number_style options_style(const struct options *);
 
 struct member;
 
-/* Returns the member called name, else the member with that alias, else NULL. Sets
- * *object to the member of the scene that has or is the result. Of several results,
- * returns the one of the last object. */
+/* Returns the member of the scene or of its objects that is called name, else one with
+ * the alias name, else NULL. Of several members, returns that of the last object. Sets
+ * *object to the member of the scene that is the result or contains it. */
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses a word that is no name in commands, whose last name is NULL, or if topic is
- * set, no topic of help. */
+/* Refuses word, which is not the name of a command or, if topic is set, not a topic of
+ * help. A name of NULL ends commands. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses an option, such as "--eye" or "-eye", if its name is a synonym, a member of a
- * scene, or an option with two dashes; else returns. */
+/* Refuses option, such as "--eye" or "-eye", if its name is a synonym, the name of a
+ * member of a scene, or the name of an option with two dashes; else returns. */
 void synonym_check_option(const struct command *, const char *option,
     const char *name);
 

@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include <ctype.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../json/value.h"
 #include "../message/utf8.h"
 #include "../message/message.h"
 #include "options.h"
 
-/* Sets names to the names of the command's options that begin with word, ended by NULL.
- * Returns the number of names. */
+/* Sets names to the names of the command's options that begin with word, and a last
+ * NULL. Returns the number of these options. */
 static int option_names(const struct command *c, const char *word,
     const char *names[OPTIONS_MAX + 1])
 {
@@ -24,14 +22,14 @@ static int option_names(const struct command *c, const char *word,
 	return count;
 }
 
-/* Refuses the option word. name is word without dashes or, for a letter of other
- * commands, the long name. */
+/* Refuses word, an option that c does not take. name is word without dashes or, if word
+ * is the letter of an option of other commands, the long name of that option. */
 static _Noreturn void refuse_option(const struct command *c, const char *word,
     const char *name)
 {
 	const char *names[OPTIONS_MAX + 1], *near;
 
-	/* a letter that no command has is too short to look up among members */
+	/* one letter that no option has is too short to be looked up as a member */
 	if (strcmp(word + 1, name) != 0)
 		synonym_check_option(c, word, name);
 	option_names(c, "", names);
@@ -43,8 +41,8 @@ static _Noreturn void refuse_option(const struct command *c, const char *word,
 	    c->name, word, c->name);
 }
 
-/* Returns the option that a word names, or the command's only one that begins so. */
-static const struct option_row *long_option(const struct command *c,
+/* Returns the option of c whose name is word, or the only one that begins with word. */
+static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
@@ -62,8 +60,8 @@ static const struct option_row *long_option(const struct command *c,
 	return option_named(names[0]);
 }
 
-/* Returns the command's option with a letter. */
-static const struct option_row *letter_option(const struct command *c,
+/* Returns the command's option with the letter. Refuses any other letter. */
+static const struct option_row *find_letter_option(const struct command *c,
     char letter)
 {
 	const char word[] = { '-', letter, '\0' };
@@ -76,7 +74,8 @@ static const struct option_row *letter_option(const struct command *c,
 	return r;
 }
 
-/* Sets an option. Its argument is value or, if value is NULL, the word at *next. */
+/* Sets an option. The option's argument is value or, if value is NULL, the word **next;
+ * then *next moves past the word. */
 static void set_option(const struct command *c, const struct option_row *r,
     char *value, char ***next, struct options *o)
 {
@@ -87,16 +86,16 @@ static void set_option(const struct command *c, const struct option_row *r,
 		    r->name, r->argument);
 	if (r->argument != NULL)
 		r->read(o, r, value != NULL ? value : *(*next)++);
-	if (r->of_points)
-		o->of_points = r->name;
-	if (r->on != 0)
-		*(bool *)((char *)o + r->on) = true;
+	if (r->points_only)
+		o->points_option = r->name;
+	if (r->flag != 0)
+		*(bool *)((char *)o + r->flag) = true;
 }
 
-/* Sets the options of a word: "--name=value" or "-md3", -m -d 3. Refuses a name of an
- * option or member behind one dash: "-to" would be -t with the argument o. */
-static void set_options(const struct command *c, char *word, char ***next,
-    struct options *o)
+/* Sets the options of a word such as "--name=value", or "-md3" for -m -d 3. Refuses the
+ * name of an option or member behind one dash: "-to" would mean -t with argument o. */
+static void set_options_of_word(const struct command *c, char *word,
+    char ***next, struct options *o)
 {
 	const struct option_row *r;
 	char *equals = strchr(word, '=');
@@ -104,7 +103,7 @@ static void set_options(const struct command *c, char *word, char ***next,
 	if (equals != NULL)
 		*equals = '\0';
 	if (word[1] == '-') {
-		set_option(c, long_option(c, word),
+		set_option(c, find_long_option(c, word),
 		    equals != NULL ? equals + 1 : NULL, next, o);
 		return;
 	}
@@ -113,22 +112,22 @@ static void set_options(const struct command *c, char *word, char ***next,
 	if (equals != NULL)
 		*equals = '=';
 	do {
-		r = letter_option(c, *++word);
+		r = find_letter_option(c, *++word);
 		set_option(c, r,
 		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL,
 		    next, o);
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
-/* Returns whether a word is an operand, as "-" and a negative number are. */
+/* Returns whether a word is no option. "-" and negative numbers are operands. */
 static bool is_operand(const char *word)
 {
 	return *word != '-' || word[1] == '\0' || word[1] == '.' ||
 	    isdigit((unsigned char)word[1]);
 }
 
-/* Sets the format of trace, inspect and fit: text or JSON. The default is text, but
- * JSON for trace of points in JSON. */
+/* Sets the format of the output of trace, inspect and fit: text or JSON. The default is
+ * JSON if trace reads points in JSON, else text. */
 static void choose_output(const struct command *c, struct options *o)
 {
 	if (!o->has_out)
@@ -141,7 +140,7 @@ static void choose_output(const struct command *c, struct options *o)
 		    "%s prints text or json; use -o text or -o json", c->name);
 }
 
-/* Moves the operands to the beginning of the words, as options may follow operands
+/* Moves the operands to the beginning of words. Options may stand between operands,
  * unless POSIXLY_CORRECT is set. */
 void options_read(const struct command *c, char **words, struct options *o)
 {
@@ -154,7 +153,7 @@ void options_read(const struct command *c, char **words, struct options *o)
 		if (options && strcmp(word, "--") == 0) {
 			options = false;
 		} else if (options && !is_operand(word)) {
-			set_options(c, word, &words, o);
+			set_options_of_word(c, word, &words, o);
 		} else {
 			*operand++ = word;
 			options = options && mixed;

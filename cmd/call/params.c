@@ -13,32 +13,32 @@ enum { DOCUMENT_MAX = 1 << 28 };
 
 static struct {
 	const char *name;
-	int fd; /* -1: PARAMS is read to its end */
+	int fd; /* -1: all of PARAMS is read */
 	struct text text;
 	long number; /* of the document, from 1 */
-	/* With --scenes: the offset of the document in text, and of the next byte in
-	 * the search for its end. The search counts quotes and brackets only, so that
-	 * it finds the end of invalid JSON, too. */
+	/* Offsets in text: of the document, and of the next byte in the search for the
+	 * document's end. The search counts quotes and brackets only, so that it finds
+	 * the end of invalid JSON, too. */
 	size_t begin, end;
-	/* The line of begin and of end, and the byte in that line, from 1. next_scene
-	 * counts them before the readers of the document change its text. */
+	/* The lines and columns (in bytes) of begin and end, from 1. next_scene finds
+	 * all four before the readers of the document change the text. */
 	long long line, end_line;
 	size_t column, end_column;
-	long level; /* open brackets at end */
-	bool quoted, escaped;
+	long level;           /* open brackets at end */
+	bool quoted, escaped; /* end is in a string; is after a backslash */
 } params = { .line = 1, .column = 1, .end_line = 1, .end_column = 1 };
 
 static void params_open(const struct options *o)
 {
-	bool typed = first_char(o->params) == '{';
+	bool typed = first_nonblank(o->params) == '{';
 
 	params.name = typed ? "PARAMS" : o->params;
 	params.fd = typed ? -1 : open_input(o->params);
 	if (typed)
-		params.text = copy_operand(o->params);
+		params.text = text_of_operand(o->params);
 }
 
-/* Reads more of PARAMS after the text in memory. Returns false at the end of PARAMS. */
+/* Appends more of PARAMS to text. Returns false at the end of PARAMS. */
 static bool params_more(void)
 {
 	struct text *t = &params.text;
@@ -46,28 +46,28 @@ static bool params_more(void)
 	if (params.fd < 0)
 		return false;
 	if (params.begin > 0) {
-		t->have -= params.begin;
+		t->size -= params.begin;
 		params.end -= params.begin;
-		memmove(t->s, t->s + params.begin, t->have);
+		memmove(t->s, t->s + params.begin, t->size);
 		params.begin = 0;
 	}
-	if (t->have > DOCUMENT_MAX)
+	if (t->size > DOCUMENT_MAX)
 		die_at(EXIT_INPUT, &(struct place){ .file = params.name },
 		    "longer than 256 MiB; give points in a file of their own, "
 		    "as POINTS");
-	if (read_more(t, params.fd, params.name))
+	if (text_read_more(t, params.fd, params.name))
 		return true;
 	close(params.fd);
 	params.fd = -1;
 	return false;
 }
 
-/* Moves begin past white space, and past byte order marks, which stand between files
- * that were concatenated. Returns false if text ends there, or within such a mark. */
-static bool skip_spaces(void)
+/* Moves begin past white space and byte order marks, which stand between concatenated
+ * files. Returns false if text ends at begin or within a byte order mark. */
+static bool params_skip_blanks(void)
 {
 	const char *s, *next = params.text.s + params.begin;
-	const char *end = params.text.s + params.text.have;
+	const char *end = params.text.s + params.text.size;
 
 	do {
 		s = next;
@@ -81,11 +81,11 @@ static bool skip_spaces(void)
 
 /* Continues the search for the end of the document in text. Returns false if the end is
  * not in text yet. */
-static bool find_end(void)
+static bool params_find_end(void)
 {
-	if (params.end == params.begin && !skip_spaces())
+	if (params.end == params.begin && !params_skip_blanks())
 		return false;
-	while (params.end < params.text.have) {
+	while (params.end < params.text.size) {
 		char c = params.text.s[params.end];
 
 		if (!params.quoted && params.level == 0 && json_is_blank(c))
@@ -116,9 +116,9 @@ static bool next_scene(void)
 	params.quoted = params.escaped = false;
 	message_state.scene = (struct scene_place){ params.number,
 		(long)params.line };
-	while (!find_end())
+	while (!params_find_end())
 		if (!params_more()) {
-			params.end = params.text.have;
+			params.end = params.text.size;
 			break;
 		}
 	params.end_line = params.line;
@@ -141,10 +141,10 @@ bool params_next(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses points in place of a scene with EXIT_USAGE, as the call is wrong, not the
- * file. A text of points begins with a number, after blank lines and comments; or, if
- * POINTS are named, with [ or, if they are binary, not with {. */
-static void check_points(const struct command *c, const struct options *o)
+/* Refuses PARAMS if it holds points, with EXIT_USAGE: the call is wrong, not the file.
+ * After blank lines and comments, points begin with a number. If POINTS are given,
+ * points may also begin with [ or, in binary, with any byte but {. */
+static void check_not_points(const struct command *c, const struct options *o)
 {
 	const struct place place = { .file = params.name };
 	const char *s = params.text.s + params.begin;
@@ -160,13 +160,13 @@ static void check_points(const struct command *c, const struct options *o)
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
 	    "holds points, and a scene is wanted first; name its file: %s %s",
-	    named && first_char(o->points[0]) != '[' ? o->points[0] :
-						       "scene.json",
+	    named && first_nonblank(o->points[0]) != '[' ? o->points[0] :
+							   "scene.json",
 	    params.name);
 }
 
-/* Returns a hint for messages about points of two numbers, or NULL. Such points may be
- * positions on the device, for which pick and project have options. */
+/* Returns a hint for messages about points of two numbers, or NULL. These points may be
+ * meant as positions on the device, for which pick and project have options. */
 static const char *two_numbers_hint(const struct command *c,
     const struct options *o)
 {
@@ -187,17 +187,17 @@ void read_document(const struct command *c, const struct options *o,
 	while (!o->scenes && params_more())
 		continue;
 	if (!o->scenes) {
-		skip_spaces();
-		params.end = params.text.have;
+		params_skip_blanks();
+		params.end = params.text.size;
 		params.text.s[params.end] = '\0';
-		check_points(c, o);
+		check_not_points(c, o);
 	}
 	wants.line = (long)params.line - 1;
 	wants.column = params.column - 1;
 	wants.two = two_numbers_hint(c, o);
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
-	/* operands replace the document's points, which are not read then */
+	/* the document's points are not read if operands replace them */
 	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates_of(c, o);
 	document_read(d, params.name, params.text.s + params.begin,

@@ -3,7 +3,6 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 #include <unistd.h>
 
 #include "operands.h"
@@ -11,9 +10,9 @@
 #include "../message/utf8.h"
 #include "../scene/types.h"
 
-/* Words of other programs, with blanks between them, and what to suggest in their
- * place: an option "--jobs", a remark ": ...", or a call "project -m". What other
- * programs call members is in the tables of members. */
+/* Words of other programs, with blanks between them, and the hint to give: an option
+ * "--jobs", a remark ": ...", or a call "project -m". The names that other programs
+ * have for members are in the tables of members. */
 static const struct synonym {
 	const char *words, *hint;
 } synonyms[] = {
@@ -64,14 +63,14 @@ static const struct synonym {
 
 enum {
 	SYNONYMS = sizeof synonyms / sizeof *synonyms,
-	NAMES_MAX = 240,   /* commands, members, members of members */
-	UNKNOWN_MAX = 512, /* bytes of "unknown ..." */
-	NAME_SHOWN = 64,   /* bytes of a member or option in a message */
+	NAMES_MAX = 240,    /* commands, members, and members of members */
+	UNKNOWN_ROOM = 512, /* for "unknown command ..." */
+	SHOWN_ROOM = 64,    /* for the name of a member or option */
 };
 
-/* Returns the member called name or, if alias is set, with that alias; or NULL. It is a
- * member of the scene whose bit is set in objects, or a member of such an object. Of
- * several, returns that of the last object. Sets *object to the member of the scene. */
+/* Returns the member called name or, if alias is set, with the alias name; or NULL.
+ * Searches the members of the scene whose bits are set in objects, the last first, and
+ * the members of these objects that the kind has. Sets *object as synonym_find does. */
 static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool alias, const struct member **object)
 {
@@ -97,14 +96,15 @@ const struct member *synonym_find(const char *name,
 {
 	const struct member *m = NULL;
 
+	/* prefers a name to an alias, and kind 0 to other kinds */
 	for (int i = 0; i < 4 && m == NULL; i++)
 		m = find_member(SCENE_ALL, i % 2 == 0 ? 0 : ANY_KIND, name,
 		    i >= 2, object);
 	return m;
 }
 
-/* Refuses a word that is the member m of object: unknown, and how m is written in the
- * example of object. reads has the members that the command reads, as bits. */
+/* Refuses a word that names the member m of object. The message is unknown and then an
+ * example with m, or the help to ask. reads: bits of members that the command reads. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -112,7 +112,7 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	const char *where = reads >> (object - scene_members) & 1 ?
 	    "in PARAMS" :
 	    "for other commands";
-	char quoted[NAME_SHOWN];
+	char quoted[SHOWN_ROOM];
 
 	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
 	if (object->example == NULL ||
@@ -125,8 +125,8 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses a word by its hint. If the hint is an option that c does not take, or c is
- * NULL, names the commands that take it. */
+/* Refuses a word with the text unknown and a hint as in synonyms. If c is NULL or does
+ * not take the hint's option, names the commands that take this option. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *hint)
 {
@@ -144,8 +144,8 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, hint);
 }
 
-/* Refuses a word that has a synonym, or is an option or a member; else returns. The
- * word was typed as an option of c or, if c is NULL, as a command or a topic. */
+/* Refuses name if it is a synonym or the name of an option or a member; else returns.
+ * name was typed as an option of c or, if c is NULL, as a command or a topic. */
 static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {
@@ -153,23 +153,24 @@ static void check_word(const struct command *c, const char *unknown,
 	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
 	const unsigned reads = c != NULL ? document_reads(w) : 0;
 	const struct option_row *r = option_named(name);
-	/* project --at is more likely pick's option than the camera's member */
+	/* in project --at, pick's option is more likely meant than camera.at */
 	const unsigned objects[] = { w->bare,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
-	/* a projection without a given type is read as persp */
+	/* for a command with any type of projection, searches the members of persp */
 	const int kind = w->projection > 0 ? w->projection - 1 : 0;
 	const struct member *m, *object;
-	char option[NAME_SHOWN];
+	char option[SHOWN_ROOM];
 
 	snprintf(option, sizeof option, "--%s", r != NULL ? r->name : "");
 	if (c != NULL && r != NULL && option_is_for(r, c))
 		refuse_synonym(c, unknown, option);
-	/* names in each of objects, and aliases if no option has the name */
-	for (int i = 0; i < 4; i += r == NULL ? 1 : 2) {
-		m = find_member(objects[i / 2], kind, name, i % 2, &object);
-		if (m != NULL)
-			refuse_member(unknown, reads, m, object);
-	}
+	/* searches aliases, too, unless an option has the name */
+	for (int i = 0; i < 2; i++)
+		for (int alias = 0; alias <= (r == NULL); alias++) {
+			m = find_member(objects[i], kind, name, alias, &object);
+			if (m != NULL)
+				refuse_member(unknown, reads, m, object);
+		}
 	for (int i = 0; i < SYNONYMS; i++)
 		if (word_is_one_of(name, synonyms[i].words))
 			refuse_synonym(c, unknown, synonyms[i].hint);
@@ -184,14 +185,14 @@ static void check_word(const struct command *c, const char *unknown,
 void synonym_check_option(const struct command *c, const char *option,
     const char *name)
 {
-	char unknown[UNKNOWN_MAX];
+	char unknown[UNKNOWN_ROOM];
 
 	snprintf(unknown, sizeof unknown, "%s: unknown option %s", c->name,
 	    option);
 	check_word(c, unknown, name);
 }
 
-/* Returns the nearest name of a command or member, or NULL. */
+/* Returns the name of a command or member that is nearest to word; or NULL. */
 static const char *nearest_known(const struct command *commands,
     const char *word)
 {
@@ -213,14 +214,14 @@ static const char *nearest_known(const struct command *commands,
 void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word)
 {
-	const char first = first_char(word), *near = NULL;
+	const char first = first_nonblank(word), *near = NULL;
 	const bool option = *word == '-' &&
 	    (word[1] != '-' || option_named(word + 2) != NULL);
-	/* options and operands stand behind a command */
+	/* the word is an option or an operand, which follow a command */
 	const bool early = !topic &&
 	    (option || first == '{' || first == '[' ||
 		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);
-	char unknown[UNKNOWN_MAX];
+	char unknown[UNKNOWN_ROOM];
 
 	snprintf(unknown, sizeof unknown, "unknown %s '%.400s'",
 	    topic ? "topic" : "command", word);
