@@ -45,7 +45,7 @@ static void cameras(const char *what, int e, int tries)
 		sample_camera(&c, e);
 		refusals += !compare(&c, &convention, &w);
 	}
-	claim_maps(what, &w);
+	assert_maps(what, &w);
 	/* up at 1e-15 of the gaze is often too near */
 	assert_true(refusals < tries / 2);
 }
@@ -69,7 +69,7 @@ static void orthonormalized(const char *what, int e, int tries)
 		sample_orthonormalize(&c, e);
 		compare(&c, &d3d, &w);
 	}
-	claim_bound(what, &w, 0x1p-245 / TRUTH_RULE);
+	assert_errors(what, &w, 0x1p-245 / TRUTH_TOLERANCE);
 }
 
 static void rotation_is_nearest(void **state)
@@ -197,7 +197,7 @@ static void no_rolled_ghosts(void **state)
 		c.roll = 15 * (i / 8);
 		assert_true(compare(&c, &d3d, &w));
 	}
-	claim_maps("isometric and rolled", &w);
+	assert_maps("isometric and rolled", &w);
 }
 
 /* Matrices of whole numbers whose nearest rotation is irrational but for one 0. */
@@ -221,7 +221,7 @@ static void no_nearest_ghosts(void **state)
 			    sizeof drifted[i][k]);
 		assert_true(compare(&c, &d3d, &w));
 	}
-	claim_bound("a rotation with one 0", &w, 0x1p-245 / TRUTH_RULE);
+	assert_errors("a rotation with one 0", &w, 0x1p-245 / TRUTH_TOLERANCE);
 }
 
 /* From eye (1,2,3) to the origin, x . eye and y . eye are 0. */
@@ -246,11 +246,11 @@ static double nearness(const struct camera *c)
 {
 	real g[3], u[3], x[3];
 
-	set(g, 3, c->at);
-	set(u, 3, c->up);
+	set_reals(g, 3, c->at);
+	set_reals(u, 3, c->up);
 	cross(u, g, x);
-	return mpfr_get_d(mul(number(0x1p100),
-			      over(dot(x, x, 3),
+	return mpfr_get_d(mul(real_of(0x1p100),
+			      divide(dot(x, x, 3),
 				  mul(dot(u, u, 3), dot(g, g, 3)))),
 	    MPFR_RNDN);
 }
@@ -275,7 +275,7 @@ static void parallel(void **state)
 		const char *why = camera_map(&c, &d3d, false, &m);
 
 		if (near < 1)
-			claim_refused(why, "/camera/up");
+			assert_reason(why, "/camera/up");
 		else
 			assert_null(why);
 		refusals += near < 1;
@@ -352,7 +352,7 @@ static void refused(struct camera c, bool inverse, const char *member)
 {
 	struct map m;
 
-	claim_refused(camera_map(&c, &d3d, inverse, &m), member);
+	assert_reason(camera_map(&c, &d3d, inverse, &m), member);
 }
 
 static void all_refused(void **state)

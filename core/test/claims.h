@@ -16,7 +16,7 @@
 #include "sample.h"
 #include "truth.h"
 
-static inline void claim(const char *what, double worst, double bound)
+static inline void assert_at_most(const char *what, double worst, double bound)
 {
 	print_message("%s: %.3g, claimed %.3g\n", what, worst, bound);
 	assert_true(worst <= bound);
@@ -26,28 +26,28 @@ static inline void claim(const char *what, double worst, double bound)
  * float, but for the few that TRUTH_RULE excuses, and within EX_ROUND_BOUND u^2; sums are
  * within their errors, and these below the rule's; zeros are where the truth has
  * zeros. */
-static inline void claim_bound(const char *what, const struct worst *w,
+static inline void assert_errors(const char *what, const struct worst *w,
     double bound)
 {
 	const int *n = w->verdicts;
 
 	print_message("%s: %d numbers, %d within the rule\n", what,
-	    n[NEAREST] + n[RULED], n[RULED]);
+	    n[NEAREST] + n[WITHIN_TOLERANCE], n[WITHIN_TOLERANCE]);
 	assert_int_equal(n[WRONG], 0);
-	assert_true(n[NEAREST] > 0 && n[RULED] <= n[NEAREST] / 100);
-	claim("dd", w->error, EX_ROUND_BOUND);
+	assert_true(n[NEAREST] > 0 && n[WITHIN_TOLERANCE] <= n[NEAREST] / 100);
+	assert_at_most("dd", w->error, EX_ROUND_BOUND);
 	assert_int_equal(w->beyond, 0);
-	claim("errors", w->bound, bound);
-	assert_int_equal(w->ghosts, 0);
+	assert_at_most("errors", w->bound, bound);
+	assert_int_equal(w->false_nonzeros, 0);
 }
 
-static inline void claim_maps(const char *what, const struct worst *w)
+static inline void assert_maps(const char *what, const struct worst *w)
 {
-	claim_bound(what, w, 0.5);
+	assert_errors(what, w, 0.5);
 }
 
 /* Claims that a reason begins with a member or more, up to a colon or semicolon. */
-static inline void claim_refused(const char *why, const char *begins)
+static inline void assert_reason(const char *why, const char *begins)
 {
 	assert_non_null(why);
 	assert_memory_equal(why, begins, strlen(begins));

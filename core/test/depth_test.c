@@ -33,11 +33,11 @@ static real next_step_depth(double z, enum buffer b, bool up)
 	float f = (float)z;
 
 	if (b < BUFFER_FLOAT32)
-		return add(number(z),
-		    over(number(up ? 1 : -1), number(most[b])));
+		return add(real_of(z),
+		    divide(real_of(up ? 1 : -1), real_of(most[b])));
 	if (isinf(f) || (up ? (double)f <= z : (double)f >= z))
 		f = nextafterf(f, up ? HUGE_VALF : -HUGE_VALF);
-	return number((double)f);
+	return real_of((double)f);
 }
 
 /* Returns whether the depth at a distance from the plane is at or beyond the next step
@@ -49,12 +49,12 @@ static bool reaches_step(const struct projector *p, double distance,
 	real z = p->m[3][2], w = p->m[3][3];
 
 	for (int i = 0; i < 3; i++) {
-		real x = add(p->from[i], mul(p->along[i], number(distance)));
+		real x = add(p->from[i], mul(p->along[i], real_of(distance)));
 
 		z = add(z, mul(x, p->m[i][2]));
 		w = add(w, mul(x, p->m[i][3]));
 	}
-	real off = sub(over(z, w), next_step_depth(p->z, b, p->up));
+	real off = sub(divide(z, w), next_step_depth(p->z, b, p->up));
 	bool is = p->up ? mpfr_sgn(off) >= 0 : mpfr_sgn(off) <= 0;
 
 	real_release(mark);
@@ -73,15 +73,15 @@ struct quotient {
 static struct quotient normal_distance(real z, real slope, real w,
     bool parallel, double a)
 {
-	struct quotient p = { z, sub(mul(number(a), w), slope) };
+	struct quotient p = { z, sub(mul(real_of(a), w), slope) };
 
 	if (parallel)
-		p = (struct quotient){ sub(mul(number(a), w), z), slope };
+		p = (struct quotient){ sub(mul(real_of(a), w), z), slope };
 	if (mpfr_sgn(parallel ? p.d : p.n) < 0)
-		p = (struct quotient){ sub(number(0), p.n),
-			sub(number(0), p.d) };
+		p = (struct quotient){ sub(real_of(0), p.n),
+			sub(real_of(0), p.d) };
 	if (is_zero(p.d, slope))
-		p.d = number(0);
+		p.d = real_of(0);
 	return p;
 }
 
@@ -102,7 +102,7 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 	for (int i = 0; i < 3; i++) {
 		gradient[i] = p->m[i][2];
 		normal[i] = p->m[i][parallel ? 2 : 3];
-		p->from[i] = over(eye[i], eye[3]);
+		p->from[i] = divide(eye[i], eye[3]);
 		z = add(z, mul(p->from[i], gradient[i]));
 	}
 	real w = p->m[3][3];
@@ -121,8 +121,9 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 	int inward = mpfr_sgn(sub(mul(to.n, at.d), mul(at.n, to.d)));
 
 	for (int i = 0; i < 3; i++) {
-		p->from[i] = add(p->from[i], mul(normal[i], over(at.n, at.d)));
-		p->along[i] = mul(normal[i], number(inward));
+		p->from[i] = add(p->from[i],
+		    mul(normal[i], divide(at.n, at.d)));
+		p->along[i] = mul(normal[i], real_of(inward));
 	}
 	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
 	p->z = deep ? s->viewport.max_z : s->viewport.min_z;

@@ -20,7 +20,7 @@ static void sample_edges(const struct scene *s, enum flat_space from,
 		image.in[sample_below(2)][i] = sample_below(2) ? 1 : -1;
 	}
 	assert_null(flat_transform(s, FLAT_NDC, from, &t));
-	carry_all(&t, &image, POINTS);
+	map_block_exactly(&t, &image, POINTS);
 	for (size_t i = 0; i < POINTS; i++)
 		for (int j = 0; j < 2; j++) {
 			double on = image.out[j][i];
@@ -47,10 +47,10 @@ static void check_edges(const struct truth *to_ndc, const double p[2],
 	const double at[4] = { p[0], p[1], 0, 1 };
 
 	for (int k = 0; k < 4; k++) {
-		struct form one = form_of(1);
-		struct form x = truth_column(to_ndc, k / 2, at);
-		int sign = truth_sign(k & 1 ? form_sub(one, x) :
-					      form_add(one, x),
+		struct sized one = sized_of(1);
+		struct sized x = truth_column(to_ndc, k / 2, at);
+		int sign = truth_sign(k & 1 ? sized_sub(one, x) :
+					      sized_add(one, x),
 		    NULL);
 
 		assert_int_equal(out >> k & 1, sign < 0);
@@ -165,7 +165,7 @@ static void refusals(void **state)
 	struct frustum f;
 
 	(void)state;
-	claim_refused(flat_frustum_of(&s, FLAT_WINDOW, &f), "/window/right");
+	assert_reason(flat_frustum_of(&s, FLAT_WINDOW, &f), "/window/right");
 }
 
 int main(void)

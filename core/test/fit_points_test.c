@@ -96,17 +96,17 @@ static void add_cloud(const struct cloud *c, const struct directions *d,
 }
 
 /* Returns how much farther p is than q. */
-static struct form farther_by(const struct direction *d, const double p[3],
+static struct sized farther_by(const struct direction *d, const double p[3],
     const double q[3])
 {
-	struct form sum = form_of(0);
+	struct sized sum = sized_of(0);
 
 	for (int i = 0; i < 3; i++) {
-		struct form m = { number_ex(d->exact[i].value),
-			magnitude(number_ex(d->exact[i].value)) };
+		struct sized m = { real_of_ex(d->exact[i].value),
+			magnitude(real_of_ex(d->exact[i].value)) };
 
-		sum = form_add(sum,
-		    form_mul(m, form_sub(form_of(p[i]), form_of(q[i]))));
+		sum = sized_add(sum,
+		    sized_mul(m, sized_sub(sized_of(p[i]), sized_of(q[i]))));
 	}
 	return sum;
 }

@@ -14,22 +14,22 @@ static double nearest(real a)
 
 static void range_of(const struct bounds *b, int axis, real *low, real *high)
 {
-	real c = number(b->center[axis]), r = number(b->radius);
+	real c = real_of(b->center[axis]), r = real_of(b->radius);
 
-	*low = b->sphere ? sub(c, r) : number(b->min[axis]);
-	*high = b->sphere ? add(c, r) : number(b->max[axis]);
+	*low = b->sphere ? sub(c, r) : real_of(b->min[axis]);
+	*high = b->sphere ? add(c, r) : real_of(b->max[axis]);
 }
 
 /* Returns the least side for a center and the bounds low and high: twice the larger
  * distance from the center, over 1 less both margins. */
 static double least_side(real low, real high, double center, double margin)
 {
-	real below = sub(number(center), low),
-	     above = sub(high, number(center));
+	real below = sub(real_of(center), low),
+	     above = sub(high, real_of(center));
 	real most = mpfr_greater_p(below, above) ? below : above;
-	real room = sub(number(1), number(2 * margin));
+	real room = sub(real_of(1), real_of(2 * margin));
 
-	return mpfr_get_d(over(mul(number(2), most), room), MPFR_RNDU);
+	return mpfr_get_d(divide(mul(real_of(2), most), room), MPFR_RNDU);
 }
 
 static void expect(const struct scene *s, const struct bounds *b,
@@ -43,20 +43,22 @@ static void expect(const struct scene *s, const struct bounds *b,
 		extent[i] = sub(high[i], low[i]);
 	}
 	for (int i = 0; i < 2; i++) {
-		real half = mul(extent[1 - i], number(0x1p-21));
+		real half = mul(extent[1 - i], real_of(0x1p-21));
 
 		if (mpfr_zero_p(extent[i])) {
 			low[i] = sub(low[i], half);
 			high[i] = add(high[i], half);
 		}
-		w->center[i] = nearest(over(add(low[i], high[i]), number(2)));
+		w->center[i] = nearest(
+		    divide(add(low[i], high[i]), real_of(2)));
 		*side[i] = least_side(low[i], high[i], w->center[i], s->margin);
 	}
 	if (!s->has_device)
 		return;
-	real shape = over(number(s->device.width), number(s->device.height));
-	double wide = nearest(mul(number(w->height), shape));
-	double high_enough = nearest(over(number(w->width), shape));
+	real shape = divide(real_of(s->device.width),
+	    real_of(s->device.height));
+	double wide = nearest(mul(real_of(w->height), shape));
+	double high_enough = nearest(divide(real_of(w->width), shape));
 
 	if (wide > w->width)
 		w->width = wide;
@@ -181,7 +183,7 @@ static void assert_refused_as(const struct bounds *b, const char *begins)
 {
 	struct scene s = { 0 };
 
-	claim_refused(fit_window(&s, b), begins);
+	assert_reason(fit_window(&s, b), begins);
 }
 
 static void refusals(void **state)
@@ -220,12 +222,12 @@ static void check_shown(const struct scene *s, const struct window_extent *w)
 		const double at[4] = { end, end, 0, 1 };
 
 		assert_int_equal(truth_verdict(w->edge[k],
-				     truth_column(&back, k / 2, at), form_of(1),
-				     false),
+				     truth_column(&back, k / 2, at),
+				     sized_of(1), false),
 		    NEAREST);
 		assert_int_equal(truth_verdict(w->scale[k / 2],
 				     truth_element(&out, k / 2, k / 2),
-				     form_of(1), false),
+				     sized_of(1), false),
 		    NEAREST);
 	}
 }

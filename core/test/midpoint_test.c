@@ -26,11 +26,11 @@ static double height(const struct hill *h, const double p[4])
 
 	image_of(&h->truth, &h->t, p, &image);
 	if (image.seen && truth_sign(image.n[h->j], NULL) != 0) {
-		real v = over(image.n[h->j].value, image.d.value);
+		real v = divide(image.n[h->j].value, image.d.value);
 
 		mpfr_mul_2si(v, v, h->bits - mpfr_get_exp(v), MPFR_RNDN);
 		mpfr_frac(v, v, MPFR_RNDN);
-		r = mpfr_get_d(sub(magnitude(v), number(0.5)), MPFR_RNDN) *
+		r = mpfr_get_d(sub(magnitude(v), real_of(0.5)), MPFR_RNDN) *
 		    mpfr_sgn(v);
 	}
 	real_release(mark);
@@ -161,7 +161,7 @@ static void judge_copies(const struct hill *h, struct block *b, size_t n,
 				c->accurate += isnan(b->out[0][i]) != 0;
 			c->points += n;
 		}
-		carry_all(&h->t, b, n);
+		map_block_exactly(&h->t, b, n);
 		judge_block(&h->truth, &h->t, b, n, false, &c->tally);
 	}
 	judge_block(&h->truth, &h->t, b, n, true, &c->tally);
@@ -176,7 +176,7 @@ static void climb_from(struct hill *h, const struct block *start, size_t i,
 
 	h->j = (int)sample_below((unsigned)h->t.out);
 	h->bits = sample_below(4) == 0 ? 24 : 53;
-	point_of(start, i, p);
+	block_point(start, i, p);
 	double end = climb(h, p, &way, &n);
 
 	if (end == 1)

@@ -51,7 +51,7 @@ static void try_scene(int e, struct count *c)
 			if (!kernels_choose(copies[i]))
 				continue;
 			count_accurate(&t, &b, c);
-			carry_all(&t, &b, POINTS);
+			map_block_exactly(&t, &b, POINTS);
 			judge_block(&truth, &t, &b, POINTS, false, &c->tally);
 		}
 		judge_block(&truth, &t, &b, POINTS, true, &c->tally);
@@ -66,7 +66,7 @@ static size_t try_scenes(int e, size_t coordinates)
 	struct count c = { 0 };
 	const size_t *n = c.tally.n;
 
-	while (n[NEAREST] + n[RULED] + n[WRONG] < coordinates)
+	while (n[NEAREST] + n[WITHIN_TOLERANCE] + n[WRONG] < coordinates)
 		try_scene(e, &c);
 	char what[16] = "round";
 
@@ -76,8 +76,8 @@ static size_t try_scenes(int e, size_t coordinates)
 	       "within the rule; %.3g %% of the kernels' points took the "
 	       "accurate phase\n",
 	    n[WRONG] == 0 ? "ok" : "not ok", what,
-	    n[NEAREST] + n[RULED] + n[WRONG], n[WRONG], n[RULED],
-	    100.0 * (double)c.accurate / (double)c.points);
+	    n[NEAREST] + n[WITHIN_TOLERANCE] + n[WRONG], n[WRONG],
+	    n[WITHIN_TOLERANCE], 100.0 * (double)c.accurate / (double)c.points);
 	fflush(stdout);
 	return n[WRONG];
 }

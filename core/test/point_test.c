@@ -43,14 +43,14 @@ static void random_points(void **state)
 			for (size_t i = 0; i < POINTS; i++) {
 				double p[4];
 
-				point_of(&b, i, p);
+				block_point(&b, i, p);
 				check_point(&truth, &t, p, &tally);
 			}
 		}
 		real_release(mark);
 	}
 	print_message("%zu numbers, %zu within the rule\n", tally.n[NEAREST],
-	    tally.n[RULED]);
+	    tally.n[WITHIN_TOLERANCE]);
 	assert_int_equal(tally.n[WRONG], 0);
 	assert_true(tally.n[NEAREST] > 10000);
 }
@@ -82,7 +82,7 @@ static void assert_image(const struct transform *t, double x, double y,
 			continue;
 		for (int j = 0; j < 3; j++)
 			b.in[j][0] = p[j];
-		carry_all(t, &b, 1);
+		map_block_exactly(t, &b, 1);
 		for (int j = 0; j < 3; j++)
 			assert_number(b.out[j][0], expected[j]);
 	}
@@ -155,7 +155,7 @@ static void quotients_of_given_numbers(void **state)
 
 		sample_round_points(&b, POINTS);
 		if (sample_transform(-1, &s, &from, &t, &truth)) {
-			carry_all(&t, &b, POINTS);
+			map_block_exactly(&t, &b, POINTS);
 			judge_block(&truth, &t, &b, POINTS, false, &tally);
 			judge_block(&truth, &t, &b, POINTS, true, &tally);
 		}
@@ -219,7 +219,7 @@ static void ties_of_irrational_parts(void **state)
 	for (int k = -99; k < 100; k++) {
 		double y = 0.5 + k * 0x1p-53, z = 0.5 - k * 0x1p-53, q[4];
 		int mark = real_mark();
-		real exact = add(number(1), number(k * 0x1p-53));
+		real exact = add(real_of(1), real_of(k * 0x1p-53));
 
 		if (y - z != k * 0x1p-52) {
 			real_release(mark);
@@ -261,11 +261,11 @@ static void ties_of_different_irrational_parts(void **state)
 			b.in[1][i] = (100 - i) * 0x1p-52;
 			b.in[2][i] = -b.in[1][i];
 		}
-		carry_all(&t, &b, 200);
+		map_block_exactly(&t, &b, 200);
 		for (int i = 0; i < 200; i++) {
 			int mark = real_mark();
-			real exact = sub(number(1),
-			    number((100 - i) * 0x1p-53));
+			real exact = sub(real_of(1),
+			    real_of((100 - i) * 0x1p-53));
 
 			assert_number(b.out[0][i],
 			    mpfr_get_d(exact, MPFR_RNDN));
@@ -300,7 +300,7 @@ static void no_image(void **state)
 				b.in[1][k] = k == 4 ? (double)NAN : 0;
 				b.in[2][k] = k == 5 ? (double)NAN : z[i];
 			}
-			carry_all(&t, &b, 8);
+			map_block_exactly(&t, &b, 8);
 			for (size_t k = 0; k < 8; k++)
 				for (int j = 0; j < 3; j++) {
 					bool none = i < 5 || (k > 2 && k < 6);

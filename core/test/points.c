@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-void carry(const struct transform *t, enum precision precision, struct block *b,
-    size_t n)
+void map_block(const struct transform *t, enum precision precision,
+    struct block *b, size_t n)
 {
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
@@ -13,18 +13,18 @@ void carry(const struct transform *t, enum precision precision, struct block *b,
 	points_map(t, precision, in, out, n);
 }
 
-void carry_all(const struct transform *t, struct block *b, size_t n)
+void map_block_exactly(const struct transform *t, struct block *b, size_t n)
 {
-	carry(t, PRECISION_EXACT, b, n);
+	map_block(t, PRECISION_EXACT, b, n);
 }
 
-void point_of(const struct block *b, size_t i, double p[4])
+void block_point(const struct block *b, size_t i, double p[4])
 {
 	for (int j = 0; j < 4; j++)
 		p[j] = b->in[j][i];
 }
 
-static double coordinate(const struct scene *s, enum space from, int j)
+static double sample_coordinate(const struct scene *s, enum space from, int j)
 {
 	double d = sample_number(sample_below(4) == 0 ? 6 : 1);
 
@@ -43,7 +43,7 @@ void sample_points(const struct scene *s, enum space from, struct block *b,
 {
 	for (size_t i = 0; i < n; i++)
 		for (int j = 0; j < 4; j++)
-			b->in[j][i] = coordinate(s, from, j);
+			b->in[j][i] = sample_coordinate(s, from, j);
 }
 
 void sample_round_points(struct block *b, size_t n)
@@ -95,7 +95,7 @@ void image_of(const struct truth *truth, const struct transform *t,
 	double at[4] = { p[0], p[1], t->in > 2 ? p[2] : 0, given ? p[3] : 1 };
 	bool whole = true;
 
-	*r = (struct image){ .d = form_of(1) };
+	*r = (struct image){ .d = sized_of(1) };
 	for (int i = 0; i < t->in; i++)
 		whole &= !isnan(p[i]);
 	if (!whole)
@@ -104,7 +104,7 @@ void image_of(const struct truth *truth, const struct transform *t,
 		r->n[j] = truth_column(truth, j, at);
 	if (t->divide)
 		r->d = t->reciprocal && t->out == 4 ?
-		    form_of(p[3]) :
+		    sized_of(p[3]) :
 		    truth_column(truth, 3, at);
 	int sign = truth_sign(r->d, &r->doubtful);
 
@@ -125,7 +125,7 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 			    single)]++;
 		else
 			tally->n[none           ? NEAREST :
-				image->doubtful ? RULED :
+				image->doubtful ? WITHIN_TOLERANCE :
 						  WRONG]++;
 }
 
@@ -138,12 +138,13 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 	image_of(truth, t, p, &image);
 	judge_image(&image, t->out, got, single, &here);
 	/* of given numbers alone, and back by them, nothing is too small to count */
-	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && !truth->irrational)) {
+	if (here.n[WRONG] > 0 ||
+	    (here.n[WITHIN_TOLERANCE] > 0 && !truth->irrational)) {
 		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
 		    p[0], p[1], p[2], p[3], (int)t->kind, got[0], got[1],
 		    got[2], got[3]);
-		here.n[WRONG] += here.n[RULED];
-		here.n[RULED] = 0;
+		here.n[WRONG] += here.n[WITHIN_TOLERANCE];
+		here.n[WITHIN_TOLERANCE] = 0;
 	}
 	for (int v = 0; v < VERDICTS; v++)
 		tally->n[v] += here.n[v];
@@ -156,7 +157,7 @@ void judge_block(const struct truth *truth, const struct transform *t,
 		int mark = real_mark();
 		double p[4], got[4] = { 0 };
 
-		point_of(b, i, p);
+		block_point(b, i, p);
 		for (int j = 0; j < t->out; j++) {
 			got[j] = b->out[j][i];
 			if (single && !isnan(got[j]))

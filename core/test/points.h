@@ -18,12 +18,13 @@ static const char *const copies[] = { "baseline", "avx2", "avx512", "neon" };
 
 enum { COPIES = sizeof copies / sizeof *copies };
 
-void carry(const struct transform *, enum precision, struct block *, size_t n);
+void map_block(const struct transform *, enum precision, struct block *,
+    size_t n);
 
 /* Transforms n points of a block exactly. */
-void carry_all(const struct transform *, struct block *, size_t n);
+void map_block_exactly(const struct transform *, struct block *, size_t n);
 
-void point_of(const struct block *, size_t i, double p[4]);
+void block_point(const struct block *, size_t i, double p[4]);
 
 /* Samples points about the target of the camera, some of them far, in its plane, or
  * equal to the eye. */
@@ -41,7 +42,7 @@ bool sample_transform(int e, struct scene *, enum space *from,
 
 /* The image of a point before the division: n[j] / d. */
 struct image {
-	struct form n[4], d;
+	struct sized n[4], d;
 	bool seen;     /* there is one */
 	bool doubtful; /* within the rule it may be the other way round */
 };

@@ -37,12 +37,12 @@ static void whole_numbers_have_no_ghosts(void **state)
 			b.in[1][i] = (double)(i / 3 % 3) - 1;
 			b.in[2][i] = (double)(i / 9) - 1;
 		}
-		carry_all(&t, &b, 27);
+		map_block_exactly(&t, &b, 27);
 		truth_scene(&s, SPACE_WORLD, SPACE_NDC, &truth);
 		judge_block(&truth, &t, &b, 27, false, &tally);
 		real_release(mark);
 	}
-	assert_int_equal(tally.n[RULED] + tally.n[WRONG], 0);
+	assert_int_equal(tally.n[WITHIN_TOLERANCE] + tally.n[WRONG], 0);
 	assert_true(tally.n[NEAREST] > 100000);
 }
 
@@ -85,12 +85,12 @@ static void copies_give_the_same_bits(void **state)
 		sample_points(&s, from, &first, n);
 		for (int e = 0; e < 3; e++) {
 			kernels_choose("baseline");
-			carry(&t, (enum precision)e, &first, n);
+			map_block(&t, (enum precision)e, &first, n);
 			for (int c = 1; c < COPIES; c++) {
 				memcpy(&b, &first, sizeof b);
 				if (!kernels_choose(copies[c]))
 					continue;
-				carry(&t, (enum precision)e, &b, n);
+				map_block(&t, (enum precision)e, &b, n);
 				assert_true(same(&first, &b, t.out, n));
 			}
 		}
@@ -112,11 +112,11 @@ static void points_depend_on_nothing_else(void **state)
 		if (!sample_any(k % 2 * 5, &s, &from, &t))
 			continue;
 		sample_points(&s, from, &whole, POINTS);
-		carry(&t, PRECISION_EXACT, &whole, POINTS);
+		map_block(&t, PRECISION_EXACT, &whole, POINTS);
 		for (size_t i = 0; i < POINTS; i++) {
 			for (int j = 0; j < 4; j++)
 				one.in[j][0] = whole.in[j][i];
-			carry(&t, PRECISION_EXACT, &one, 1);
+			map_block(&t, PRECISION_EXACT, &one, 1);
 			for (int j = 0; j < t.out; j++)
 				whole.out[j][0] = whole.out[j][i];
 			assert_true(same(&whole, &one, t.out, 1));
@@ -147,7 +147,7 @@ static void none_is_of_what_is_irrational(void **state)
 	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_NDC, false, &t));
 	assert_number(t.for_kernel.hi[3][0], 0x1p195);
 	assert_true(t.for_kernel.least_noise[0] > 0);
-	assert_true(t.for_kernel.least_noise[0] < TRUTH_RULE);
+	assert_true(t.for_kernel.least_noise[0] < TRUTH_TOLERANCE);
 }
 
 int main(void)

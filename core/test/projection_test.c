@@ -44,7 +44,7 @@ static void projections(const char *what, int e, int tries)
 		sample_convention(&c);
 		refused += compare(&p, &c, &w) != NULL;
 	}
-	claim_maps(what, &w);
+	assert_maps(what, &w);
 	assert_true(refused < tries / 4);
 }
 
@@ -83,7 +83,7 @@ static void through_zero(void **state)
 		p.eye[2] = (i % 2 ? -1 : 1) * pow(10, 2 + 7 * i);
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
-	claim_maps("volume through q = 0", &w);
+	assert_maps("volume through q = 0", &w);
 }
 
 static void tapers(void **state)
@@ -108,7 +108,7 @@ static void tapers(void **state)
 		p.half_height = p.aspect[1] == 0 ? 2 : p.half_width;
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
-	claim_maps("volumes by angle", &w);
+	assert_maps("volumes by angle", &w);
 }
 
 static void angles(void **state)
@@ -129,7 +129,7 @@ static void angles(void **state)
 			assert_null(compare(&p, &gl, &w));
 			p.far = 1 + pow(10, -k / 3);
 		}
-	claim_maps("narrow and wide angles", &w);
+	assert_maps("narrow and wide angles", &w);
 }
 
 static void map_for(const struct projection *p, struct map *m)
@@ -188,8 +188,8 @@ static void refused(const struct projection *p, bool inverse,
 {
 	struct map m;
 
-	claim_refused(projection_map(p, &d3d, inverse, &m), member);
-	claim_refused(projection_map(p, &gl, inverse, &m), member);
+	assert_reason(projection_map(p, &d3d, inverse, &m), member);
+	assert_reason(projection_map(p, &gl, inverse, &m), member);
 }
 
 static void refusals(void **state)

@@ -8,24 +8,24 @@
 /* The homogeneous world point n of a device position and depth, and gain, the
  * derivative of n / w by depth times w squared, which is along the ray. */
 struct truth_ray {
-	struct form n[4], gain[3], length;
+	struct sized n[4], gain[3], length;
 };
 
 static void truth_ray(const struct truth *back, const double at[2],
     double depth, bool against, struct truth_ray *r)
 {
 	const double p[4] = { at[0], at[1], depth, 1 };
-	struct form sign = form_of(against ? -1 : 1);
+	struct sized sign = sized_of(against ? -1 : 1);
 
 	for (int j = 0; j < 4; j++)
 		r->n[j] = truth_column(back, j, p);
 	for (int j = 0; j < 3; j++) {
-		struct form a = form_mul(truth_element(back, 2, j), r->n[3]);
-		struct form b = form_mul(r->n[j], truth_element(back, 2, 3));
+		struct sized a = sized_mul(truth_element(back, 2, j), r->n[3]);
+		struct sized b = sized_mul(r->n[j], truth_element(back, 2, 3));
 
-		r->gain[j] = form_mul(sign, form_sub(a, b));
+		r->gain[j] = sized_mul(sign, sized_sub(a, b));
 	}
-	r->length = form_length(r->gain);
+	r->length = sized_length(r->gain);
 }
 
 /* A block of rays: x, y, the point and the direction. */
@@ -63,10 +63,10 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 			assert_true(isnan(point) && isnan(direction));
 			continue;
 		}
-		struct form n = eye != NULL ? truth_element(eye, 2, j) :
-					      ray.n[j];
-		struct form d = eye != NULL ? truth_element(eye, 2, 3) :
-					      ray.n[3];
+		struct sized n = eye != NULL ? truth_element(eye, 2, j) :
+					       ray.n[j];
+		struct sized d = eye != NULL ? truth_element(eye, 2, 3) :
+					       ray.n[3];
 
 		verdicts[truth_verdict(point, n, d, single)]++;
 		verdicts[truth_verdict(direction, ray.gain[j], ray.length,
@@ -126,9 +126,11 @@ static void rays_are_exact(void **state)
 		real_release(mark);
 	}
 	print_message("%d numbers, %d within the rule\n",
-	    verdicts[NEAREST] + verdicts[RULED], verdicts[RULED]);
+	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE],
+	    verdicts[WITHIN_TOLERANCE]);
 	assert_int_equal(verdicts[WRONG], 0);
-	assert_true(verdicts[NEAREST] > 20000 && verdicts[RULED] < 10);
+	assert_true(
+	    verdicts[NEAREST] > 20000 && verdicts[WITHIN_TOLERANCE] < 10);
 }
 
 /* A ray does not depend on the other rays of its block. */
@@ -191,31 +193,31 @@ static void truth_meeting(const struct truth *back, const struct truth *clip,
     const double plane[4], const double at[2], struct image *image)
 {
 	const double p[2][4] = { { at[0], at[1], 0, 1 }, { 0, 0, 1, 0 } };
-	struct form h[2][4], through[2], w = form_of(0);
+	struct sized h[2][4], through[2], w = sized_of(0);
 	bool even = true, doubtful;
 
 	for (int k = 0; k < 2; k++) {
-		through[k] = form_of(0);
+		through[k] = sized_of(0);
 		for (int j = 0; j < 4; j++) {
 			h[k][j] = truth_column(back, j, p[k]);
-			through[k] = form_add(through[k],
-			    form_mul(form_of(plane[j]), h[k][j]));
+			through[k] = sized_add(through[k],
+			    sized_mul(sized_of(plane[j]), h[k][j]));
 		}
 	}
 	for (int j = 0; j < 4; j++) {
-		struct form n = form_of(0);
+		struct sized n = sized_of(0);
 
 		for (int k = 0; k < 4; k++)
 			if (k != j)
-				n = form_add(n,
-				    form_mul(form_of(plane[k]),
-					form_sub(form_mul(h[0][j], h[1][k]),
-					    form_mul(h[1][j], h[0][k]))));
+				n = sized_add(n,
+				    sized_mul(sized_of(plane[k]),
+					sized_sub(sized_mul(h[0][j], h[1][k]),
+					    sized_mul(h[1][j], h[0][k]))));
 		if (j < 3)
 			image->n[j] = n;
 		else
 			image->d = n;
-		w = form_add(w, form_mul(n, truth_element(clip, j, 3)));
+		w = sized_add(w, sized_mul(n, truth_element(clip, j, 3)));
 	}
 	for (int i = 0; i < 3; i++)
 		even &= truth_sign(truth_element(clip, i, 3), NULL) == 0;
@@ -241,7 +243,7 @@ static void judge_meetings(const struct scene *s, enum space from,
 	for (size_t i = 0; i < POINTS && from == SPACE_NDC; i++)
 		for (int k = 0; k < 2; k++)
 			block.in[k][i] = sample_between(-1, 1) * depth;
-	carry_all(t, &block, POINTS);
+	map_block_exactly(t, &block, POINTS);
 	for (size_t i = 0; i < POINTS; i++) {
 		const double at[2] = { block.in[0][i], block.in[1][i] };
 		double got[3] = { block.out[0][i], block.out[1][i],
@@ -292,9 +294,10 @@ static void planes_are_met(void **state)
 		n++;
 	}
 	print_message("%d planes, %zu numbers, %zu by the 2^-190 rule\n", n,
-	    tally.n[NEAREST] + tally.n[RULED], tally.n[RULED]);
+	    tally.n[NEAREST] + tally.n[WITHIN_TOLERANCE],
+	    tally.n[WITHIN_TOLERANCE]);
 	assert_true(n > 300 && tally.n[NEAREST] > 10000);
-	assert_true(tally.n[RULED] < tally.n[NEAREST] / 100);
+	assert_true(tally.n[WITHIN_TOLERANCE] < tally.n[NEAREST] / 100);
 	assert_int_equal(tally.n[WRONG], 0);
 }
 

@@ -19,13 +19,13 @@ typedef mpfr_ptr real;
 int real_mark(void);
 void real_release(int mark);
 
-real number(double a);
-real number_ex(ex a);
-real number_dd(dd a);
+real real_of(double a);
+real real_of_ex(ex a);
+real real_of_dd(dd a);
 real add(real a, real b);
 real sub(real a, real b);
 real mul(real a, real b);
-real over(real a, real b);
+real divide(real a, real b);
 real negative(real a);
 real magnitude(real a);
 real root(real a);
@@ -35,9 +35,9 @@ real sine(double angle, bool radians);
 real cosine(double angle, bool radians);
 real cotangent(double angle, bool radians, int part);
 
-void set(real r[], int n, const double a[]); /* NULL: zeros */
+void set_reals(real r[], int n, const double a[]); /* NULL: zeros */
 void set_matrix(real r[4][4], double m[4][4]);
-void set_unit(real r[4][4]);
+void set_identity(real r[4][4]);
 void set_inverse(real r[4][4], real m[4][4]);
 
 real dot(real a[], real b[], int n);

@@ -178,7 +178,7 @@ static void floats_come_out_as_of_doubles(void **state)
 			continue;
 		assert_true(kernels_chosen()->to_columns[false][t.in](rows + 1,
 		    b.in, n, MAGNITUDE_MAX));
-		carry(&t, PRECISION_SINGLE, &b, n);
+		map_block(&t, PRECISION_SINGLE, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.out; i++)
 			assert_true(got(false, i) ==
 			    b.out[i % (size_t)t.out][i / (size_t)t.out]);

@@ -31,7 +31,7 @@ static void scenes(const char *what, int e, int tries)
 		compare(&s, SPACE_MODEL, SPACE_DEVICE, &w);
 		compare(&s, SPACE_DEVICE, SPACE_MODEL, &w);
 	}
-	claim_maps(what, &w);
+	assert_maps(what, &w);
 }
 
 static void random_ones(void **state)
@@ -67,7 +67,7 @@ static void far_away(void **state)
 		compare(&s, SPACE_MODEL, SPACE_CLIP, &w);
 		compare(&s, SPACE_CLIP, SPACE_MODEL, &w);
 	}
-	claim_maps("1e15 from the origin", &w);
+	assert_maps("1e15 from the origin", &w);
 }
 
 /* The answers go from any convention around all five and back. Whole numbers
@@ -183,7 +183,7 @@ static void refused(const struct scene *s, enum space from, enum space to,
 {
 	struct map m;
 
-	claim_refused(scene_map(s, from, to, &m), member);
+	assert_reason(scene_map(s, from, to, &m), member);
 }
 
 static void refusals(void **state)

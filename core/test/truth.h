@@ -40,7 +40,7 @@ void truth_flat(const struct scene *, enum flat_space from, enum flat_space to,
     struct truth *);
 
 /* Returns 1 if the camera looks along +z of view space, -1 for -z. */
-double truth_gaze(const struct convention *);
+double truth_gaze_sign(const struct convention *);
 
 /* Returns the convention of the answer. */
 const struct convention *truth_answer(const struct scene *);
@@ -53,45 +53,45 @@ void truth_matrix(const struct scene *, enum space from, enum space to,
 void truth_limits(const struct scene *, real limit[2]);
 
 /* A sum, and the sum of the magnitudes of its terms. */
-struct form {
+struct sized {
 	real value, size;
 };
 
-struct form form_of(double);
-struct form form_add(struct form, struct form);
-struct form form_sub(struct form, struct form);
-struct form form_mul(struct form, struct form);
-struct form form_dot(const struct form a[3], const struct form b[3]);
+struct sized sized_of(double);
+struct sized sized_add(struct sized, struct sized);
+struct sized sized_sub(struct sized, struct sized);
+struct sized sized_mul(struct sized, struct sized);
+struct sized sized_dot(const struct sized a[3], const struct sized b[3]);
 
 /* Returns a bound of the error of the length of v. */
-struct form form_length(const struct form v[3]);
+struct sized sized_length(const struct sized v[3]);
 
 /* Returns the length of the first three numbers of P's last row. */
-struct form truth_slope(const struct projection *);
+struct sized truth_w_gradient(const struct projection *);
 
 /* Returns column j of the image of (p[0], p[1], p[2], p[3]). */
-struct form truth_column(const struct truth *, int j, const double p[4]);
-struct form truth_element(const struct truth *, int i, int j);
+struct sized truth_column(const struct truth *, int j, const double p[4]);
+struct sized truth_element(const struct truth *, int i, int j);
 
 /* Returns -1, 0 or 1; 0 if all but rounding errors has cancelled. Sets *doubtful,
  * unless it is NULL, if by TRUTH_RULE the sum may be 0, too. */
-int truth_sign(struct form, bool *doubtful);
+int truth_sign(struct sized, bool *doubtful);
 
 /* A number with a root or an angle in it may be off by this part of the magnitudes of
  * its terms where it is compared with 0 and with midpoints. The error that each sum
  * knows is less (core/exact/sum.h). */
-#define TRUTH_RULE 0x1p-290
+#define TRUTH_TOLERANCE 0x1p-290
 
 /* The result of the comparison of a number with the truth. */
 enum verdict {
-	NEAREST, /* ties to even */
-	RULED,   /* nearest to a number that differs by less than TRUTH_RULE */
+	NEAREST,          /* ties to even */
+	WITHIN_TOLERANCE, /* nearest to a number that differs by less than TRUTH_RULE */
 	WRONG,
 	VERDICTS,
 };
 
 /* Judges a printed number against n / d, which is nan beyond the range. */
-enum verdict truth_verdict(double printed, struct form n, struct form d,
+enum verdict truth_verdict(double printed, struct sized n, struct sized d,
     bool single);
 
 /* Returns the double nearest to an element. */
@@ -104,7 +104,7 @@ struct worst {
 	double error;           /* of an element's dd, in units of 2^-106 */
 	double bound;           /* of a sum's error, in units of the rule's */
 	int beyond;             /* elements that are not within their error */
-	int ghosts;             /* elements not 0 that ought to be */
+	int false_nonzeros;     /* elements not 0 that ought to be */
 };
 
 /* Compares every element of the matrix. */

@@ -23,8 +23,8 @@ static void flat(const char *what, int e, int tries)
 		}
 		real_release(mark);
 	}
-	claim_maps(what, &one);
-	claim_maps("window to device and back", &two);
+	assert_maps(what, &one);
+	assert_maps("window to device and back", &two);
 }
 
 static void random_windows(void **state)
@@ -57,7 +57,7 @@ static void viewports(const char *what, int e, int tries)
 		}
 		real_release(mark);
 	}
-	claim_maps(what, &w);
+	assert_maps(what, &w);
 }
 
 static void random_viewports(void **state)
@@ -145,16 +145,16 @@ static void refusals(void **state)
 	struct map m;
 
 	(void)state;
-	claim_refused(window_map(&w, NULL, false, &m), "/window/right");
+	assert_reason(window_map(&w, NULL, false, &m), "/window/right");
 	w.right = 2;
 	w.top = -1;
-	claim_refused(window_map(&w, NULL, true, &m), "/window/top");
+	assert_reason(window_map(&w, NULL, true, &m), "/window/top");
 	w.top = 1;
 	w.adapt = ADAPT_GROW;
-	claim_refused(window_map(&w, NULL, false, &m), "/window/adapt");
+	assert_reason(window_map(&w, NULL, false, &m), "/window/adapt");
 	w.adapt = ADAPT_STRETCH;
 	assert_null(viewport_map(&v, &d3d, false, &m));
-	claim_refused(viewport_map(&v, &d3d, true, &m), "/viewport/max_z");
+	assert_reason(viewport_map(&v, &d3d, true, &m), "/viewport/max_z");
 }
 
 int main(void)
