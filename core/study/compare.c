@@ -124,7 +124,7 @@ static void true_image_of(const struct task *t, const double p[3],
 	image_of(&t->truth, &t->exact, (double[4]){ p[0], p[1], p[2] },
 	    &r->image);
 	r->n = t->n;
-	for (int j = 0; j < r->n && r->image.seen; j++)
+	for (int j = 0; j < r->n && r->image.exists; j++)
 		r->at[j] = divide(r->image.n[j].value, r->image.d.value);
 }
 
@@ -138,7 +138,7 @@ static void tally(const struct true_image *truth, const double got[4],
     struct cell *c)
 {
 	bool finite = isfinite(got[0]) && isfinite(got[1]) && isfinite(got[2]);
-	bool seen = truth->image.seen;
+	bool seen = truth->image.exists;
 
 	c->nan |= seen && !finite;
 	c->sign |= finite && seen != (got[3] > 0);
@@ -157,7 +157,7 @@ static void watch_sides(const struct true_image *truth, const double got[4],
 {
 	const double center[2] = { v->x + v->width / 2, v->y + v->height / 2 };
 
-	for (int j = 0; j < 2 && truth->image.seen; j++)
+	for (int j = 0; j < 2 && truth->image.exists; j++)
 		mirrored[j] &= (got[j] > center[j]) !=
 		    (mpfr_cmp_d(truth->at[j], center[j]) > 0);
 }

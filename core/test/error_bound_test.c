@@ -40,7 +40,7 @@ static void sample_inside(const struct scene *s, struct block *b)
 			real column[4];
 
 			for (int k = 0; k < 4; k++)
-				column[k] = truth.all.m[k][j];
+				column[k] = truth.product.m[k][j];
 			h[j] = dot(at, column, 4);
 		}
 		for (int j = 0; j < 3; j++) {

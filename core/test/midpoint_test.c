@@ -25,7 +25,7 @@ static double height(const struct hill *h, const double p[4])
 	double r = 1;
 
 	image_of(&h->truth, &h->t, p, &image);
-	if (image.seen && truth_sign(image.n[h->j], NULL) != 0) {
+	if (image.exists && truth_sign(image.n[h->j], NULL) != 0) {
 		real v = divide(image.n[h->j].value, image.d.value);
 
 		mpfr_mul_2si(v, v, h->bits - mpfr_get_exp(v), MPFR_RNDN);

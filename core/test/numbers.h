@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Doubles in tests. A file that includes this one includes cmocka.h before it. */
+/* Assertions about doubles. A file that includes this header includes cmocka.h before
+ * it. */
 #ifndef NUMBERS_H
 #define NUMBERS_H
 

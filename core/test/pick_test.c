@@ -126,7 +126,7 @@ static void check_radius(struct picker *k, const struct truth *truth,
 
 		block_point(b, i, p);
 		image_of(truth, k->to_device, p, &image);
-		if (image.seen && !isnan(device[0])) {
+		if (image.exists && !isnan(device[0])) {
 			bool within = is_within(k, &image, &doubtful);
 
 			n[within]++;

@@ -87,7 +87,7 @@ bool sample_transform(int e, struct scene *s, enum space *from,
 	return true;
 }
 
-/* A device point's fourth number is its 1/w; a flat one's z and w are 0 and 1. */
+/* A device point's fourth number is 1/w. In a flat space z is 0 and w is 1. */
 void image_of(const struct truth *truth, const struct transform *t,
     const double p[4], struct image *r)
 {
@@ -109,7 +109,7 @@ void image_of(const struct truth *truth, const struct transform *t,
 	int sign = truth_sign(r->d, &r->doubtful);
 
 	r->doubtful &= truth->irrational;
-	r->seen = t->front ? sign > 0 : sign != 0;
+	r->exists = t->front ? sign > 0 : sign != 0;
 }
 
 void judge_image(const struct image *image, int coordinates, const double *got,
@@ -120,7 +120,7 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 	for (int j = 0; j < coordinates; j++)
 		none &= isnan(got[j]);
 	for (int j = 0; j < coordinates; j++)
-		if (image->seen && !(image->doubtful && none))
+		if (image->exists && !(image->doubtful && none))
 			tally->n[truth_verdict(got[j], image->n[j], image->d,
 			    single)]++;
 		else
@@ -137,7 +137,8 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 
 	image_of(truth, t, p, &image);
 	judge_image(&image, t->out, got, single, &here);
-	/* of given numbers alone, and back by them, nothing is too small to count */
+	/* In a rational scene TRUTH_TOLERANCE excuses nothing, as sums of the numbers
+	 * in the document are exact. */
 	if (here.n[WRONG] > 0 ||
 	    (here.n[WITHIN_TOLERANCE] > 0 && !truth->irrational)) {
 		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",

@@ -224,7 +224,7 @@ static void truth_meeting(const struct truth *back, const struct truth *clip,
 	int side = truth_sign(w, NULL), over = truth_sign(image->d, &doubtful);
 
 	image->doubtful = doubtful;
-	image->seen = over != 0 && (even || side == over);
+	image->exists = over != 0 && (even || side == over);
 }
 
 static void judge_meetings(const struct scene *s, enum space from,

@@ -4,17 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STORE = 1 << 16 };
+enum { REALS_MAX = 1 << 16 };
 
-/* The error of an element that low parts below 2^-1074 can cause. */
+/* A bound of the error of low parts that underflow, which lose bits below 2^-1074. */
 #define LOW_PART_LOSS 0x1p-1068
 
-static mpfr_t store[STORE];
+static mpfr_t store[REALS_MAX];
 static int made, used;
 
 static real new_real(void)
 {
-	if (used == STORE)
+	if (used == REALS_MAX)
 		abort();
 	if (used == made)
 		mpfr_init2(store[made++], REAL_BITS);
@@ -54,10 +54,12 @@ BINARY(add, mpfr_add)
 BINARY(sub, mpfr_sub)
 BINARY(mul, mpfr_mul)
 BINARY(divide, mpfr_div)
-
-static UNARY(cube_root, real, mpfr_cbrt) static UNARY(sine_of, real,
-    mpfr_sin) static UNARY(cosine_of, real, mpfr_cos) static UNARY(cotangent_of,
-    real, mpfr_cot)
+/* clang-format off */
+static UNARY(cube_root, real, mpfr_cbrt)
+static UNARY(sine_of, real, mpfr_sin)
+static UNARY(cosine_of, real, mpfr_cos)
+static UNARY(cotangent_of, real, mpfr_cot)
+    /* clang-format on */
 
     real real_of_ex(ex a)
 {
@@ -120,8 +122,8 @@ void set_identity(real r[4][4])
 			r[i][j] = real_of(i == j);
 }
 
-/* Returns the cofactor of row i and column j. A cofactor that cancels except
- * for rounding errors is 0. */
+/* Returns the cofactor of row i and column j, or 0 if only rounding errors are left of
+ * its sum. */
 static real cofactor(real m[4][4], int i, int j)
 {
 	real s = real_of(0), size = real_of(0);
@@ -178,9 +180,9 @@ void normalise(real a[], int n)
 		a[i] = divide(a[i], length);
 }
 
-/* Sets X to (c X + inv(X)' / c) / 2 with c = |det X|^(-1/3). The steps converge to the
- * nearest rotation (Higham, "Computing the polar decomposition - with applications",
- * 1986). Returns how far X moved. */
+/* Does a step of Newton's iteration from X to its nearest rotation: X becomes (c X +
+ * inv(X)' / c) / 2 with c = |det X|^(-1/3) (Higham, "Computing the polar decomposition
+ * - with applications", 1986). Returns the sum of the changes of the elements. */
 static real polar_step(real x[4][4])
 {
 	real inverse[4][4], yz[3], change = real_of(0);
@@ -213,8 +215,8 @@ void orthonormalise(real m[4][4])
 	}
 }
 
-/* The limit is two thirds of the bits: terms of 1e150 cubed and of 1e-150 cubed differ
- * by half of the bits. */
+/* The limit is size times 2^-2000. Rounding errors are about size times 2^-REAL_BITS. A
+ * product of two numbers from 1e-150 to 1e150 is more than 2^-1994 times any other. */
 bool is_zero(real a, real size)
 {
 	int mark = real_mark();

@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/* splitmix64 */
+/* The state of the generator splitmix64. */
 static uint64_t state;
 
 static uint64_t next_random(void)
@@ -95,7 +95,8 @@ void sample_convention(struct convention *c)
 	}
 }
 
-/* Moves a camera far from the origin, looking at something near. */
+/* Puts a camera up to 1e9 or 1e15 from the origin, and its target within 20 of the eye
+ * along each axis. */
 static void place_far(struct camera *c)
 {
 	double far = sample_below(2) ? 1e9 : 1e15;
@@ -106,7 +107,8 @@ static void place_far(struct camera *c)
 	}
 }
 
-/* Sets up within 1e-12 to 1e-15 of the gaze. */
+/* Sets up to nearly the direction of the gaze: elements differ by 1e-15 to 1e-12 of
+ * their size. */
 static void put_up_near_gaze(struct camera *c)
 {
 	double near = pow(10, sample_between(-15, -12));
@@ -120,8 +122,9 @@ static void put_up_near_gaze(struct camera *c)
 	}
 }
 
-/* Samples a rotation vector. Hostile: elements have mixed magnitudes; some vectors have
- * a length next to a multiple of pi / 2, where elements of the matrix are 0. */
+/* Samples a rotation vector. If it is hostile, the magnitudes of its elements are
+ * mixed, and its length is often next to a multiple of pi / 2, where elements of the
+ * matrix are 0. */
 static void sample_rotation_vector(double v[3], int e)
 {
 	double square = 0, length = PI / 2 * (1 + sample_below(4));
@@ -165,9 +168,9 @@ void sample_camera(struct camera *c, int e)
 				  sample_between(-180, 180);
 }
 
-/* Samples a matrix to orthonormalize: a rotation that has drifted. Hostile: hardly a
- * rotation, down to singular values 10^-14 times the largest. The determinant is
- * positive but for rounding errors. */
+/* Samples a matrix to orthonormalize: a rotation whose elements have errors of up to
+ * 1e-7 or 0.5 of their size. If it is hostile, a rotation with columns scaled by 1e-14
+ * to 1. The determinant is positive, unless rounding changed its sign. */
 void sample_orthonormalize(struct camera *c, int e)
 {
 	double q[4], norm = 0, stretch[3];
@@ -279,10 +282,12 @@ static void sample_volume(struct projection *p, int e)
 	if (sample_below(2))
 		p->aspect[0] = p->aspect[1] = 0;
 	else
-		p->half_height = p->half_width; /* the smaller side's */
+		p->half_height =
+		    p->half_width; /* size is half the smaller side */
 }
 
-/* Converts the angles to radians: about as wide, and as near to a right angle. */
+/* Converts the angles to radians for one projection in four. Angles that were next to
+ * 90 or 180 degrees are next to pi / 2 or pi. */
 static void sample_angle_unit(struct projection *p)
 {
 	double *const angles[] = { &p->angle, &p->projector_angle,
@@ -299,8 +304,8 @@ static void sample_angle_unit(struct projection *p)
 					 HUGE_VAL);
 }
 
-/* Samples four angles, left below right, bottom below top. Hostile: next to each other
- * or to a right angle, or hardly open. */
+/* Samples the four angles of the edges, with left below right and bottom below top.
+ * Hostile angles are next to each other, next to a right angle, or nearly 0. */
 static void sample_four_angles(struct projection *p, int e)
 {
 	double right = p->unit == RADIANS ? PI / 2 : 0x1.67fffffffffffp+6;
@@ -331,7 +336,7 @@ static void sample_four_angles(struct projection *p, int e)
 	}
 }
 
-/* Samples any numbers in the lower rows of P, or in all. */
+/* Sets the last rows of the 3x4 matrix P, up to all three, to random numbers. */
 static void sample_p_rows(double k[3][4], int e)
 {
 	for (int i = (int)sample_below(3); i < 3; i++)
@@ -339,8 +344,8 @@ static void sample_p_rows(double k[3][4], int e)
 			k[i][j] = e > 0 ? sample_number(e) : ordinary_number();
 }
 
-/* Makes [fx, fy, cx, cy], K or P, with planes, without them, or with an
- * infinite far plane. */
+/* Samples fx, fy, cx and cy, or a matrix K or P, with near and far planes, without
+ * planes, or with an infinite far plane. */
 static void sample_intrinsics(struct projection *p, int e)
 {
 	double(*k)[4] = p->intrinsics;

@@ -39,10 +39,10 @@ static void append_stage(struct truth_stage *r, const struct truth_stage *s)
 
 void truth_compose(struct truth *t)
 {
-	set_identity(t->all.m);
-	set_identity(t->all.size);
+	set_identity(t->product.m);
+	set_identity(t->product.size);
 	for (int i = 0; i < t->n; i++)
-		append_stage(&t->all, &t->stage[i]);
+		append_stage(&t->product, &t->stage[i]);
 }
 
 struct sized sized_of(double a)
@@ -95,11 +95,11 @@ struct sized truth_column(const struct truth *t, int j, const double p[4])
 
 struct sized truth_element(const struct truth *t, int i, int j)
 {
-	return (struct sized){ t->all.m[i][j], t->all.size[i][j] };
+	return (struct sized){ t->product.m[i][j], t->product.size[i][j] };
 }
 
-/* Returns a bound of the error, which is more than the error that a sum of sum.h keeps
- * for itself. */
+/* Returns a bound of the error of a number with this size, which is more than the bound
+ * that struct sum keeps. */
 static real tolerance(real size)
 {
 	return mul(size, real_of(TRUTH_TOLERANCE));
@@ -129,7 +129,8 @@ static bool is_even(double a, bool single)
 	return ((single ? narrow_bits : bits) & 1) == 0;
 }
 
-/* Returns the even one of two doubles if their midpoint is this close to a. */
+/* Returns the double, or float, nearest to a. If a is within this distance of the
+ * midpoint of two, returns the even one. */
 static double nearest(real a, real within, bool single)
 {
 	double low = rounded(sub(a, within), single);
@@ -201,20 +202,20 @@ static void compare(const struct map *m, int i, int j, const struct truth *t,
 	if (truth_sign(exact, NULL) == 0)
 		w->false_nonzeros += sum_sign(got) != 0;
 	else if (truth_verdict(pair.hi, exact, one, false) == NEAREST)
-		keep_worst(&w->error,
+		keep_worst(&w->pair_error,
 		    u2_error(pair, exact.value,
 			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
 	mpfr_mul_2si(bound, bound, got.error - EX_RANGE, MPFR_RNDN);
-	/* the truth is rounded, too: its sine of 180 degrees is not 0, nor is its 1 - 1
-	 * of roots */
+	/* The truth has rounding errors, too: its sine of 180 degrees and its
+	 * difference of equal roots are not 0. */
 	real rounding = real_of(1);
 
 	mpfr_mul_2si(rounding, rounding, 100 - REAL_BITS, MPFR_RNDN);
 	off = sub(off, add(rounding, mul(exact.size, real_of(0x1p-1000))));
 	if (!t->irrational || !mpfr_zero_p(bound))
-		w->beyond += mpfr_cmp(off, bound) > 0;
+		w->beyond_error += mpfr_cmp(off, bound) > 0;
 	if (!mpfr_zero_p(bound))
-		keep_worst(&w->bound,
+		keep_worst(&w->sum_bound,
 		    mpfr_get_d(divide(bound, tolerance(exact.size)),
 			MPFR_RNDU));
 }

@@ -6,9 +6,9 @@
 #define ONE real_of(1)
 #define TWO real_of(2)
 
-/* From edges a and b, the scales 2n / (b - a) of x and y and how far the centre
- * is off the axis, (a + b) / (b - a). n is the near distance of a perspective,
- * else 1. */
+/* Sets s to the scales of x and y, 2n / (b - a) for edges a and b, and off to the
+ * centre's distance from the axis in units of half the side, (a + b) / (b - a). n is
+ * the near distance of a perspective, else 1. */
 static void section_by_edges(const struct projection *p, real n, real s[2],
     real off[2])
 {
@@ -27,8 +27,8 @@ static real tangent(double angle, bool radians)
 	return divide(sine(angle, radians), cosine(angle, radians));
 }
 
-/* Computes the elements from the tangents of left, right, bottom and top, which
- * are edges at 1. */
+/* Does what section_by_edges does, with the tangents of the four angles as edges at
+ * distance 1. */
 static void section_by_angles(const struct projection *p, real s[2],
     real off[2])
 {
@@ -43,6 +43,7 @@ static void section_by_angles(const struct projection *p, real s[2],
 	}
 }
 
+/* Sets s to the given scale, of x if x_given, and the scale that follows by aspect. */
 static void section_by_aspect(const struct projection *p, bool x_given,
     real given, real s[2])
 {
@@ -89,21 +90,22 @@ static void cross_section(const struct projection *p, real n, real s[2],
 	case EXTENT_ANGLES:
 		section_by_angles(p, s, off);
 		break;
-	case EXTENT_INTRINSICS: /* pixels() */
+	case EXTENT_INTRINSICS: /* see pixels */
 		break;
 	}
 }
 
-/* For depths 0 to 1, a = f / (f - n) and b = -n f / (f - n); for -1 to 1,
- * a = (f + n) / (f - n) and b is twice as large. An infinite far gives the
- * limits of these. With reverse_z near and far change places. */
+/* Sets a and b so that the depth is a + b / w. For depths from 0 to 1, a = f / (f - n)
+ * and b = -n f / (f - n). For depths from -1 to 1, a = (f + n) / (f - n) and b = -2 n
+ * f / (f - n). An infinite far plane gives the limits of a and b. With reverse_z near
+ * and far change places. */
 static void depth(const struct projection *p, bool minus_one, real *a, real *b)
 {
 	real n = real_of(p->reverse_z ? p->far : p->near);
 	real f = real_of(p->reverse_z ? p->near : p->far);
 	real k = real_of(minus_one ? 2 : 1);
 
-	if (p->near == 0) { /* 1 / w, in 0 to 1 */
+	if (p->near == 0) { /* no planes: depth is 1 / w, from 0 to 1 */
 		*a = real_of(minus_one ? -1 : 0);
 		*b = k;
 		return;
@@ -136,8 +138,9 @@ static void persp(const struct projection *p, const struct convention *c,
 			m[2][j] = negative(m[2][j]);
 }
 
-/* Divided by the difference of two tangents the elements are so many times larger
- * as their sum of magnitudes is than that. */
+/* Sets the sizes of the elements that are quotients by b - a, the difference of two
+ * tangents. Their relative errors are (|a| + |b|) / (b - a) times those of the
+ * tangents. */
 static void size_tangents(const struct projection *p, struct truth_stage *s)
 {
 	const double angle[4] = { p->left, p->right, p->bottom, p->top };
@@ -171,8 +174,8 @@ static void ortho(const struct projection *p, const struct convention *c,
 		m[2][2] = negative(m[2][2]);
 }
 
-/* x' = x + cot(angle) cos(direction) (d - plane), y' likewise with sin, for d
- * along the gaze. */
+/* Sets m to x' = x + cot(angle) cos(direction) (d - plane), and y' likewise with sin,
+ * where d is the distance along the gaze. */
 static void shear(const struct projection *p, bool right_handed, real m[4][4])
 {
 	real cot = p->kind == OBLIQUE_CAVALIER ?
@@ -190,7 +193,8 @@ static void shear(const struct projection *p, bool right_handed, real m[4][4])
 	}
 }
 
-/* The angle is across the smaller side, as seen from an eye before near. */
+/* Returns 1 / z of the eye that sees the smaller side of the volume's section at z = 0
+ * under the angle, from before near. */
 static real inverse_eye_z(const struct projection *p, real hw, real hh)
 {
 	real q = divide(ONE, cotangent(p->angle, p->unit, 2));
@@ -199,7 +203,7 @@ static real inverse_eye_z(const struct projection *p, real hw, real hh)
 	return p->z_near > p->z_far ? q : negative(q);
 }
 
-/* Computes the sizes of the sums in the elements that have differences. */
+/* Sets the sizes of the elements of a volume by angle, in which sums occur. */
 static void size_depth(const struct projection *p, bool minus_one, real q,
     struct truth_stage *s)
 {
@@ -262,9 +266,9 @@ static void volume(const struct projection *p, bool minus_one,
 		size_depth(p, minus_one, q, s);
 }
 
-/* From view space with x right, y up and z along the gaze to pixels u w and v w, with
- * depth and w, and on to clip space, in which a viewport of such a size is 2 by 2, y
- * up. */
+/* Adds two stages. The first leads from view space, with x right, y up and z along the
+ * gaze, to u w, v w, depth and w, where u and v are in pixels. The second leads to clip
+ * space, in which a viewport of p's width and height is 2 by 2, with y up. */
 static void pixels(struct truth *t, const struct projection *p,
     const struct convention *c)
 {

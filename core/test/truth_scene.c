@@ -7,8 +7,9 @@
 #define ONE real_of(1)
 #define TWO real_of(2)
 
-/* p' = p A + t. The elements of a nearest rotation are sums of products of a unit
- * quaternion's, and divided by its square. */
+/* Adds the stages p' = p A and p' = p + t of an affine matrix. The elements of A's
+ * nearest rotation are sums of products of a unit quaternion's elements, of size 2 at
+ * most. */
 static void affine(struct truth *t, const double m[4][4], bool orthonormal)
 {
 	struct truth_stage *s = truth_stage(t);
@@ -24,8 +25,8 @@ static void affine(struct truth *t, const double m[4][4], bool orthonormal)
 	set_reals(truth_stage(t)->m[3], 3, m[3]);
 }
 
-/* z = unit(at - eye), right-handed unit(eye - at); x = unit(up x z); y = z x x;
- * they are the columns. */
+/* Sets the columns of m to the camera's axes: z = unit(at - eye), or unit(eye - at) if
+ * right-handed; x = unit(up x z); y = z x x. */
 static void look_at(const struct camera *c, bool right_handed, real m[4][4])
 {
 	real x[3], y[3], z[3], up[3], eye[3];
@@ -50,7 +51,7 @@ static void look_at(const struct camera *c, bool right_handed, real m[4][4])
 	}
 }
 
-/* The rotation matrix of a quaternion, x y z w; its columns are the camera's
+/* Sets m to the rotation matrix of a quaternion, x y z w. Its columns are the camera's
  * axes. */
 static void quaternion_matrix(const double orientation[4], real m[4][4])
 {
@@ -68,7 +69,8 @@ static void quaternion_matrix(const double orientation[4], real m[4][4])
 	}
 }
 
-/* cv::Rodrigues: cos I + (1 - cos) u u' + sin [u]x of a point's column, here of rows. */
+/* Sets the stage to the rotation of cv::Rodrigues, cos I + (1 - cos) u u' + sin [u]x,
+ * which is for column vectors: here it is transposed. */
 static void rodrigues(const double rvec[3], struct truth_stage *stage)
 {
 	real(*m)[4] = stage->m;
@@ -96,7 +98,7 @@ static void rodrigues(const double rvec[3], struct truth_stage *stage)
 
 static void invert_stages(struct truth *);
 
-/* Computes the map of a matrix or pose. */
+/* Adds the stages of a camera that is given by its matrix or pose. */
 static void camera_by_matrix(struct truth *t, const struct camera *c)
 {
 	struct truth r = { 0 };
@@ -109,7 +111,7 @@ static void camera_by_matrix(struct truth *t, const struct camera *c)
 		t->stage[t->n++] = r.stage[i];
 }
 
-/* Roll is of the upright image. */
+/* Adds the stages from world to view space. The roll turns the image while y is up. */
 static void camera(struct truth *t, const struct camera *c,
     const struct convention *convention)
 {
@@ -139,7 +141,7 @@ static void camera(struct truth *t, const struct camera *c,
 		truth_half_turn(t);
 	struct truth_stage *roll = truth_stage(t);
 
-	/* Rz = [cos sin; -sin cos] */
+	/* row vectors times [cos sin; -sin cos] */
 	roll->m[0][0] = roll->m[1][1] = cosine(c->roll, c->unit);
 	roll->m[0][1] = sine(c->roll, c->unit);
 	roll->m[1][0] = negative(sine(c->roll, c->unit));
@@ -152,7 +154,7 @@ double truth_gaze_sign(const struct convention *c)
 	return c->right_handed == c->view_y_down ? 1 : -1;
 }
 
-/* For one axis, x' = x + side/2 + scale X. */
+/* Sets axis i of a stage to x' = x + side / 2 + scale X. */
 static void to_device(struct truth_stage *s, int i, double x, double side,
     real scale)
 {
@@ -177,7 +179,7 @@ static void viewport(struct truth *t, const struct viewport *v,
 	to_device(s, 0, v->x, v->width, sx);
 	to_device(s, 1, v->y, v->height,
 	    c->ndc_y_down == c->origin_bottom_left ? negative(sy) : sy);
-	/* If Z runs from -1 to 1, (Z + 1) / 2 takes its place. */
+	/* from Z = 0 to 1; if Z is from -1 to 1, (Z + 1) / 2 takes its place */
 	s->m[2][2] = sub(max, min);
 	s->m[3][2] = min;
 	if (c->depth_minus_one) {
@@ -196,7 +198,7 @@ static void device(struct truth *t, const struct device *d)
 	to_device(s, 1, d->y, d->height, d->top_left ? negative(sy) : sy);
 }
 
-/* Lengthens or shortens one side until the window has the device's shape. */
+/* Sets one side of the window so that it has the shape of the device. */
 static void adapt(const struct window *w, const struct device *d, real size[2])
 {
 	real shape = divide(real_of(d->width), real_of(d->height));
@@ -210,7 +212,8 @@ static void adapt(const struct window *w, const struct device *d, real size[2])
 		size[1] = divide(size[0], shape);
 }
 
-/* T(-cx, -cy) S(2/W, 2/H) */
+/* Adds the stage from window to ndc: a translation by the negative centre, and the
+ * scales 2 / width and 2 / height. */
 static void window(struct truth *t, const struct window *w,
     const struct device *d)
 {
@@ -239,8 +242,8 @@ static void window(struct truth *t, const struct window *w,
 	}
 }
 
-/* Computes the sizes of m times the error of m times the inverse of m, which
- * bounds the error of the inverse. */
+/* Sets the sizes of the inverse r of a stage s to |r| (sizes of s) |r| + |r|, as an
+ * error E of s changes r by r E r. */
 static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
 {
 	for (int i = 0; i < 16; i++) {
@@ -257,8 +260,8 @@ static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
 	}
 }
 
-/* Computes the inverse from the inverses of the stages, in reverse order. The
- * inverse of a rotation has the same sizes. */
+/* Replaces the stages by their inverses, in reverse order. The sizes of a rotation are
+ * also those of its inverse. */
 static void invert_stages(struct truth *t)
 {
 	struct truth r = { .n = t->n, .irrational = t->irrational };
@@ -303,7 +306,8 @@ const struct convention *truth_answer(const struct scene *s)
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
-/* View y and z may point the other way. */
+/* Adds the stage from the view space of the scene to that of the answer, in which y and
+ * z may point the other way. */
 static void convert_view(struct truth *t, const struct scene *s)
 {
 	const struct convention *a = truth_answer(s);
@@ -318,7 +322,8 @@ static void convert_view(struct truth *t, const struct scene *s)
 	    truth_gaze_sign(a) * truth_gaze_sign(&s->convention));
 }
 
-/* With Z from 0 to 1, 2 Z - 1 is from -1 to 1. */
+/* Adds the stage from the clip space of the scene to that of the answer. Z from 0 to 1
+ * becomes 2 Z - 1, from -1 to 1. */
 static void convert_clip(struct truth *t, const struct scene *s)
 {
 	const struct convention *a = truth_answer(s), *c = &s->convention;
@@ -368,7 +373,7 @@ void truth_matrix(const struct scene *s, enum space from, enum space to,
 	struct truth t;
 
 	truth_scene(s, from, to, &t);
-	memcpy(m, t.all.m, sizeof t.all.m);
+	memcpy(m, t.product.m, sizeof t.product.m);
 }
 
 void truth_flat(const struct scene *s, enum flat_space from, enum flat_space to,

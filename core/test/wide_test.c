@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Compares the arithmetic of wide.h for 32-bit compilers with integers of 128
- * bits, for words of all lengths and near 0 and 2^64. */
+/* Compares the functions of wide.h that 32-bit compilers use with integers of 128
+ * bits, for words of every length and near 0 and 2^64. */
 #ifdef __SIZEOF_INT128__
 #define HAS_WIDE
 #undef __SIZEOF_INT128__

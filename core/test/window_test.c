@@ -3,7 +3,7 @@
 #include "claims.h"
 #include "numbers.h"
 
-static void flat(const char *what, int e, int tries)
+static void check_windows(const char *what, int e, int tries)
 {
 	struct worst one = { 0 }, two = { 0 };
 
@@ -30,12 +30,12 @@ static void flat(const char *what, int e, int tries)
 static void random_windows(void **state)
 {
 	(void)state;
-	flat("windows and devices", 0, 1000);
-	flat("hostile, to 1e2", 2, 1000);
-	flat("hostile, to 1e70", 70, 500);
+	check_windows("windows and devices", 0, 1000);
+	check_windows("hostile, to 1e2", 2, 1000);
+	check_windows("hostile, to 1e70", 70, 500);
 }
 
-static void viewports(const char *what, int e, int tries)
+static void check_viewports(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 
@@ -63,13 +63,12 @@ static void viewports(const char *what, int e, int tries)
 static void random_viewports(void **state)
 {
 	(void)state;
-	viewports("viewports", 0, 1000);
-	viewports("hostile, to 1e2", 2, 1000);
-	viewports("hostile, to 1e150", 150, 1000);
+	check_viewports("viewports", 0, 1000);
+	check_viewports("hostile, to 1e2", 2, 1000);
+	check_viewports("hostile, to 1e150", 150, 1000);
 }
 
-/* Computes the part of the x axis that the window shows, as its centre and half
- * its width. */
+/* Asserts which part of the x axis the window shows, by its centre and half its width. */
 static void check_shown(const struct window *w, const struct device *d,
     double center, double half)
 {
@@ -81,7 +80,7 @@ static void check_shown(const struct window *w, const struct device *d,
 	assert_number(element(&m, 3, 0), -center / half);
 }
 
-static void shapes(void **state)
+static void window_members(void **state)
 {
 	struct window w = { .center = { 8, 0 },
 		.width = 4,
@@ -116,8 +115,9 @@ static void assert_limits(const struct viewport *v, double x, double y)
 	assert_number(sum_ratio(half[1], scale[1]), y);
 }
 
-/* A uniform scale cuts the sides that do not fit. */
-static void limits(void **state)
+/* In ndc the limits of the viewport are less than 1 on a side that a uniform scale
+ * cuts. */
+static void limits_of_viewports(void **state)
 {
 	struct viewport v = { .width = 640, .height = 480 };
 
@@ -162,8 +162,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_windows),
 		cmocka_unit_test(random_viewports),
-		cmocka_unit_test(shapes),
-		cmocka_unit_test(limits),
+		cmocka_unit_test(window_members),
+		cmocka_unit_test(limits_of_viewports),
 		cmocka_unit_test(refusals),
 	};
 
