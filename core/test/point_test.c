@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The accurate phase for one point: ties, zeros, the eye plane, nan. */
+/* Tests point_exact, which computes one point with sums of core/exact, for ties,
+ * zeros, the eye plane and nan. Most cases also test the kernels. */
 #include "../points/transform.h"
 
 #include "claims.h"
 #include "points.h"
 #include "numbers.h"
 
-/* Compares a point with MPFR, as doubles and as floats. */
+/* Compares the image of a point, as doubles and as floats, with MPFR. */
 static void check_point(const struct truth *truth, const struct transform *t,
     const double p[4], struct tally *tally)
 {
@@ -55,7 +56,7 @@ static void random_points(void **state)
 	assert_true(tally.n[NEAREST] > 10000);
 }
 
-static void transform_by(const double m[3][4], struct transform *t)
+static void transform_of_rows(const double m[3][4], struct transform *t)
 {
 	double all[4][4] = { [3] = { 0, 0, 0, 1 } };
 
@@ -88,7 +89,8 @@ static void assert_image(const struct transform *t, double x, double y,
 	}
 }
 
-/* No sum of given numbers is too small to count. */
+/* The rows of each matrix are the formulas of x, y and z. Numbers that are given are
+ * exact, so that no part of a sum is too small to decide a tie or a sign. */
 static void sums_of_given_numbers(void **state)
 {
 	static const double cancelling[3][4] = { { 1, 1, 1, 0 },
@@ -100,19 +102,19 @@ static void sums_of_given_numbers(void **state)
 	struct transform t;
 
 	(void)state;
-	transform_by(cancelling, &t);
+	transform_of_rows(cancelling, &t);
 	assert_image(&t, 1e32, -1e32, 3, (double[]){ 3, 0x3p-1000, 3 });
 	assert_image(&t, 1e150, -1e150, 0, (double[]){ 0, 0, 1e-150 });
-	transform_by(tied, &t);
+	transform_of_rows(tied, &t);
 	assert_image(&t, 1, 0, 1, (double[]){ 1, 1 + 0x1p-52, 1 });
 	assert_image(&t, -1, 0, 1,
 	    (double[]){ -1 + 0x1p-53, -1 + 0x1p-53, -1 + 0x1p-53 });
-	transform_by(odd, &t);
+	transform_of_rows(odd, &t);
 	assert_image(&t, 1, 0x1p-60, 0, (double[]){ 3, 1, 1 });
 	assert_image(&t, 1, -0x1p-60, 0, (double[]){ 3, 1, 1 - 0x1p-53 });
 }
 
-/* 1 is found beside 2^310 times a difference of roots that is 0. */
+/* The image is 1 plus 2^310 times a difference of roots that is 0, and comes out as 1. */
 static void one_beside_a_zero_of_roots(void **state)
 {
 	struct sum root = sum_sqrt(sum_of_double(2));
@@ -137,8 +139,8 @@ static void one_beside_a_zero_of_roots(void **state)
 		}
 }
 
-/* The divisor of such sums is exact on the way back, too, through any scene of
- * round numbers. */
+/* Images in scenes of round numbers are the nearest doubles and floats. The divisor is
+ * exact also in maps from the device back to other spaces. */
 static void quotients_of_given_numbers(void **state)
 {
 	static struct transform t;
@@ -166,8 +168,8 @@ static void quotients_of_given_numbers(void **state)
 	assert_true(tally.n[NEAREST] > 20000);
 }
 
-/* Products of 1e-150 and 1e-165 that cancel or add up to something, and results
- * that are subnormal, midway among them. */
+/* Products below the range of doubles add up to numbers within it, or cancel, and
+ * results are subnormal, some midway between two doubles. */
 static void underflow(void **state)
 {
 	static const double m[3][4] = { { 1e-150, -1e-150, 1e150, 0 },
@@ -175,11 +177,11 @@ static void underflow(void **state)
 	struct transform t;
 
 	(void)state;
-	transform_by(m, &t);
+	transform_of_rows(m, &t);
 	assert_image(&t, 1e-165, 1e-165, 1e-300,
 	    (double[]){ 1e150 * 1e-300, 0x1p-500 * 1e-165 + 0x1p-1074,
 		0x1p-500 * 1e-165 });
-	/* the images are 1.5, 0.5 and 2.5 times the least double */
+	/* y and z are 1.5 and 0.5, then 2.5 times the least double */
 	assert_image(&t, 0x1p-575, 0, 0,
 	    (double[]){ 0x1p-575 * 1e-150, 0x1p-1073, 0 });
 	assert_image(&t, 0x5p-575, 0, 0,
@@ -190,9 +192,9 @@ static void underflow(void **state)
 	    (double[]){ 0x1p-524 * 1e-150, 0x1p-1024 + 0x1p-1074, 0x1p-1024 });
 }
 
-/* A camera that looks along (0, 1, 1): y / w = (y - z) / (y + z), though both are
- * divided by the root of 2. At a viewport's 1 + ndc y / 2 the odd multiples of
- * 2^-53 lie midway between doubles. */
+/* The camera looks along (0, 1, 1), so that y / w = (y - z) / (y + z), where both sums
+ * are divided by the root of 2. With y + z = 1, y of the device is 1 + k 2^-53, which
+ * is midway between two doubles if k is odd and positive. */
 static void ties_of_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
@@ -232,8 +234,8 @@ static void ties_of_irrational_parts(void **state)
 	}
 }
 
-/* The scene turns by 45 degrees before a parallel projection: x = (z - y) / 2
- * comes from a sine times the root of 1/2. */
+/* The camera rolls by 45 degrees before a parallel projection, so that x of the device
+ * is 1 + (z - y) / 2, a sum whose factors are a sine and the root of 1/2. */
 static void ties_of_different_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
@@ -274,7 +276,7 @@ static void ties_of_different_irrational_parts(void **state)
 	}
 }
 
-/* On the eye plane, behind it, and at nan there is no image. */
+/* There is no image of points on the eye plane or behind it, nor of points with nan. */
 static void no_image(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_PERSP,
@@ -305,7 +307,8 @@ static void no_image(void **state)
 				for (int j = 0; j < 3; j++) {
 					bool none = i < 5 || (k > 2 && k < 6);
 
-					/* depth is beyond the range near 0 */
+					/* depth is beyond the range of doubles at the
+					 * least z */
 					none |= j == 2 && i == 5;
 					assert_int_equal(isnan(b.out[j][k]) !=
 						0,

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Blocks of points: every copy of the kernels, every cut, every precision. */
+/* Blocks of points by every copy of the kernels, with every precision, and points
+ * alone. */
 #include "claims.h"
 #include "points.h"
 #include "numbers.h"
 
-/* Cameras at small whole numbers looking at one another: the eye plane is
- * behind, and what is 0 prints as 0. */
-static void whole_numbers_have_no_ghosts(void **state)
+/* Cameras and targets at small whole numbers. Some points are on the eye plane, and a
+ * coordinate that is 0 comes out as 0. */
+static void zeros_of_whole_numbers(void **state)
 {
 	static struct block b;
 	struct scene s = { .has_camera = true };
@@ -51,10 +52,10 @@ static bool sample_any(int e, struct scene *s, enum space *from,
 {
 	struct truth truth = { 0 };
 	int mark = real_mark();
-	bool good = sample_transform(e, s, from, t, &truth);
+	bool accepted = sample_transform(e, s, from, t, &truth);
 
 	real_release(mark);
-	return good;
+	return accepted;
 }
 
 static bool same(const struct block *a, const struct block *b, int out,
@@ -97,8 +98,8 @@ static void copies_give_the_same_bits(void **state)
 	}
 }
 
-/* Images do not depend on how a block is cut. */
-static void points_depend_on_nothing_else(void **state)
+/* A point has the same image alone and in a block. */
+static void points_do_not_depend_on_blocks(void **state)
 {
 	static struct block whole, one;
 	static struct transform t;
@@ -124,9 +125,9 @@ static void points_depend_on_nothing_else(void **state)
 	}
 }
 
-/* x' = x + 2^195 + z cot(45) cos(45) - cot(45) cos(45) over a divisor of 20:
- * exact terms do not make the difference zero. */
-static void none_is_of_what_is_irrational(void **state)
+/* x' = x + 2^195 + z cot(45) cos(45) - cot(45) cos(45). The last two terms have
+ * errors, so the noise of x' is not 0, although x and 2^195 are exact. */
+static void exact_terms_keep_the_noise_of_others(void **state)
 {
 	const struct scene s = {
 		.has_world = true,
@@ -153,10 +154,10 @@ static void none_is_of_what_is_irrational(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(whole_numbers_have_no_ghosts),
+		cmocka_unit_test(zeros_of_whole_numbers),
 		cmocka_unit_test(copies_give_the_same_bits),
-		cmocka_unit_test(points_depend_on_nothing_else),
-		cmocka_unit_test(none_is_of_what_is_irrational),
+		cmocka_unit_test(points_do_not_depend_on_blocks),
+		cmocka_unit_test(exact_terms_keep_the_noise_of_others),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

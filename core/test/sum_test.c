@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include "numbers.h"
 
-/* Returns 1 - 1, where one of them has an error of up to SUM_QUOTIENT_ERROR. */
+/* Returns a 0 whose bound of the error is SUM_QUOTIENT_ERROR, an exponent (see sum.h). */
 static struct sum inexact_zero(void)
 {
 	struct sum one = sum_with_error(ex_of(1), SUM_QUOTIENT_ERROR);
