@@ -8,7 +8,7 @@
 struct text {
 	const char *s;
 	size_t size;
-	const char *line; /* of the refusal, after "projcalc: s.json:" */
+	const char *line; /* the expected message, after "projcalc: s.json:" */
 };
 
 #define TEXT(s, line)                  \
@@ -16,7 +16,8 @@ struct text {
 		s, sizeof(s) - 1, line \
 	}
 
-/* Parses by value_parse_document, which prints what json_check refuses. */
+/* Parses a text by value_parse_document, which prints the reason if json_check refuses
+ * it. */
 static void check(const void *argument)
 {
 	struct source source = { .name = "s.json" };
@@ -183,7 +184,7 @@ static const struct text refused[] = {
 	    "text"),
 	TEXT("[\"\xc0\x80\"]",
 	    "1: expected text or '\"' in a string, not '\\xc0\\x80'; JSON is "
-	    "UTF-8 text"), /* an overlong NUL */
+	    "UTF-8 text"), /* NUL in two bytes instead of one */
 	TEXT("[\"\xc3\"]",
 	    "1: expected text or '\"' in a string, not '\\xc3'; JSON is UTF-8 "
 	    "text"),
@@ -192,7 +193,7 @@ static const struct text refused[] = {
 	    "is UTF-8 text"),
 	TEXT("[\"\xed\xa0\x80\"]",
 	    "1: expected text or '\"' in a string, not '\\xed\\xa0\\x80'; JSON "
-	    "is UTF-8 text"), /* a surrogate */
+	    "is UTF-8 text"), /* U+D800, a surrogate */
 	TEXT("[\"\xf0\x8f\xbf\xbf\"]",
 	    "1: expected text or '\"' in a string, not '\\xf0\\x8f\\xbf\\xbf'; "
 	    "JSON is UTF-8 text"),
@@ -260,9 +261,9 @@ static void test_depth(void **state)
 	    "s.json:1: expected at most 100 levels of brackets, not '['");
 }
 
-/* A line of points, and the rest of the line from its first error; NULL: no error. */
+/* A line of points, and its rest from the first error on, or NULL if it is JSON. */
 struct line {
-	const char *text, *left;
+	const char *text, *rest;
 };
 
 static void test_lines(void **state)
@@ -314,9 +315,9 @@ static void test_lines(void **state)
 			.end = end };
 		bool ok = json_check(&c);
 
-		assert_int_equal(ok, lines[i].left == NULL);
+		assert_int_equal(ok, lines[i].rest == NULL);
 		if (!ok)
-			assert_string_equal(c.at, lines[i].left);
+			assert_string_equal(c.at, lines[i].rest);
 	}
 }
 

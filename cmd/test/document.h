@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* For tests of documents. */
+/* Functions for tests of documents. */
 #ifndef DOCUMENT_TEST_H
 #define DOCUMENT_TEST_H
 
@@ -7,9 +7,10 @@
 #include "refusal.h"
 
 struct refusal {
-	const struct document_wants *wants; /* NULL: points */
+	const struct document_wants
+	    *wants; /* of document_read; NULL: read by document_points */
 	const char *text;
-	const char *line; /* after "projcalc: s.json: " */
+	const char *line; /* the expected message after "projcalc: s.json: " */
 };
 
 static inline void read_text(const void *argument)
@@ -44,7 +45,8 @@ static inline struct document read_as(const struct document_wants *wants,
 {
 	struct document d;
 	size_t size = strlen(text);
-	char *copy = malloc(size); /* its end is where a sanitizer looks */
+	char *copy = malloc(
+	    size); /* a copy without a NUL: sanitizers find reads beyond its end */
 
 	memcpy(copy, text, size);
 	document_read(&d, "s.json", copy, size, wants);

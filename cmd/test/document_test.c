@@ -123,7 +123,8 @@ static void assert_convention(const struct convention *c, const char *bits)
 	assert_int_equal(c->view_y_down, bits[5] == '1');
 }
 
-/* Reads each convention as an object of the members in which it differs from d3d. */
+/* Asserts the members of each convention as bits, in the order of assert_convention. A
+ * bit is 1 where the member differs from d3d. */
 static void test_convention(void **state)
 {
 	static const char *const table[][2] = { { "d3d", "000000" },
@@ -153,7 +154,7 @@ static void test_convention(void **state)
 		     "\"column\"}}")
 		.convention;
 	assert_convention(&c, "001000");
-	/* the convention of the document, and another of the answer */
+	/* the option gives another convention for the answer than the document has */
 	const struct document_wants wants = { WANTS,
 		.convention = &conventions[CONVENTION_WEBGPU] };
 	struct scene s = read_as(&wants, "{\"convention\":\"gl\"}").scene;
@@ -167,7 +168,7 @@ static void test_convention(void **state)
 	assert_null(s.answer);
 }
 
-/* Asserts which element of world the number 2 of the text becomes. */
+/* Asserts that the number 2 of the text of a matrix becomes element i, j of world. */
 static void assert_world(const struct convention *option,
     const char *convention, const char *matrix, int i, int j)
 {
@@ -257,7 +258,7 @@ static void test_points(void **state)
 	assert_points(" [ [1,2,3] ,\n\t[4,null,6] ] ", "[1,2,3]\n[4,null,6]\n");
 	assert_points("[[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]]",
 	    "[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]\n");
-	/* longer than a number that cJSON reads */
+	/* a number of more digits than cJSON reads */
 #define TEN "1234567890"
 	assert_points("[[" TEN TEN TEN TEN TEN TEN TEN
 		      ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]]",
@@ -267,8 +268,8 @@ static void test_points(void **state)
 	assert_null(read_as(&no_points, "{}").points);
 }
 
-/* A refusal of core/ loses the first part of its pointer in a document that is
- * a member alone. */
+/* In a document that consists of one member alone, bare, a message loses the first
+ * part of the JSON pointer that core/ gives. */
 struct reason {
 	const char *bare, *why;
 };

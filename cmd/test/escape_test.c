@@ -33,8 +33,9 @@ static void test_escaped(void **state)
 	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
 }
 
-/* The characters that end lines or turn the writing around, at the ends of
- * their ranges, and their neighbours, which are not escaped. */
+/* Characters that control output, end lines, are invisible or change the direction of
+ * text are escaped. Here are the ends of their ranges, and neighbours that are not
+ * escaped. */
 static void test_hidden(void **state)
 {
 	static const struct {
@@ -89,7 +90,7 @@ static void test_hidden(void **state)
 	}
 }
 
-/* Invisible characters are found; other escapes are not. */
+/* escape_find_invisible finds invisible characters, and no other escapes. */
 static void test_unseen(void **state)
 {
 	(void)state;
@@ -98,7 +99,8 @@ static void test_unseen(void **state)
 	assert_int_equal(escape_find_invisible("a b\\u001b\\u\xc3\xa9"), 0);
 }
 
-/* Only whole characters and escapes are copied, and a NUL always ends them. */
+/* However little room there is, escape_copy writes whole characters and escapes, and a
+ * NUL. */
 static void test_room(void **state)
 {
 	const char s[] = "a\"\\\n\xff\xc3\xa9",

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Preloaded by fault_test.t, between the program and the C library.
- *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
- *       of malloc (with realloc and calloc), read, open, thread, write and close,
- *       the last two of standard output
- *   FAULT="torn N ERROR"  the N-th read takes a few bytes, the one after it fails
- *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
- *       poll often says that nothing is there
- *   FAULT="cut N FILE"  the N-th read finds FILE truncated
- *   FAULT="stack N"  a thread that asks for a stack of less than N bytes, or for
- *       none, ends the program
- *   FAULT="clock N T"  N milliseconds pass from one look at the clock to the
- *       next; standard error is a terminal if T is 1, and output, too, if it is 2 */
+/* A library that fault_test.t preloads between the program and the C library. It makes
+ * calls fail, as the variable FAULT of the environment says:
+ *   FAULT="CALL N ERROR"  the N-th CALL fails with this error number. CALL is malloc
+ *       (also realloc and calloc), read, open, thread, and write or close of standard
+ *       output. After the N-th thread all others fail, too
+ *   FAULT="torn N ERROR"  the N-th read takes at most 1000 bytes, and the next one fails
+ *   FAULT="short"  reads and writes take 1 to 7 bytes or are interrupted, and poll often
+ *       says that there is nothing to read
+ *   FAULT="cut N FILE"  the N-th read finds FILE truncated to 100 bytes
+ *   FAULT="stack N"  the program aborts when it makes a thread without asking for a
+ *       stack of at least N bytes
+ *   FAULT="clock N T"  N milliseconds pass between two calls of clock_gettime; standard
+ *       error is a terminal if T is 1 or 2, and standard output if T is 2 */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -41,7 +42,7 @@ __attribute__((constructor)) static void set_up(void)
 		return;
 	sscanf(fault, "%15s %d %d", call, &at, &error);
 	sscanf(fault, "%*[a-z] %*d %255s", file);
-	unsetenv("FAULT"); /* not for what the program may start */
+	unsetenv("FAULT"); /* for the program alone, not for its children */
 }
 
 static bool is(const char *name)
@@ -49,7 +50,8 @@ static bool is(const char *name)
 	return strcmp(call, name) == 0;
 }
 
-/* Returns whether this call is to fail. */
+/* Counts a call of the kind in FAULT. Returns true, with errno set, if this call is
+ * the N-th. */
 static bool fails(const char *name)
 {
 	if (!is(name) || atomic_fetch_add(&calls, 1) + 1 != at)
@@ -73,7 +75,7 @@ void *realloc(void *p, size_t n)
 	return fails("malloc") ? NULL : __libc_realloc(p, n);
 }
 
-/* Returns a number of bytes from 1 to 7, at most n; or 0 for an interruption. */
+/* Returns from 1 to 7, at most n, or 0 with EINTR in errno. */
 static size_t few(size_t n)
 {
 	static atomic_uint turn;
@@ -84,7 +86,7 @@ static size_t few(size_t n)
 	return k % 8 < n ? k % 8 : n;
 }
 
-/* Returns how many of n bytes a read shall read, or -1 if it shall fail. */
+/* Returns how many bytes, of n, a read shall take, or -1 if it shall fail. */
 static ssize_t before_read(size_t n)
 {
 	if (fails("read"))
@@ -115,7 +117,7 @@ ssize_t read(int fd, void *to, size_t n)
 	return some < 0 ? -1 : real(fd, to, (size_t)some);
 }
 
-/* The names of these functions with _FILE_OFFSET_BITS=64. */
+/* open with _FILE_OFFSET_BITS=64 */
 int open64(const char *, int, ...) __attribute__((alias("open")));
 
 ssize_t write(int fd, const void *from, size_t n)
@@ -181,7 +183,7 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 		pthread_attr_getstacksize(a, &stack);
 	if (is("stack") && stack < (size_t)at)
 		abort();
-	/* threads fail from then on, as on a system without room for more */
+	/* later threads fail, too, as on a system whose limit is reached */
 	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
 	    error :
 	    real(t, a, f, with);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The truth is strtod's and printf's, which round correctly in the C library
- * this is tested with, and for the layout the rules of ECMA-262, 6.1.6.1.20. */
+/* number_read and number_write agree with strtod and printf, which round correctly in
+ * the C library. The shortest text has the layout of JavaScript, by ECMA-262,
+ * 6.1.6.1.20. */
 #define _DEFAULT_SOURCE
 #include <setjmp.h>
 #include <stdarg.h>
@@ -18,7 +19,7 @@
 
 enum { TEXT_MAX = 2048, PAGES = 65536 };
 
-static char *guard; /* from here on memory must not be touched */
+static char *guard; /* an access from here on ends the test */
 
 static int set_up(void **unused)
 {
@@ -46,7 +47,7 @@ static int below(int n)
 	return (int)(next_random() >> 33) % n;
 }
 
-/* Returns a finite double, of each kind that a calculator meets. */
+/* Returns a random finite double, of a random kind. */
 static double random_double(void)
 {
 	uint64_t bits = next_random();
@@ -56,18 +57,18 @@ static double random_double(void)
 	case 0:
 		memcpy(&v, &bits, sizeof v);
 		return isfinite(v) ? v : 0;
-	case 1: /* so many decimals, ten at most */
+	case 1: /* 0 to 15 decimals, but ten digits at most */
 		return floor(v * 1e10) / pow(10, below(16));
-	case 2: /* integers, and ties when they are rounded */
+	case 2: /* integers, and numbers that are ties for few decimals */
 		return floor(v * pow(2, below(70))) / pow(2, below(30));
-	case 3: /* powers of two, with half as wide a gap below */
+	case 3: /* powers of two: the next double below is half as far as the next above */
 		return ldexp(v < 0 ? -1 : 1, below(2098) - 1074);
 	default:
 		return v * pow(10, below(8));
 	}
 }
 
-/* Checks that number_read reads text, which ends before a guard page, as strtod
+/* Asserts that number_read reads the text, which ends before the guard page, as strtod
  * does. */
 static void check_read(const char *text)
 {
@@ -119,7 +120,7 @@ static void reads_as_strtod(void **unused)
 			check_read(prefix);
 			prefix[n - 1] = '\0';
 		}
-	/* The place at which strtod stops. */
+	/* hexadecimal numbers, nan(...) and blanks in front are not read */
 	assert_ptr_equal(number_read(hex, hex + 4, &v), hex + 1);
 	assert_ptr_equal(number_read(sequence, sequence + 7, &v), sequence + 4);
 	assert_null(number_read(blank, blank + 2, &v));
@@ -136,7 +137,7 @@ static void reads_doubles(void **unused)
 		int size = snprintf(text, sizeof text, formats[below(8)],
 		    random_double());
 
-		/* characters after the number are not read */
+		/* number_read stops at the end of the number */
 		sprintf(text + size, "%.*s", below(24),
 		    " 1.000000 2.000000 -3.000000");
 		check_read(text);
@@ -159,8 +160,8 @@ static void reads_digits(void **unused)
 	}
 }
 
-/* Numbers half way between two doubles, which a long double can print, and numbers that
- * a late digit moves off the half, to either side. */
+/* Reads midpoints of two doubles, which a long double can print, and numbers that
+ * differ from a midpoint in a late digit. */
 static void reads_halves(void **unused)
 {
 	char text[TEXT_MAX];
@@ -183,9 +184,9 @@ static void reads_halves(void **unused)
 	}
 }
 
-/* Writes at s the number of text, which printf wrote as d.ddde+-dd, as
- * JavaScript lays it out. */
-static void as_javascript(char *s, const char *text)
+/* Writes to s the number that printf wrote as d.ddde+-dd to text, in the layout of
+ * JavaScript. */
+static void write_as_javascript(char *s, const char *text)
 {
 	int n = 0, point = atoi(strchr(text, 'e') + 1) + 1;
 	char digits[128];
@@ -239,9 +240,9 @@ static void lays_out_as_javascript(void **unused)
 	assert_string_equal(written(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
 }
 
-/* The truth is printf's text at the first precision with which it reads back.
- * Only next to a power of two, where doubles are nearer on one side, can there
- * be a shorter one that printf doesn't find. */
+/* Compares the shortest text with that of printf at the least precision that reads
+ * back as v. Next to a power of two, where the doubles on one side are nearer,
+ * number_write may find a shorter text. */
 static void writes_the_shortest(void **unused)
 {
 	char c[64], expected[64];
@@ -257,7 +258,7 @@ static void writes_the_shortest(void **unused)
 			continue;
 		for (int n = 0; n == 0 || strtod(c, NULL) != v; n++)
 			snprintf(c, sizeof c, "%.*e", n, v);
-		as_javascript(expected, c);
+		write_as_javascript(expected, c);
 		if (strlen(text) >= strlen(expected))
 			assert_string_equal(text, expected);
 	}
@@ -281,7 +282,7 @@ static void writes_floats(void **unused)
 		assert_true(strtof(text, NULL) == v);
 		for (int n = 0; n == 0 || strtof(c, NULL) != v; n++)
 			snprintf(c, sizeof c, "%.*e", n, (double)v);
-		as_javascript(expected, c);
+		write_as_javascript(expected, c);
 		if (strlen(text) >= strlen(expected))
 			assert_string_equal(text, expected);
 	}
@@ -336,7 +337,7 @@ static void rounds_as_printf(void **unused)
 		if (n == 0 || v == 0)
 			continue;
 		snprintf(text, sizeof text, "%.*e", n - 1, v);
-		as_javascript(expected, text);
+		write_as_javascript(expected, text);
 		assert_string_equal(written(v, NUMBER_DIGITS, n), expected);
 	}
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Plain numbers read by the vector: the truth is strtod's, and what the vector leaves
- * to the scalar code must not be plain, or be rare. */
+/* The vector loops of cmd/number/vector read the numbers that strtod reads. They leave
+ * to the scalar code only numbers that are not plain (see is_plain), and few others. */
 #define _DEFAULT_SOURCE
 #include <setjmp.h>
 #include <stdarg.h>
@@ -42,7 +42,7 @@ static int put_digits(char *s, int n)
 	return n;
 }
 
-/* Writes a number of n to n + more digits, with a point before, among or after them. */
+/* Writes a number of n to n + more digits, with a point, to s. Returns its length. */
 static int put_decimal(char *s, int n, int more)
 {
 	int size = below(2), point;
@@ -56,7 +56,8 @@ static int put_decimal(char *s, int n, int more)
 	return size;
 }
 
-/* Writes a number midway between two doubles that are 1 or 2 apart, or near that. */
+/* Writes a midpoint of two integers that are doubles, or a number near such a
+ * midpoint. */
 static int put_midway(char *s)
 {
 	static const char *const fractions[] = { "5", "49", "51", "499",
@@ -68,7 +69,7 @@ static int put_midway(char *s)
 	return sprintf(s, "%llu.%s", k, fractions[below(5)]);
 }
 
-static int put_any(char *s)
+static int put_any_text(char *s)
 {
 	int n = 1 + below(PLAIN_MAX);
 
@@ -78,8 +79,8 @@ static int put_any(char *s)
 	return n;
 }
 
-/* Writes a number of the sort, or a text that is no number; returns its size. */
-static int put_sort(int sort, char *s)
+/* Writes a number of this sort, or a text that is no number, to s. Returns its length. */
+static int put_of_sort(int sort, char *s)
 {
 	double v = (double)(int64_t)next_random() / 0x1p63;
 
@@ -107,13 +108,16 @@ static int put_sort(int sort, char *s)
 		return size + sprintf(s + size, "e%+03d", below(60) - 30);
 	}
 	default:
-		return put_any(s);
+		return put_any_text(s);
 	}
 }
 
-enum { SORTS = 10, ALL_READ = 4 }; /* nearly all of the first sorts are read */
+enum {
+	SORTS = 10,
+	ALL_READ = 4
+}; /* the loops read nearly all numbers of sorts below ALL_READ */
 
-/* Returns true at the end of the text, or at an exponent that read may take. */
+/* Returns whether s is empty or an exponent that the loops may read. */
 static bool is_exponent(const char *s)
 {
 	return *s == '\0' ||
@@ -122,7 +126,7 @@ static bool is_exponent(const char *s)
 		s[-1] != '.');
 }
 
-/* Returns true for what read may take: [-] digits with at most one point, and an
+/* Returns whether the loops may read s: [-] digits with at most one point, and an
  * exponent of two digits. */
 static bool is_plain(const char *s)
 {
@@ -143,7 +147,8 @@ static void check_number(const char *text, bool left, double v)
 		fail_msg("%s read as %a", text, v);
 }
 
-/* Checks up to a batch of numbers, the last of which ends before a guard page. */
+/* Reads up to PLAIN_BATCH numbers of a sort, the last of which ends before the guard
+ * page, and compares them with strtod. Returns how many the loops left. */
 static int check_batch(const struct number_loops *r, int sort, char *guard)
 {
 	struct plain_places at;
@@ -152,7 +157,7 @@ static int check_batch(const struct number_loops *r, int sort, char *guard)
 	int n = 1 + below(PLAIN_BATCH), n_left = 0;
 
 	for (int i = n - 1; i >= 0; i--) {
-		int size = put_sort(sort, text[i]);
+		int size = put_of_sort(sort, text[i]);
 
 		size = size < PLAIN_MAX ? size : PLAIN_MAX;
 		text[i][size] = '\0';
@@ -207,8 +212,8 @@ static void reads_as_strtod(void **unused)
 	}
 }
 
-/* Compares the places that the loops find with the definition of the set, byte by
- * byte. */
+/* Compares the places at which the loops find bytes of the set with those that the
+ * definition of struct byte_set gives. */
 static void check_places(const struct number_loops *r,
     const struct byte_set *set, const char *s, size_t size)
 {

@@ -15,8 +15,8 @@
 
 #include <cmocka.h>
 
-/* Returns what run writes to standard error and output in a process of its own,
- * and in *status its exit status, 0 if it returns. */
+/* Calls run in another process. Returns what run writes to standard output and
+ * standard error, and sets *status to its exit status, 0 if run returns. */
 static inline const char *output_of(void (*run)(const void *),
     const void *argument, int *status)
 {
@@ -48,7 +48,7 @@ static inline const char *output_of(void (*run)(const void *),
 	return text;
 }
 
-/* Asserts that run refuses its argument with this line after "projcalc: ". */
+/* Asserts that run prints this line after "projcalc: " and exits with status 1. */
 static inline void assert_refused(void (*run)(const void *),
     const void *argument, const char *line)
 {

@@ -11,10 +11,10 @@
 #include <cmocka.h>
 #include "../../core/test/numbers.h"
 
-/* A text, and the rest behind its number, or what it becomes; NULL: no number begins in
- * it. */
+/* A text, and the expected result: the rest of the text after its number or item, or
+ * NULL if no number begins the text; for test_unescape the character. */
 struct pair {
-	const char *text, *left;
+	const char *text, *expected;
 };
 
 static void test_number(void **state)
@@ -44,16 +44,16 @@ static void test_number(void **state)
 		const char *s = numbers[i].text;
 		const char *e = json_number(s, s + strlen(s), &v);
 
-		if (numbers[i].left == NULL)
+		if (numbers[i].expected == NULL)
 			assert_null(e);
 		else
-			assert_string_equal(e, numbers[i].left);
+			assert_string_equal(e, numbers[i].expected);
 	}
 	json_number("-1.5e+3", &"-1.5e+3"[7], &v);
 	assert_number(v, -1500);
 }
 
-/* Any byte ends digits, wherever it stands among them. */
+/* json_number ends at the first byte that cannot be in a number, wherever it stands. */
 static void test_digits(void **state)
 {
 	char text[32];
@@ -72,8 +72,8 @@ static void test_digits(void **state)
 			}
 }
 
-/* The ends that are found are those of the numbers that are read, in every text of up
- * to six of these characters. */
+/* json_number finds the same end with and without a place for the value, in every text
+ * of up to six of these characters. */
 static void test_number_end(void **state)
 {
 	const char some[] = "01.eE+-x";
@@ -91,7 +91,7 @@ static void test_number_end(void **state)
 		}
 }
 
-/* Quotes and brackets hide commas, in what is no JSON, too. */
+/* json_item_end skips commas in quotes and brackets, also in texts that are not JSON. */
 static void test_skip(void **state)
 {
 	static const struct pair values[] = {
@@ -112,7 +112,7 @@ static void test_skip(void **state)
 		const char *s = values[i].text;
 
 		assert_string_equal(json_item_end(s, s + strlen(s)),
-		    values[i].left);
+		    values[i].expected);
 	}
 }
 
@@ -130,7 +130,7 @@ static void test_unescape(void **state)
 		{ "\\ud83d", "\xef\xbf\xbd" },
 		{ "\\udc00", "\xef\xbf\xbd" },
 	};
-	static const char halves[] = "\\ud800\\ud800";
+	static const char two_high_surrogates[] = "\\ud800\\ud800";
 	char out[4];
 	int n;
 
@@ -139,11 +139,12 @@ static void test_unescape(void **state)
 		const char *s = escapes[i].text, *end = s + strlen(s);
 
 		assert_ptr_equal(json_unescape(s, end, out, &n), end);
-		assert_int_equal(n, strlen(escapes[i].left));
-		assert_memory_equal(out, escapes[i].left, (size_t)n);
+		assert_int_equal(n, strlen(escapes[i].expected));
+		assert_memory_equal(out, escapes[i].expected, (size_t)n);
 	}
-	assert_ptr_equal(json_unescape(halves, halves + 12, out, &n),
-	    halves + 6);
+	assert_ptr_equal(json_unescape(two_high_surrogates,
+			     two_high_surrogates + 12, out, &n),
+	    two_high_surrogates + 6);
 }
 
 int main(void)

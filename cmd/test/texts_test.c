@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The texts of many numbers are those of number_write, from each copy of the
- * loops that this processor runs.
- * usage: texts_test [COUNT], of numbers for each style */
+/* number_texts writes many numbers as number_write writes each, in every copy of the
+ * loops that this processor runs. usage: texts_test [COUNT], the count of numbers for
+ * each style */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -54,7 +54,7 @@ static int below(int n)
 	return (int)(next_random() >> 33) % n;
 }
 
-/* Returns a random number from 0 to 1. */
+/* Returns a random number from 0 to below 1. */
 static double unit(void)
 {
 	return (double)(next_random() >> 11) / 0x1p53;
@@ -68,8 +68,8 @@ static double from_bits(uint64_t bits)
 	return v;
 }
 
-/* Returns v or a neighbour of v. */
-static double beside(double v, bool single)
+/* Returns v, or the double or float next to v. */
+static double neighbour_or_same(double v, bool single)
 {
 	double to[] = { -HUGE_VAL, v, HUGE_VAL };
 	int way = below(3);
@@ -103,7 +103,8 @@ static double short_end(bool single)
 	return (double)x;
 }
 
-/* Returns a number with up to 6 binary places, whose decimals end in 5: a tie. */
+/* Returns a number with 1 to 6 binary places, whose last decimal is 5, so that it is a
+ * tie at one decimal less. */
 static double late_tie(bool single)
 {
 	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
@@ -120,33 +121,35 @@ static double any_number(bool single)
 	switch (below(14)) {
 	case 0:
 		return from_bits(next_random());
-	case 1: /* magnitudes that are written plain */
+	case 1: /* magnitudes that are written without an exponent */
 		return ldexp(v, below(92) - 20);
 	case 2: /* so many decimals */
 		return floor(v * pow(10, below(16))) / pow(10, below(16));
 	case 3:
 		return (double)(int64_t)(next_random() >> (1 + below(63)));
-	case 4: /* integers, and ties when they are rounded */
+	case 4: /* integers, and numbers that are ties for few decimals */
 		return floor(ldexp(v, below(70))) / pow(2, below(30));
-	case 5: /* half as wide a gap below */
-		return beside(ldexp(v < 0 ? -1 : 1, below(2098) - 1074),
+	case 5: /* powers of two: the next double below is half as far as the next above */
+		return neighbour_or_same(ldexp(v < 0 ? -1 : 1,
+					     below(2098) - 1074),
 		    single);
 	case 6:
-		return beside(ldexp(1, below(93) - 20), single);
+		return neighbour_or_same(ldexp(1, below(93) - 20), single);
 	case 7:
-		return beside(pow(10, below(32) - 9), single);
-	case 8: /* near a tie of so many decimals */
-		return beside((floor(v * pow(10, below(9))) + 0.5) /
+		return neighbour_or_same(pow(10, below(32) - 9), single);
+	case 8: /* near a tie of 0 to 15 decimals */
+		return neighbour_or_same((floor(v * pow(10, below(9))) + 0.5) /
 			pow(10, below(16)),
 		    single);
 	case 9:
 		return short_end(single);
 	case 10:
 		return late_tie(single);
-	case 11: /* subnormal, and the smallest */
+	case 11: /* subnormal */
 		return from_bits(next_random() >> (12 + below(52)));
-	case 12: /* as close to a few digits as can be */
-		return beside((double)(1 + below(999)) * pow(10, below(28) - 9),
+	case 12: /* the double nearest to a number of up to 3 digits */
+		return neighbour_or_same((double)(1 + below(999)) *
+			pow(10, below(28) - 9),
 		    single);
 	default: {
 		const double few[] = { 0, -0.0, 1, -1, 0.5, HUGE_VAL, -HUGE_VAL,
@@ -154,7 +157,8 @@ static double any_number(bool single)
 			9007199254740992, 4503599627370496, 0.0000005, 2.5e-7,
 			9.5e-7, 0x1p57, 1e15 };
 
-		return beside(few[below(sizeof few / sizeof *few)], single);
+		return neighbour_or_same(few[below(sizeof few / sizeof *few)],
+		    single);
 	}
 	}
 }
@@ -217,7 +221,7 @@ static void check_style(struct number_style style, bool single)
 	}
 }
 
-static void are_as_number_write(void **unused)
+static void texts_are_those_of_number_write(void **unused)
 {
 	(void)unused;
 	for (size_t i = 0; i < sizeof styles / sizeof *styles; i++) {
@@ -226,15 +230,15 @@ static void are_as_number_write(void **unused)
 	}
 }
 
-/* The vector makes the texts of nearly all numbers that points have, if there is a
- * vector. */
-static void are_made(void **unused)
+/* If there are vector loops, they make the texts of nearly all numbers that points
+ * have. */
+static void vector_makes_usual_texts(void **unused)
 {
 	const struct number_style usual[] = { { NUMBER_SHORTEST, 0 },
 		{ NUMBER_DECIMALS, 6 }, { NUMBER_DIGITS, 6 } };
-	/* beyond these, numbers are too long, or ties that are left to the scalar
-	 * code */
-	const double below_which[] = { 1e9, 9e9, 1e6 };
+	/* limit for each style: larger numbers are too long or are ties, which are
+	 * left to the scalar code */
+	const double limit[] = { 1e9, 9e9, 1e6 };
 	double v[BLOCK];
 	struct number_text t[BLOCK];
 
@@ -244,7 +248,7 @@ static void are_made(void **unused)
 			continue;
 		number_texts(memset(v, 0, sizeof v), BLOCK, false, usual[0], t);
 		if (t->layout == 0)
-			continue; /* baseline stands in for it */
+			continue; /* this copy has no vector loops */
 		for (size_t k = 0; k < 6; k++) {
 			for (int i = 0; i < BLOCK; i++)
 				v[i] = (double)(float)ldexp(2 * unit() - 1,
@@ -252,13 +256,13 @@ static void are_made(void **unused)
 			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
 			for (int i = 0; i < BLOCK; i++)
 				if (t[i].layout == 0 && fabs(v[i]) > 0x1p-17 &&
-				    fabs(v[i]) < below_which[k / 2])
+				    fabs(v[i]) < limit[k / 2])
 					fail_msg("%a is not made", v[i]);
 		}
 	}
 }
 
-static void are_chosen_by_name(void **unused)
+static void copies_are_chosen_by_name(void **unused)
 {
 	(void)unused;
 	assert_true(kernels_choose(NULL));
@@ -269,9 +273,9 @@ static void are_chosen_by_name(void **unused)
 int main(int argc, char **argv)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(are_as_number_write),
-		cmocka_unit_test(are_made),
-		cmocka_unit_test(are_chosen_by_name),
+		cmocka_unit_test(texts_are_those_of_number_write),
+		cmocka_unit_test(vector_makes_usual_texts),
+		cmocka_unit_test(copies_are_chosen_by_name),
 	};
 
 	if (argc > 1)

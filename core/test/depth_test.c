@@ -61,11 +61,11 @@ static bool reaches_step(const struct projector *p, double distance,
 	return is;
 }
 
-/* The distance n / d from the origin of the normal to the point where ndc z is a; d > 0
- * if the point is visible. Let slope be the gradient of clip z along the normal, and w
- * the gradient of clip w in a perspective, where w is 0 at the origin, or the constant
- * w. In a perspective z + slope n / d = a w n / d, in a parallel projection z + slope n
- * / d = a w. */
+/* n / d is the distance from the origin of the normal to the point where ndc z is a. d
+ * is positive if the point is visible. Let z be clip z at the origin, and slope the
+ * gradient of clip z along the normal. In a perspective, where clip w is 0 at the
+ * origin, let w be the gradient of clip w: z + slope n / d = a w n / d. In a parallel
+ * projection, where w is constant, z + slope n / d = a w. */
 struct quotient {
 	real n, d;
 };

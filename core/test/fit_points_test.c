@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* No point is farther along a direction than the one that is found, by MPFR,
- * for any order of the points, any pieces and any processor. */
+/* The extremes of a cloud of points: no point is farther along a direction, by MPFR,
+ * for any order of the points, any division into pieces and any processor. */
 #include "../derive/fit.h"
 
 #include "../points/transform.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The window that fit finds holds its bounds, and no double is tighter, by MPFR
- * and by the flags. */
+/* The window that fit finds holds its bounds, and no smaller double for a side does,
+ * by MPFR and by the OUT_ bits. */
 #include "../derive/fit.h"
 
 #include "../derive/frustum.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The planes of the view volume that points are outside of have the signs of
- * MPFR. */
+/* The OUT_ bits of frustum_outside, one for each plane of the view volume, agree with
+ * the signs that MPFR computes. */
 #include "../derive/frustum.h"
 
 #include "claims.h"
@@ -53,7 +53,7 @@ static bool is_reversed(const struct scene *s)
 	    truth_column(&back, 2, near));
 	const double(*m)[4] = s->projection.matrix;
 
-	/* depth is not reversed if the matrix contains a camera */
+	/* such a matrix contains a camera: its depth is not reversed */
 	if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0)
 		return false;
 	int along = truth_sign(sized_mul(z, truth_column(&back, 3, near)),
@@ -62,8 +62,8 @@ static bool is_reversed(const struct scene *s)
 	return along == -truth_gaze_sign(truth_answer(s));
 }
 
-/* Sets plane to the functions of left, right, bottom, top, near and far at the point q
- * of clip space. */
+/* Sets plane to the functions of the planes left, right, bottom, top, near and far at
+ * the point q of clip space. They are not negative inside. */
 static void planes_of(const struct scene *s, const struct sized q[4],
     struct sized plane[6])
 {
@@ -204,8 +204,8 @@ static void planes_agree_with_mpfr(void **state)
 	    c.planes > 10000 && c.on > 500 && c.doubtful < c.planes / 1000);
 }
 
-/* One unit in the last place off a plane, and far smaller distances that doubles
- * can tell. */
+/* Points one unit in the last place from a plane, and at far smaller distances that
+ * doubles can tell from 0. */
 static void tiny_distances_are_exact(void **state)
 {
 	struct scene s = { .has_world = true,
@@ -233,8 +233,9 @@ static void tiny_distances_are_exact(void **state)
 	}
 }
 
-/* The points have such magnitudes that products underflow, overflow, or neither. There
- * are more points than a call of the kernel takes. */
+/* Many points give the same bits at once and one by one. Their magnitudes let products
+ * underflow, overflow, or neither. There are more points than a call of the kernel
+ * takes. */
 static void all_points_agree_with_each(void **state)
 {
 	enum { MANY = 1000 };
@@ -246,8 +247,8 @@ static void all_points_agree_with_each(void **state)
 	(void)state;
 	sample_seed(2);
 	for (int k = 0; k < 300; k++) {
-		kernels_choose(copies[k / 6 %
-		    4]); /* the last choice stays if this one is refused */
+		/* the last choice stays if the processor lacks this one */
+		kernels_choose(copies[k / 6 % 4]);
 		sample_scene(&s, k % 3 * 4);
 		bool homogeneous = k % 5 == 0 && s.has_viewport;
 		enum space from = homogeneous ? SPACE_DEVICE : SPACE_WORLD;

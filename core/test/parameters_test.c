@@ -326,7 +326,7 @@ static void numbers_are_nearest(void **state)
 	}
 }
 
-/* near, far, reverse_z and edges of a document are found again. */
+/* inspect finds near, far, reverse_z and the edges of a document again. */
 static void parameters_are_found_again(void **state)
 {
 	struct scene s;
@@ -365,8 +365,8 @@ static void parameters_are_found_again(void **state)
 	assert_true(n > 300);
 }
 
-/* Puts the camera into the matrix of the projection, each element the nearest
- * double. */
+/* Multiplies the camera into the matrix of the projection, with each element the
+ * nearest double. */
 static void to_one_matrix(struct scene *s)
 {
 	struct map clip;

@@ -6,12 +6,12 @@
 #include "points.h"
 #include "numbers.h"
 
-/* The distance of model points from the near plane along the gaze, computed in the
- * document's convention. */
+/* The distance of model points from the near plane along the gaze, in the convention
+ * of the document: the difference of a column of view and near, divided by divisor. */
 struct distance {
 	struct truth view;
-	int column; /* the column of view that is the depth */
-	struct sized near, over;
+	int column; /* 2, or the column of clip w if the gaze is not along z */
+	struct sized near, divisor;
 	bool upward;
 };
 
@@ -28,16 +28,16 @@ static void distance_of(const struct scene *s, struct distance *d)
 	own.answer = NULL;
 	truth_scene(&own, SPACE_MODEL, SPACE_VIEW, &d->view);
 	d->column = 2;
-	d->over = sized_of(1);
+	d->divisor = sized_of(1);
 	if (projection_is_tilted(p)) {
 		truth_scene(&own, SPACE_MODEL, SPACE_CLIP, &d->view);
 		d->column = 3;
 		d->near = sized_of(p->near);
 		d->upward = p->far > p->near;
-		d->over = truth_w_gradient(p);
+		d->divisor = truth_w_gradient(p);
 		return;
 	}
-	/* w at the eye */
+	/* the constant term of w, of intrinsics */
 	double w = p->type == PROJECTION_PERSP &&
 		p->extent == EXTENT_INTRINSICS ?
 	    p->intrinsics[2][3] :
@@ -79,7 +79,7 @@ static void check_distances(const struct picker *k, const struct distance *d,
 		bool doubtful;
 		int order;
 
-		verdicts[truth_verdict(pick_distance(k, p), at, d->over,
+		verdicts[truth_verdict(pick_distance(k, p), at, d->divisor,
 		    false)]++;
 		order = truth_sign(sized_sub(at, distance_at(d, q)), &doubtful);
 		if (order == 0 || !doubtful)
@@ -88,7 +88,7 @@ static void check_distances(const struct picker *k, const struct distance *d,
 	}
 }
 
-/* Returns whether the image N / w is within the radius of at. */
+/* Returns whether the image, n / d, is within the radius of at, the picked position. */
 static bool is_within(const struct picker *k, const struct image *image,
     bool *doubtful)
 {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays: the nearest doubles and floats. */
+/* Rays, and the points where they meet planes, are the nearest doubles and floats to
+ * their true values by MPFR. */
 #include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"
 
-/* The homogeneous world point n of a device position and depth, and gain, the
- * derivative of n / w by depth times w squared, which is along the ray. */
+/* The homogeneous world point n of a position and depth on the device, and gain, which
+ * is the derivative of n / w by depth times w squared. gain is along the ray. */
 struct truth_ray {
 	struct sized n[4], gain[3], length;
 };
@@ -43,7 +44,8 @@ static void cast(const struct ray_maker *r, bool single, size_t n,
 	rays_cast(r, single, at, out, out + 3, n);
 }
 
-/* Checks a ray. Without near and far planes it begins where clip x, y and w are 0. */
+/* Checks a ray. If there are no near and far planes, it begins at the eye, where clip
+ * x, y and w are 0. */
 static void check_ray(const struct ray_maker *r, const struct truth *back,
     const struct truth *eye, bool against, const struct rays *b, size_t i,
     bool single, int verdicts[VERDICTS])
@@ -194,7 +196,7 @@ static void truth_meeting(const struct truth *back, const struct truth *clip,
 {
 	const double p[2][4] = { { at[0], at[1], 0, 1 }, { 0, 0, 1, 0 } };
 	struct sized h[2][4], through[2], w = sized_of(0);
-	bool even = true, doubtful;
+	bool w_is_constant = true, doubtful;
 
 	for (int k = 0; k < 2; k++) {
 		through[k] = sized_of(0);
@@ -220,11 +222,13 @@ static void truth_meeting(const struct truth *back, const struct truth *clip,
 		w = sized_add(w, sized_mul(n, truth_element(clip, j, 3)));
 	}
 	for (int i = 0; i < 3; i++)
-		even &= truth_sign(truth_element(clip, i, 3), NULL) == 0;
-	int side = truth_sign(w, NULL), over = truth_sign(image->d, &doubtful);
+		w_is_constant &= truth_sign(truth_element(clip, i, 3), NULL) ==
+		    0;
+	int side = truth_sign(w, NULL);
+	int w_sign = truth_sign(image->d, &doubtful);
 
 	image->doubtful = doubtful;
-	image->exists = over != 0 && (even || side == over);
+	image->exists = w_sign != 0 && (w_is_constant || side == w_sign);
 }
 
 static void judge_meetings(const struct scene *s, enum space from,
