@@ -4,6 +4,7 @@
 #include "../json/value.h"
 
 #include "refusal.h"
+#include "../../core/test/numbers.h"
 
 struct text {
 	const char *s;
@@ -215,7 +216,7 @@ static void test_refused(void **state)
 		char line[512];
 
 		snprintf(line, sizeof line, "s.json:%s", refused[i].line);
-		assert_refused(check, &refused[i], line);
+		assert_refused(check, &refused[i], refused[i].s, line);
 	}
 }
 
@@ -238,8 +239,8 @@ static void test_accepted(void **state)
 	for (size_t i = 0; i < sizeof accepted / sizeof *accepted; i++) {
 		int status;
 
-		assert_string_equal(output_of(check, &accepted[i], &status),
-		    "");
+		assert_text(output_of(check, &accepted[i], &status), "",
+		    accepted[i].s);
 		assert_int_equal(status, 0);
 	}
 }
@@ -257,7 +258,7 @@ static void test_depth(void **state)
 	memset(text, '[', 101);
 	memset(text + 101, ']', 101);
 	t.size = 202;
-	assert_refused(check, &t,
+	assert_refused(check, &t, "101 brackets",
 	    "s.json:1: expected at most 100 levels of brackets, not '['");
 }
 
@@ -313,11 +314,8 @@ static void test_lines(void **state)
 		struct json_check c = { .kind = JSON_LINE,
 			.text = s,
 			.end = end };
-		bool ok = json_check(&c);
 
-		assert_int_equal(ok, lines[i].rest == NULL);
-		if (!ok)
-			assert_string_equal(c.at, lines[i].rest);
+		assert_text(json_check(&c) ? NULL : c.at, lines[i].rest, s);
 	}
 }
 

@@ -5,6 +5,7 @@
 
 #include "../scene/document.h"
 #include "refusal.h"
+#include "../../core/test/numbers.h"
 
 struct refusal {
 	const struct document_wants
@@ -34,7 +35,7 @@ static inline void assert_all_refused(const struct refusal *r, size_t n)
 		char line[1024];
 
 		snprintf(line, sizeof line, "s.json: %s", r->line);
-		assert_refused(read_text, r, line);
+		assert_refused(read_text, r, r->text, line);
 	}
 }
 
@@ -59,14 +60,22 @@ static inline struct scene scene_of(const char *text)
 	return read_as(&(struct document_wants){ WANTS }, text).scene;
 }
 
-static inline void assert_numbers(const double *got, int n, ...)
-{
-	va_list wanted;
+/* Fails unless the first n numbers of got are the doubles that follow n. */
+#define assert_numbers(...) assert_numbers_at(__FILE__, __LINE__, __VA_ARGS__)
 
-	va_start(wanted, n);
-	for (int i = 0; i < n; i++)
-		assert_true(got[i] == va_arg(wanted, double));
-	va_end(wanted);
+static inline void assert_numbers_at(const char *file, int line,
+    const double *got, int n, ...)
+{
+	va_list expected;
+	char name[40];
+
+	va_start(expected, n);
+	for (int i = 0; i < n; i++) {
+		snprintf(name, sizeof name, "number %d of %d", i, n);
+		assert_number_at(got[i], va_arg(expected, double), name, file,
+		    line);
+	}
+	va_end(expected);
 }
 
 #define REFUSES(table)                                                   \

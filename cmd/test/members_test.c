@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
-#include "../../core/test/numbers.h"
 
 static const struct document_wants lookat = { .bare = SCENE_CAMERA,
 	.needed = SCENE_CAMERA,

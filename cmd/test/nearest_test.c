@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include "../../core/test/numbers.h"
 
 static const char *const words[] = { "eye", "at", "up", "orientation",
 	"near_ratio", "reverse_z", "persp", "x", "gl", NULL };
@@ -40,10 +41,7 @@ static void test_nearest(void **state)
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
 		const char *near = nearest_word(cases[i].word, words);
 
-		if (cases[i].near == NULL)
-			assert_null(near);
-		else
-			assert_string_equal(near, cases[i].near);
+		assert_text(near, cases[i].near, cases[i].word);
 	}
 }
 

@@ -85,7 +85,7 @@ static void check_read(const char *text)
 	assert_ptr_equal(end, start + (expected_end - text));
 	if (memcmp(&v, &expected, sizeof v) != 0 &&
 	    !(isnan(v) && isnan(expected)))
-		fail_msg("%s read as %a", text, v);
+		fail_msg("%s: expected %a, came %a", text, expected, v);
 }
 
 static void reads_as_strtod(void **unused)
@@ -253,7 +253,8 @@ static void writes_the_shortest(void **unused)
 		const char *text = written(v, NUMBER_SHORTEST, 0);
 
 		if (strtod(text, NULL) != v)
-			fail_msg("%a written as %s", v, text);
+			fail_msg("%a: expected a text that reads back, came %s",
+			    v, text);
 		if (i % 8 != 0 || v == 0)
 			continue;
 		for (int n = 0; n == 0 || strtod(c, NULL) != v; n++)

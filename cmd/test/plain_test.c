@@ -144,7 +144,8 @@ static void check_number(const char *text, bool left, double v)
 	double truth = strtod(text, NULL);
 
 	if (!left && (!is_plain(text) || memcmp(&v, &truth, sizeof v) != 0))
-		fail_msg("%s read as %a", text, v);
+		fail_msg("%s: expected %a%s, came %a", text, truth,
+		    is_plain(text) ? "" : " by the scalar code", v);
 }
 
 /* Reads up to PLAIN_BATCH numbers of a sort, the last of which ends before the guard

@@ -4,7 +4,6 @@
 #include "../../core/test/sample.h"
 #include "document.h"
 #include "../../core/test/arithmetic.h"
-#include "../../core/test/numbers.h"
 
 static const struct document_wants project = { WANTS };
 

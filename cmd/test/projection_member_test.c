@@ -2,7 +2,6 @@
 #include "document.h"
 
 #include <math.h>
-#include "../../core/test/numbers.h"
 
 static const struct document_wants persp = { .bare = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,

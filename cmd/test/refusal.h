@@ -48,17 +48,20 @@ static inline const char *output_of(void (*run)(const void *),
 	return text;
 }
 
-/* Asserts that run prints this line after "projcalc: " and exits with status 1. */
+/* Asserts that run, called for this input, prints the line after "projcalc: " and exits
+ * with status 1. */
 static inline void assert_refused(void (*run)(const void *),
-    const void *argument, const char *line)
+    const void *argument, const char *input, const char *line)
 {
-	char wanted[4096];
+	char expected[4096];
 	int status;
 	const char *got = output_of(run, argument, &status);
 
-	snprintf(wanted, sizeof wanted, "projcalc: %s\n", line);
-	assert_string_equal(got, wanted);
-	assert_int_equal(status, 1);
+	snprintf(expected, sizeof expected, "projcalc: %s\n", line);
+	if (strcmp(got, expected) != 0 || status != 1)
+		fail_msg("%s\nexpected status 1, %scame status %d, %s"
+			 "if the change is meant, write it into the test",
+		    input, expected, status, got);
 }
 
 #endif

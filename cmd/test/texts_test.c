@@ -197,9 +197,10 @@ static void check_texts(const char *copy, const double *v, size_t n,
 
 		*end = '\0';
 		if (strcmp(text, expected[i]) != 0)
-			fail_msg("%s, style %u %d%s: %a is %s, not %s", copy,
-			    style.kind, style.n, single ? ", float" : "", v[i],
-			    text, expected[i]);
+			fail_msg("%s, style %u %d%s: %a: came %s, "
+				 "expected %s",
+			    copy, style.kind, style.n, single ? ", float" : "",
+			    v[i], text, expected[i]);
 	}
 }
 
@@ -257,7 +258,9 @@ static void vector_makes_usual_texts(void **unused)
 			for (int i = 0; i < BLOCK; i++)
 				if (t[i].layout == 0 && fabs(v[i]) > 0x1p-17 &&
 				    fabs(v[i]) < limit[k / 2])
-					fail_msg("%a is not made", v[i]);
+					fail_msg("%a: expected a text by the "
+						 "vector loops, came none",
+					    v[i]);
 		}
 	}
 }

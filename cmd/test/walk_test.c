@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include "../../core/test/numbers.h"
 
 /* A line, and its numbers with a bar after each, or NULL if walk_lines leaves the
  * line. */
@@ -209,16 +210,9 @@ static const char *numbers_found(const struct layout *l, const char *line,
 static void check(const struct layout *l, const struct example *e,
     const char *usual)
 {
-	for (; e->line != NULL; e++) {
-		const char *numbers = numbers_found(l, e->line, usual);
-
-		print_message("%s: %s\n", e->line,
-		    numbers == NULL ? "left" : numbers);
-		if (e->numbers == NULL)
-			assert_null(numbers);
-		else
-			assert_string_equal(numbers, e->numbers);
-	}
+	for (; e->line != NULL; e++)
+		assert_text(numbers_found(l, e->line, usual), e->numbers,
+		    e->line);
 }
 
 static void numbers_are_found(void **state)

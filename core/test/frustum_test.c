@@ -198,7 +198,7 @@ static void planes_agree_with_mpfr(void **state)
 		real_release(mark);
 	}
 	print_message("%zu planes, on %zu of them the point; %zu within the "
-		      "rule\n",
+		      "tolerance\n",
 	    c.planes, c.on, c.doubtful);
 	assert_true(
 	    c.planes > 10000 && c.on > 500 && c.doubtful < c.planes / 1000);

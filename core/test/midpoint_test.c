@@ -217,10 +217,10 @@ static void search_scenes(int e, int scenes)
 		}
 		real_release(mark);
 	}
-	print_message("10^%d: %zu points climbed, %zu to within 2^-20 units in "
+	print_message("10^%d: %zu searches, %zu to within 2^-20 units in "
 		      "the last place of a midpoint, the nearest to 2^%.0f; "
-		      "%.3g %% of the kernels' points took the accurate "
-		      "phase; %zu of %zu coordinates wrong\n",
+		      "%.3g %% of the kernels' points were left "
+		      "undecided; %zu of %zu coordinates wrong\n",
 	    e, c.searches, c.near, log2(c.least),
 	    100.0 * (double)c.undecided / (double)c.points, c.tally.n[WRONG],
 	    c.tally.n[NEAREST] + c.tally.n[WRONG]);

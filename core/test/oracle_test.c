@@ -70,8 +70,8 @@ static size_t try_scenes(int e, size_t coordinates)
 	if (e >= 0)
 		snprintf(what, sizeof what, "10^%d", e);
 	printf("%s - %s: of %zu coordinates %zu not the nearest, %zu "
-	       "within the rule; %.3g %% of the kernels' points took the "
-	       "accurate phase\n",
+	       "within the tolerance; %.3g %% of the kernels' points were left "
+	       "undecided\n",
 	    n[WRONG] == 0 ? "ok" : "not ok", what,
 	    n[NEAREST] + n[WITHIN_TOLERANCE] + n[WRONG], n[WRONG],
 	    n[WITHIN_TOLERANCE],

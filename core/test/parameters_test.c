@@ -316,7 +316,7 @@ static void numbers_are_nearest(void **state)
 		real_release(mark);
 	}
 	for (int i = 0; i < 4; i++)
-		print_message("%s: %d numbers, %d within the rule, %d "
+		print_message("%s: %d numbers, %d within the tolerance, %d "
 			      "wrong\n",
 		    what[i], tally[i][NEAREST] + tally[i][WITHIN_TOLERANCE],
 		    tally[i][WITHIN_TOLERANCE], tally[i][WRONG]);

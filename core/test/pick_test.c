@@ -164,8 +164,9 @@ static void random_scenes(void **state)
 		check_radius(&k, &truth, &b, n);
 		real_release(mark);
 	}
-	print_message("%d distances, %d within the rule; %zu points within, "
-		      "%zu not\n",
+	print_message(
+	    "%d distances, %d within the tolerance; %zu points within, "
+	    "%zu not\n",
 	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE],
 	    verdicts[WITHIN_TOLERANCE], n[1], n[0]);
 	assert_int_equal(verdicts[WRONG], 0);

@@ -50,8 +50,8 @@ static void random_points(void **state)
 		}
 		real_release(mark);
 	}
-	print_message("%zu numbers, %zu within the rule\n", tally.n[NEAREST],
-	    tally.n[WITHIN_TOLERANCE]);
+	print_message("%zu numbers, %zu within the tolerance\n",
+	    tally.n[NEAREST], tally.n[WITHIN_TOLERANCE]);
 	assert_int_equal(tally.n[WRONG], 0);
 	assert_true(tally.n[NEAREST] > 10000);
 }

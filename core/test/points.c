@@ -129,6 +129,14 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 						  WRONG]++;
 }
 
+static double true_coordinate(const struct image *image, int j, bool single)
+{
+	real v = divide(image->n[j].value, image->d.value);
+
+	return single ? (double)mpfr_get_flt(v, MPFR_RNDN) :
+			mpfr_get_d(v, MPFR_RNDN);
+}
+
 static void judge_point(const struct truth *truth, const struct transform *t,
     const double p[4], const double got[4], bool single, struct tally *tally)
 {
@@ -141,9 +149,13 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 	 * in the document are exact. */
 	if (here.n[WRONG] > 0 ||
 	    (here.n[WITHIN_TOLERANCE] > 0 && !truth->irrational)) {
-		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
-		    p[0], p[1], p[2], p[3], (int)t->kind, got[0], got[1],
-		    got[2], got[3]);
+		fprintf(stderr, "point %a %a %a %a, kernel %d:\n", p[0], p[1],
+		    p[2], p[3], (int)t->kind);
+		for (int j = 0; j < t->out; j++)
+			fprintf(stderr, "  expected %a, came %a\n",
+			    image.exists ? true_coordinate(&image, j, single) :
+					   (double)NAN,
+			    got[j]);
 		here.n[WRONG] += here.n[WITHIN_TOLERANCE];
 		here.n[WITHIN_TOLERANCE] = 0;
 	}

@@ -127,7 +127,7 @@ static void rays_are_exact(void **state)
 		}
 		real_release(mark);
 	}
-	print_message("%d numbers, %d within the rule\n",
+	print_message("%d numbers, %d within the tolerance\n",
 	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE],
 	    verdicts[WITHIN_TOLERANCE]);
 	assert_int_equal(verdicts[WRONG], 0);
@@ -297,7 +297,7 @@ static void planes_are_met(void **state)
 		real_release(mark);
 		n++;
 	}
-	print_message("%d planes, %zu numbers, %zu by the 2^-190 rule\n", n,
+	print_message("%d planes, %zu numbers, %zu within the tolerance\n", n,
 	    tally.n[NEAREST] + tally.n[WITHIN_TOLERANCE],
 	    tally.n[WITHIN_TOLERANCE]);
 	assert_true(n > 300 && tally.n[NEAREST] > 10000);

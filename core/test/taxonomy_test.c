@@ -231,7 +231,7 @@ static void numbers_are_nearest(void **state)
 	for (int i = 0; i < 5; i++) {
 		const int *v = tally[i].n;
 
-		print_message("%s: %d numbers, %d within the rule, %d "
+		print_message("%s: %d numbers, %d within the tolerance, %d "
 			      "wrong\n",
 		    what[i], v[NEAREST] + v[WITHIN_TOLERANCE],
 		    v[WITHIN_TOLERANCE], v[WRONG]);
