@@ -31,8 +31,8 @@ static inline void assert_text_at(const char *got, const char *expected,
 			  expected != NULL && strcmp(got, expected) == 0)
 		return;
 	print_error("%s: expected %s\n%s: came %s\n", input,
-	    expected == NULL ? "NULL" : expected, input,
-	    got == NULL ? "NULL" : got);
+	    expected == NULL ? "none" : expected, input,
+	    got == NULL ? "none" : got);
 	_fail(file, line);
 }
 

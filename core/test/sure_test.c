@@ -182,7 +182,8 @@ static void check_counts(const char *copy, const struct regime *r,
 	print_error("%s, %s: expected and came", copy, r->name);
 	for (int w = 0; w < COUNTERS; w++)
 		print_error(" %u %u,", r->undecided[w], n[w]);
-	fail_msg(" if the change is meant, record the counts of baseline in "
+	print_error("\n");
+	fail_msg("if the change is meant, record the counts of baseline in "
 		 "regimes, core/test/sure_test.c");
 }
 
