@@ -19,7 +19,7 @@ struct text {
 
 /* Parses a text by value_parse_document, which prints the reason if json_check refuses
  * it. */
-static void check(const void *argument)
+static void parse(const void *argument)
 {
 	struct source source = { .name = "s.json" };
 	const struct text *t = argument;
@@ -216,7 +216,7 @@ static void test_refused(void **state)
 		char line[512];
 
 		snprintf(line, sizeof line, "s.json:%s", refused[i].line);
-		assert_refused(check, &refused[i], refused[i].s, line);
+		assert_refused(parse, &refused[i], refused[i].s, line);
 	}
 }
 
@@ -239,7 +239,7 @@ static void test_accepted(void **state)
 	for (size_t i = 0; i < sizeof accepted / sizeof *accepted; i++) {
 		int status;
 
-		assert_text(output_of(check, &accepted[i], &status), "",
+		assert_text(output_of(parse, &accepted[i], &status), "",
 		    accepted[i].s);
 		assert_int_equal(status, 0);
 	}
@@ -254,11 +254,11 @@ static void test_depth(void **state)
 	(void)state;
 	memset(text, '[', 100);
 	memset(text + 100, ']', 100);
-	assert_string_equal(output_of(check, &t, &status), "");
+	assert_string_equal(output_of(parse, &t, &status), "");
 	memset(text, '[', 101);
 	memset(text + 101, ']', 101);
 	t.size = 202;
-	assert_refused(check, &t, "101 brackets",
+	assert_refused(parse, &t, "101 brackets",
 	    "s.json:1: expected at most 100 levels of brackets, not '['");
 }
 

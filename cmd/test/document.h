@@ -8,8 +8,8 @@
 #include "../../core/test/numbers.h"
 
 struct refusal {
-	const struct document_wants
-	    *wants; /* of document_read; NULL: read by document_points */
+	const struct document_wants *
+	    wants; /* given to document_read; if NULL, document_points reads the text */
 	const char *text;
 	const char *line; /* the expected message after "projcalc: s.json: " */
 };
@@ -47,7 +47,7 @@ static inline struct document read_as(const struct document_wants *wants,
 	struct document d;
 	size_t size = strlen(text);
 	char *copy = malloc(
-	    size); /* a copy without a NUL: sanitizers find reads beyond its end */
+	    size); /* not ended by a NUL, so that a sanitizer finds reads beyond the end */
 
 	memcpy(copy, text, size);
 	document_read(&d, "s.json", copy, size, wants);

@@ -31,7 +31,7 @@ static void test_nearest(void **state)
 		{ "y", NULL }, /* not x */
 		{ "", NULL },
 		{ "parsap", "persp" }, /* two edits */
-		{ "parsx", NULL },     /* of five letters one alone */
+		{ "parsx", NULL }, /* two edits, and five letters allow one */
 		{ "bat", "at" },
 		{ "view", NULL },
 		{ "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", NULL },

@@ -19,9 +19,9 @@
 
 enum { TEXT_MAX = 2048, PAGES = 65536 };
 
-static char *guard; /* an access from here on ends the test */
+static char *guard; /* the guard page: an access faults */
 
-static int set_up(void **unused)
+static int make_guard(void **unused)
 {
 	char *start = mmap(NULL, 2 * PAGES, PROT_READ | PROT_WRITE,
 	    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -42,7 +42,7 @@ static uint64_t next_random(void)
 	return state ^= state << 17;
 }
 
-static int below(int n)
+static int random_below(int n)
 {
 	return (int)(next_random() >> 33) % n;
 }
@@ -53,18 +53,19 @@ static double random_double(void)
 	uint64_t bits = next_random();
 	double v = 2 * (double)(bits >> 11) / 0x1p53 - 1;
 
-	switch (below(5)) {
+	switch (random_below(5)) {
 	case 0:
 		memcpy(&v, &bits, sizeof v);
 		return isfinite(v) ? v : 0;
-	case 1: /* 0 to 15 decimals, but ten digits at most */
-		return floor(v * 1e10) / pow(10, below(16));
+	case 1: /* up to 15 decimals, of at most ten digits */
+		return floor(v * 1e10) / pow(10, random_below(16));
 	case 2: /* integers, and numbers that are ties for few decimals */
-		return floor(v * pow(2, below(70))) / pow(2, below(30));
+		return floor(v * pow(2, random_below(70))) /
+		    pow(2, random_below(30));
 	case 3: /* powers of two: the next double below is half as far as the next above */
-		return ldexp(v < 0 ? -1 : 1, below(2098) - 1074);
+		return ldexp(v < 0 ? -1 : 1, random_below(2098) - 1074);
 	default:
-		return v * pow(10, below(8));
+		return v * pow(10, random_below(8));
 	}
 }
 
@@ -120,7 +121,7 @@ static void reads_as_strtod(void **unused)
 			check_read(prefix);
 			prefix[n - 1] = '\0';
 		}
-	/* hexadecimal numbers, nan(...) and blanks in front are not read */
+	/* only 0 is read of 0x10, only -nan of -nan(1), and nothing after a blank */
 	assert_ptr_equal(number_read(hex, hex + 4, &v), hex + 1);
 	assert_ptr_equal(number_read(sequence, sequence + 7, &v), sequence + 4);
 	assert_null(number_read(blank, blank + 2, &v));
@@ -134,11 +135,11 @@ static void reads_doubles(void **unused)
 
 	(void)unused;
 	for (int i = 0; i < 200000; i++) {
-		int size = snprintf(text, sizeof text, formats[below(8)],
+		int size = snprintf(text, sizeof text, formats[random_below(8)],
 		    random_double());
 
 		/* number_read stops at the end of the number */
-		sprintf(text + size, "%.*s", below(24),
+		sprintf(text + size, "%.*s", random_below(24),
 		    " 1.000000 2.000000 -3.000000");
 		check_read(text);
 	}
@@ -150,12 +151,12 @@ static void reads_digits(void **unused)
 
 	(void)unused;
 	for (int i = 0; i < 100000; i++) {
-		int n = i % 100 == 0 ? 800 : 1 + below(24);
+		int n = i % 100 == 0 ? 800 : 1 + random_below(24);
 
 		for (int k = 0; k < n; k++)
-			text[k] = (char)('0' + below(10));
-		text[below(n)] = '.';
-		sprintf(text + n, "e%d", below(700) - 350 - n / 2);
+			text[k] = (char)('0' + random_below(10));
+		text[random_below(n)] = '.';
+		sprintf(text + n, "e%d", random_below(700) - 350 - n / 2);
 		check_read(text);
 	}
 }
@@ -211,7 +212,7 @@ static void write_as_javascript(char *s, const char *text)
 		    digits + 1, point - 1);
 }
 
-static const char *written(double v, unsigned kind, int n)
+static const char *text_of(double v, unsigned kind, int n)
 {
 	static char text[NUMBER_MAX + 1];
 	char *end = number_write(text, v, (struct number_style){ kind, n });
@@ -233,11 +234,11 @@ static void lays_out_as_javascript(void **unused)
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-		assert_string_equal(written(strtod(texts[i], NULL),
+		assert_string_equal(text_of(strtod(texts[i], NULL),
 					NUMBER_SHORTEST, 0),
 		    texts[i]);
-	assert_string_equal(written(-0.0, NUMBER_SHORTEST, 0), "0");
-	assert_string_equal(written(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
+	assert_string_equal(text_of(-0.0, NUMBER_SHORTEST, 0), "0");
+	assert_string_equal(text_of(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
 }
 
 /* Compares the shortest text with that of printf at the least precision that reads
@@ -250,7 +251,7 @@ static void writes_the_shortest(void **unused)
 	(void)unused;
 	for (int i = 0; i < 300000; i++) {
 		double v = random_double();
-		const char *text = written(v, NUMBER_SHORTEST, 0);
+		const char *text = text_of(v, NUMBER_SHORTEST, 0);
 
 		if (strtod(text, NULL) != v)
 			fail_msg("%a: expected a text that reads back, came %s",
@@ -313,10 +314,10 @@ static void rounds_what_the_double_is(void **unused)
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-		assert_string_equal(written(cases[i].v, NUMBER_DECIMALS,
+		assert_string_equal(text_of(cases[i].v, NUMBER_DECIMALS,
 					cases[i].n),
 		    cases[i].decimals);
-		assert_string_equal(written(cases[i].v, NUMBER_DIGITS,
+		assert_string_equal(text_of(cases[i].v, NUMBER_DIGITS,
 					cases[i].n),
 		    cases[i].digits);
 	}
@@ -328,18 +329,18 @@ static void rounds_as_printf(void **unused)
 
 	(void)unused;
 	for (int i = 0; i < 200000; i++) {
-		int n = below(4) ? below(20) : below(101);
+		int n = random_below(4) ? random_below(20) : random_below(101);
 		double v = random_double();
 
 		snprintf(text, sizeof text, "%.*f", n, v);
-		assert_string_equal(written(v, NUMBER_DECIMALS, n),
+		assert_string_equal(text_of(v, NUMBER_DECIMALS, n),
 		    text +
 			(*text == '-' && strspn(text, "-0.") == strlen(text)));
 		if (n == 0 || v == 0)
 			continue;
 		snprintf(text, sizeof text, "%.*e", n - 1, v);
 		write_as_javascript(expected, text);
-		assert_string_equal(written(v, NUMBER_DIGITS, n), expected);
+		assert_string_equal(text_of(v, NUMBER_DIGITS, n), expected);
 	}
 }
 
@@ -357,5 +358,5 @@ int main(void)
 		cmocka_unit_test(rounds_as_printf),
 	};
 
-	return cmocka_run_group_tests(tests, set_up, NULL);
+	return cmocka_run_group_tests(tests, make_guard, NULL);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The vector loops of cmd/number/vector read the numbers that strtod reads. They leave
- * to the scalar code only numbers that are not plain (see is_plain), and few others. */
+/* The loops of cmd/number/vector read numbers as strtod does. They leave to the scalar
+ * code every number that is not plain (see is_plain), and few others. */
 #define _DEFAULT_SOURCE
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +30,7 @@ static uint64_t next_random(void)
 	return state ^= state << 17;
 }
 
-static int below(int n)
+static int random_below(int n)
 {
 	return (int)((next_random() >> 33) % (uint64_t)n);
 }
@@ -38,18 +38,18 @@ static int below(int n)
 static int put_digits(char *s, int n)
 {
 	for (int i = 0; i < n; i++)
-		s[i] = (char)('0' + below(10));
+		s[i] = (char)('0' + random_below(10));
 	return n;
 }
 
-/* Writes a number of n to n + more digits, with a point, to s. Returns its length. */
+/* Writes a number of n to n + more digits, with a point. Returns its length. */
 static int put_decimal(char *s, int n, int more)
 {
-	int size = below(2), point;
+	int size = random_below(2), point;
 
 	s[0] = '-';
-	n += below(more + 1);
-	point = below(n + 1);
+	n += random_below(more + 1);
+	point = random_below(n + 1);
 	size += put_digits(s + size, point);
 	s[size++] = '.';
 	size += put_digits(s + size, n - point);
@@ -64,22 +64,23 @@ static int put_midway(char *s)
 		"501" };
 	unsigned long long k = 1ull << 52 | next_random() >> 12;
 
-	if (below(2))
+	if (random_below(2))
 		return sprintf(s, "%llu", 2 * k + 1);
-	return sprintf(s, "%llu.%s", k, fractions[below(5)]);
+	return sprintf(s, "%llu.%s", k, fractions[random_below(5)]);
 }
 
 static int put_any_text(char *s)
 {
-	int n = 1 + below(PLAIN_MAX);
+	int n = 1 + random_below(PLAIN_MAX);
 
 	for (int i = 0; i < n; i++)
 		s[i] =
-		    "0123456789012345678901234567890123.-+e/:\xb9"[below(41)];
+		    "0123456789012345678901234567890123.-+e/:\xb9"[random_below(
+			41)];
 	return n;
 }
 
-/* Writes a number of this sort, or a text that is no number, to s. Returns its length. */
+/* Writes a number of this sort, or a text that is no number. Returns its length. */
 static int put_of_sort(int sort, char *s)
 {
 	double v = (double)(int64_t)next_random() / 0x1p63;
@@ -92,20 +93,21 @@ static int put_of_sort(int sort, char *s)
 	case 2:
 		return put_decimal(s, 1, 14);
 	case 3:
-		return sprintf(s, "%.*e", 17 + below(2),
-		    ldexp(v + (v < 0 ? -1 : 1), below(50)));
+		return sprintf(s, "%.*e", 17 + random_below(2),
+		    ldexp(v + (v < 0 ? -1 : 1), random_below(50)));
 	case 4:
 		return put_decimal(s, 15, 4);
 	case 5:
 		return put_decimal(s, 1, 29);
 	case 6:
-		return put_digits(s, 1 + below(19));
+		return put_digits(s, 1 + random_below(19));
 	case 7:
 		return put_midway(s);
 	case 8: {
 		int size = put_decimal(s, 1, 18);
 
-		return size + sprintf(s + size, "e%+03d", below(60) - 30);
+		return size +
+		    sprintf(s + size, "e%+03d", random_below(60) - 30);
 	}
 	default:
 		return put_any_text(s);
@@ -148,14 +150,15 @@ static void check_number(const char *text, bool left, double v)
 		    is_plain(text) ? "" : " by the scalar code", v);
 }
 
-/* Reads up to PLAIN_BATCH numbers of a sort, the last of which ends before the guard
- * page, and compares them with strtod. Returns how many the loops left. */
+/* Compares up to PLAIN_BATCH numbers of a sort, as the loops read them, with strtod.
+ * The last number ends before the guard page. Returns the count of numbers that the
+ * loops left. */
 static int check_batch(const struct number_loops *r, int sort, char *guard)
 {
 	struct plain_places at;
 	char text[PLAIN_BATCH][PLAIN_MAX + 32], *s = guard;
 	double v[PLAIN_BATCH];
-	int n = 1 + below(PLAIN_BATCH), n_left = 0;
+	int n = 1 + random_below(PLAIN_BATCH), n_left = 0;
 
 	for (int i = n - 1; i >= 0; i--) {
 		int size = put_of_sort(sort, text[i]);
@@ -165,7 +168,7 @@ static int check_batch(const struct number_loops *r, int sort, char *guard)
 		at.end[i] = s;
 		at.size[i] = (uint8_t)size;
 		s = memcpy(s - size, text[i], (size_t)size);
-		*--s = " ,7.-"[below(5)];
+		*--s = " ,7.-"[random_below(5)];
 	}
 	for (int i = n; i % PLAIN_GROUP != 0; i++) {
 		at.end[i] = at.end[0];
@@ -241,7 +244,8 @@ static void finds_what_is_in_the_set(void **unused)
 		if (!kernels_choose(copies[c]) || number_loops() == NULL)
 			continue;
 		for (int round = 0; round < 2000; round++) {
-			size_t size = (size_t)below(round % 2 ? 200 : 4096);
+			size_t size = (size_t)random_below(
+			    round % 2 ? 200 : 4096);
 			struct byte_set set;
 			char *s = guard - size;
 

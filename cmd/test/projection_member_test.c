@@ -404,8 +404,8 @@ static void test_parallel(void **state)
 	assert_number(p.projector_angle, 90);
 }
 
-/* angle_unit is read from a scene, wherever the projection stands in it, and from
- * beside the members of a projection that is the whole document. */
+/* angle_unit is read from the document, wherever the projection stands in it. In a
+ * document that is a projection alone, angle_unit stands beside its members. */
 static void test_angle_unit(void **state)
 {
 #define LENS "\"fovy\":3,\"aspect\":1," PLANES

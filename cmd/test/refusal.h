@@ -15,8 +15,8 @@
 
 #include <cmocka.h>
 
-/* Calls run in another process. Returns what run writes to standard output and
- * standard error, and sets *status to its exit status, 0 if run returns. */
+/* Calls run in a child process. Returns what the child writes to standard output and
+ * standard error, and sets *status to its exit status, which is 0 if run returns. */
 static inline const char *output_of(void (*run)(const void *),
     const void *argument, int *status)
 {

@@ -13,13 +13,13 @@
 
 /* A text, and the expected result: the rest of the text after its number or item, or
  * NULL if no number begins the text; for test_unescape the character. */
-struct pair {
+struct example {
 	const char *text, *expected;
 };
 
 static void test_number(void **state)
 {
-	static const struct pair numbers[] = {
+	static const struct example numbers[] = {
 		{ "-1.5e+3,", "," },
 		{ "0", "" },
 		{ "10x", "x" },
@@ -88,10 +88,10 @@ static void test_number_end(void **state)
 		}
 }
 
-/* json_item_end skips commas in quotes and brackets, also in texts that are not JSON. */
+/* json_item_end skips commas in quotes and brackets, also if the text is not JSON. */
 static void test_skip(void **state)
 {
-	static const struct pair values[] = {
+	static const struct example values[] = {
 		{ "1 ,2", ",2" },
 		{ "1]", "]" },
 		{ "a'b:c}", "}" },
@@ -115,7 +115,7 @@ static void test_skip(void **state)
 
 static void test_unescape(void **state)
 {
-	static const struct pair escapes[] = {
+	static const struct example escapes[] = {
 		{ "\\n", "\n" },
 		{ "\\\"", "\"" },
 		{ "\\/", "/" },

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* number_texts writes many numbers as number_write writes each, in every copy of the
- * loops that this processor runs. usage: texts_test [COUNT], the count of numbers for
- * each style */
+ * loops that this processor runs. The command texts_test COUNT tests COUNT numbers for
+ * each style. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -49,13 +49,13 @@ static uint64_t next_random(void)
 	return state * 2685821657736338717u;
 }
 
-static int below(int n)
+static int random_below(int n)
 {
 	return (int)(next_random() >> 33) % n;
 }
 
 /* Returns a random number from 0 to below 1. */
-static double unit(void)
+static double random_unit(void)
 {
 	return (double)(next_random() >> 11) / 0x1p53;
 }
@@ -72,7 +72,7 @@ static double from_bits(uint64_t bits)
 static double neighbour_or_same(double v, bool single)
 {
 	double to[] = { -HUGE_VAL, v, HUGE_VAL };
-	int way = below(3);
+	int way = random_below(3);
 
 	if (way == 1)
 		return v;
@@ -85,7 +85,7 @@ static double neighbour_or_same(double v, bool single)
 static double short_end(bool single)
 {
 	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
-	int tens = 1 + below(5), log2 = digits + tens + below(10);
+	int tens = 1 + random_below(5), log2 = digits + tens + random_below(10);
 	uint64_t ten = 1;
 
 	if (log2 > 63)
@@ -99,11 +99,11 @@ static double short_end(bool single)
 	for (int i = 0; i < 1 << 12; i++, x -= ten)
 		if ((x & ((1ull << place) - 1)) == 1ull << (place - 1))
 			break;
-	x += below(2) ? 1ull << (place - 1) : -(1ull << (place - 1));
+	x += random_below(2) ? 1ull << (place - 1) : -(1ull << (place - 1));
 	return (double)x;
 }
 
-/* Returns a number with 1 to 6 binary places, whose last decimal is 5, so that it is a
+/* Returns a number with up to 6 binary places. Its last decimal is 5, so that it is a
  * tie at one decimal less. */
 static double late_tie(bool single)
 {
@@ -111,45 +111,50 @@ static double late_tie(bool single)
 	double whole = (double)(next_random() >> (64 - digits) |
 	    1ull << (digits - 1));
 
-	return ldexp(whole, -1 - below(6));
+	return ldexp(whole, -1 - random_below(6));
 }
 
 static double any_number(bool single)
 {
-	double v = 2 * unit() - 1;
+	double v = 2 * random_unit() - 1;
 
-	switch (below(14)) {
+	switch (random_below(14)) {
 	case 0:
 		return from_bits(next_random());
 	case 1: /* magnitudes that are written without an exponent */
-		return ldexp(v, below(92) - 20);
-	case 2: /* so many decimals */
-		return floor(v * pow(10, below(16))) / pow(10, below(16));
+		return ldexp(v, random_below(92) - 20);
+	case 2: /* up to 15 decimals */
+		return floor(v * pow(10, random_below(16))) /
+		    pow(10, random_below(16));
 	case 3:
-		return (double)(int64_t)(next_random() >> (1 + below(63)));
+		return (
+		    double)(int64_t)(next_random() >> (1 + random_below(63)));
 	case 4: /* integers, and numbers that are ties for few decimals */
-		return floor(ldexp(v, below(70))) / pow(2, below(30));
+		return floor(ldexp(v, random_below(70))) /
+		    pow(2, random_below(30));
 	case 5: /* powers of two: the next double below is half as far as the next above */
 		return neighbour_or_same(ldexp(v < 0 ? -1 : 1,
-					     below(2098) - 1074),
+					     random_below(2098) - 1074),
 		    single);
 	case 6:
-		return neighbour_or_same(ldexp(1, below(93) - 20), single);
+		return neighbour_or_same(ldexp(1, random_below(93) - 20),
+		    single);
 	case 7:
-		return neighbour_or_same(pow(10, below(32) - 9), single);
-	case 8: /* near a tie of 0 to 15 decimals */
-		return neighbour_or_same((floor(v * pow(10, below(9))) + 0.5) /
-			pow(10, below(16)),
+		return neighbour_or_same(pow(10, random_below(32) - 9), single);
+	case 8: /* next to a tie of up to 15 decimals */
+		return neighbour_or_same((floor(v * pow(10, random_below(9))) +
+					     0.5) /
+			pow(10, random_below(16)),
 		    single);
 	case 9:
 		return short_end(single);
 	case 10:
 		return late_tie(single);
 	case 11: /* subnormal */
-		return from_bits(next_random() >> (12 + below(52)));
-	case 12: /* the double nearest to a number of up to 3 digits */
-		return neighbour_or_same((double)(1 + below(999)) *
-			pow(10, below(28) - 9),
+		return from_bits(next_random() >> (12 + random_below(52)));
+	case 12: /* next to a number of up to three digits */
+		return neighbour_or_same((double)(1 + random_below(999)) *
+			pow(10, random_below(28) - 9),
 		    single);
 	default: {
 		const double few[] = { 0, -0.0, 1, -1, 0.5, HUGE_VAL, -HUGE_VAL,
@@ -157,17 +162,17 @@ static double any_number(bool single)
 			9007199254740992, 4503599627370496, 0.0000005, 2.5e-7,
 			9.5e-7, 0x1p57, 1e15 };
 
-		return neighbour_or_same(few[below(sizeof few / sizeof *few)],
-		    single);
+		return neighbour_or_same(
+		    few[random_below(sizeof few / sizeof *few)], single);
 	}
 	}
 }
 
-static void fill(double v[BLOCK + SURPLUS], bool single)
+static void fill_random(double v[BLOCK + SURPLUS], bool single)
 {
 	for (int i = 0; i < BLOCK + SURPLUS; i++) {
 		v[i] = any_number(single);
-		if (below(4) == 0)
+		if (random_below(4) == 0)
 			v[i] = -v[i];
 		if (single)
 			v[i] = (double)(float)v[i];
@@ -210,9 +215,9 @@ static void check_style(struct number_style style, bool single)
 	double v[BLOCK + SURPLUS];
 
 	for (long k = 0; k < count; k += BLOCK) {
-		size_t n = (size_t)(BLOCK - below(SURPLUS));
+		size_t n = (size_t)(BLOCK - random_below(SURPLUS));
 
-		fill(v, single);
+		fill_random(v, single);
 		for (size_t i = 0; i < n; i++)
 			*write_one(expected[i], v[i], single, style) = '\0';
 		for (size_t c = 0; c < sizeof copies / sizeof *copies; c++)
@@ -252,8 +257,9 @@ static void vector_makes_usual_texts(void **unused)
 			continue; /* this copy has no vector loops */
 		for (size_t k = 0; k < 6; k++) {
 			for (int i = 0; i < BLOCK; i++)
-				v[i] = (double)(float)ldexp(2 * unit() - 1,
-				    below(42) - 18);
+				v[i] = (double)(float)ldexp(2 * random_unit() -
+					1,
+				    random_below(42) - 18);
 			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
 			for (int i = 0; i < BLOCK; i++)
 				if (t[i].layout == 0 && fabs(v[i]) > 0x1p-17 &&

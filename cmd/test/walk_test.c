@@ -161,12 +161,12 @@ static const struct example paths[] = {
 	{ NULL, NULL },
 };
 
-/* Lines of the usual form before the tested line: walk_lines leaves the first lines of
- * a text. */
+/* The number of lines before the tested line. walk_lines leaves the first lines of a
+ * text to line_read. */
 enum { BEFORE = 8 };
 
-/* Returns the numbers that walk_lines finds on a line among lines like usual, with a
- * bar after each, or NULL if it leaves the line. */
+/* Returns the numbers that walk_lines finds on a line, with a bar after each, or NULL
+ * if it leaves the line. Lines equal to usual stand before and after the line. */
 static const char *numbers_found(const struct layout *l, const char *line,
     const char *usual)
 {
@@ -207,7 +207,7 @@ static const char *numbers_found(const struct layout *l, const char *line,
 	return out;
 }
 
-static void check(const struct layout *l, const struct example *e,
+static void check_examples(const struct layout *l, const struct example *e,
     const char *usual)
 {
 	for (; e->line != NULL; e++)
@@ -222,25 +222,25 @@ static void numbers_are_found(void **state)
 	(void)state;
 	if (!kernels_choose(NULL) || number_loops() == NULL)
 		skip();
-	check(&l, text, "11 12 13");
+	check_examples(&l, text, "11 12 13");
 	l.reads = 2;
-	check(&l, two_of_text, "11 12");
+	check_examples(&l, two_of_text, "11 12");
 	l = (struct layout){ .in = { FORMAT_CSV, ',' }, .reads = 3 };
-	check(&l, csv, "11,12,13");
+	check_examples(&l, csv, "11,12,13");
 	l.columns = (struct columns){ .n = 3, .field = { 4, 1, 3 } };
-	check(&l, columns_of_csv, "a,11,b,12,13");
+	check_examples(&l, columns_of_csv, "a,11,b,12,13");
 	l.in.format = FORMAT_JSON;
-	check(&l, columns_of_arrays, "[0,11,0,12,13]");
+	check_examples(&l, columns_of_arrays, "[0,11,0,12,13]");
 	l.columns = (struct columns){ .name = { "x", "y", "z" } };
-	check(&l, arrays, "[11,12,13]");
-	check(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
+	check_examples(&l, arrays, "[11,12,13]");
+	check_examples(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
 	l.columns = (struct columns){ .n = 3,
 		.name = { "/p/x", "/p/q/1", "z" } };
-	check(&l, paths, "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3}");
+	check_examples(&l, paths, "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3}");
 }
 
-/* The vector loops do not read some of these numbers. walk_numbers has read their
- * values, or leaves the line to line_read. */
+/* The vector loops leave some of these numbers. walk_numbers reads them all the same,
+ * or leaves their lines to line_read. */
 static void numbers_with_exponents_are_read(void **state)
 {
 	static const char all[] = "1 2 30\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"

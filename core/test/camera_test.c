@@ -286,7 +286,8 @@ static void up_parallel_to_the_gaze(void **state)
 	assert_in_range(refusals, 100, 400);
 }
 
-/* A camera whose pose is the matrix of another has the inverse map. */
+/* The map of a camera with a pose is the inverse of the map of a camera with the same
+ * matrix as "matrix". */
 static void pose_is_the_inverse(void **state)
 {
 	(void)state;

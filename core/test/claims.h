@@ -23,11 +23,11 @@ static inline void assert_at_most(const char *what, double worst, double bound)
 		    bound);
 }
 
-/* Asserts what many comparisons by truth_compare found. Every element is the nearest
- * double and the nearest float, but for at most 1 % that TRUTH_TOLERANCE excuses. The
- * pair of doubles of an element is within EX_ROUND_BOUND 2^-106. Every sum is within
- * its own bound of the error, and no such bound exceeds bound TRUTH_TOLERANCE times the
- * element's size. An element is 0 where the truth is 0. */
+/* Asserts what truth_compare found in many maps. Every element is the nearest double
+ * and the nearest float, but for at most 1 % that TRUTH_TOLERANCE excuses. The pair of
+ * doubles of an element is within EX_ROUND_BOUND 2^-106. Every sum is within its own
+ * bound of the error. The largest such bound, in units of TRUTH_TOLERANCE times the
+ * size of the element, is at most bound. An element is 0 where the truth is 0. */
 static inline void assert_errors(const char *what, const struct worst *w,
     double bound)
 {
@@ -50,8 +50,8 @@ static inline void assert_maps(const char *what, const struct worst *w)
 	assert_errors(what, w, 0.5);
 }
 
-/* Asserts that the reason of a refusal begins with a JSON pointer or more, and that
- * there it ends or a colon or a semicolon follows. */
+/* Asserts that the reason of a refusal begins with this JSON pointer, or with more of
+ * the reason. A colon, a semicolon or the end of the reason follows. */
 static inline void assert_reason(const char *why, const char *begins)
 {
 	size_t n = strlen(begins);

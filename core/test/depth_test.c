@@ -153,7 +153,7 @@ static double first_distance(const struct projector *p, enum buffer b,
 	return end;
 }
 
-static double step_of(const struct scene *s, enum buffer b, bool far)
+static double plane_step(const struct scene *s, enum buffer b, bool far)
 {
 	struct picture p;
 
@@ -223,10 +223,10 @@ static void infinite_far_has_steps(void **state)
 	(void)state;
 	/* depth 1 - 1/z is 1/65535 at z = 65535/65534 */
 	assert_null(picture_of(&s, &p));
-	assert_number(step_of(&s, BUFFER_UNORM16, false), 1.0 / 65534);
-	assert_number(step_of(&s, BUFFER_FLOAT32, false), 0x1p-149);
+	assert_number(plane_step(&s, BUFFER_UNORM16, false), 1.0 / 65534);
+	assert_number(plane_step(&s, BUFFER_FLOAT32, false), 0x1p-149);
 	for (enum buffer b = 0; b < BUFFERS; b++)
-		assert_true(isnan(step_of(&s, b, true)) != 0);
+		assert_true(isnan(plane_step(&s, b, true)) != 0);
 	/* steps from depth 1/2 at z = 2 to 1/2 - 1/65535 and 1/2 - 2^-25 */
 	assert_number(depth_step_at(&p.depth, BUFFER_UNORM16, 2), 4.0 / 65537);
 	assert_number(depth_step_at(&p.depth, BUFFER_FLOAT32, 2),
@@ -234,7 +234,7 @@ static void infinite_far_has_steps(void **state)
 	/* reversed depth 1/z is 1 - 2^-24 at z = 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
 	assert_null(picture_of(&s, &p));
-	assert_number(step_of(&s, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
+	assert_number(plane_step(&s, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
 	/* 1/3 is between two floats */
 	float up = (float)(1.0 / 3);
 
@@ -254,22 +254,22 @@ static void a_range_below_a_step_has_none(void **state)
 		enum buffer b = (enum buffer)(i / 2);
 
 		s.viewport.min_z = 1;
-		assert_true(isnan(step_of(&s, b, i % 2)) != 0);
+		assert_true(isnan(plane_step(&s, b, i % 2)) != 0);
 		s.viewport.min_z = 1 - 0x1p-24;
 		assert_true(
-		    isnan(step_of(&s, b, i % 2)) == (b != BUFFER_FLOAT32));
+		    isnan(plane_step(&s, b, i % 2)) == (b != BUFFER_FLOAT32));
 		s.viewport.min_z = 1 - 0x1p-23;
 		assert_true(
-		    isnan(step_of(&s, b, i % 2)) == (b == BUFFER_UNORM16));
+		    isnan(plane_step(&s, b, i % 2)) == (b == BUFFER_UNORM16));
 	}
 	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;
 	s.viewport.max_z = -1;
-	assert_true(step_of(&s, BUFFER_FLOAT32, false) > 0);
+	assert_true(plane_step(&s, BUFFER_FLOAT32, false) > 0);
 	s.viewport.min_z = 1e38;
 	s.viewport.max_z = nextafter(1e38, 2e38);
-	assert_true(isnan(step_of(&s, BUFFER_FLOAT32, false)) != 0);
-	assert_true(isnan(step_of(&s, BUFFER_FLOAT32, true)) != 0);
+	assert_true(isnan(plane_step(&s, BUFFER_FLOAT32, false)) != 0);
+	assert_true(isnan(plane_step(&s, BUFFER_FLOAT32, true)) != 0);
 }
 
 int main(void)

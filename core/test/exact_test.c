@@ -241,8 +241,8 @@ static void ends_of_the_range(void **state)
 	assert_true(!isfinite(round_to_pair(ex_quotient(big, ex_of(0))).hi));
 }
 
-/* Tests terms that are farther apart than the room of EX_WORDS words. No bit of a sum
- * is lost but those of words below the EX_WORDS words from its first bit. */
+/* Tests terms that are farther apart than EX_WORDS words: only the words of a sum
+ * below its first EX_WORDS words are lost. */
 static void terms_far_apart(void **state)
 {
 	ex one = ex_add(ex_of(1), ex_shift(ex_of(1), 70)), r;

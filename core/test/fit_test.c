@@ -17,7 +17,7 @@ struct plane {
 	struct sized slope[4];
 };
 
-static struct plane column(const struct truth *t, int j)
+static struct plane plane_of_column(const struct truth *t, int j)
 {
 	struct plane p;
 
@@ -39,7 +39,7 @@ static struct plane combine(const struct plane *a, double sign,
 	return p;
 }
 
-static struct sized at_point(const struct plane *p, const struct cloud *c,
+static struct sized value_at_point(const struct plane *p, const struct cloud *c,
     size_t n)
 {
 	struct sized v = p->slope[3];
@@ -57,7 +57,7 @@ static struct sized least(const struct plane *p, const struct bounds *b,
 	struct sized lowest = p->slope[3];
 
 	for (size_t n = 0; n < c->n; n++) {
-		struct sized at = at_point(p, c, n);
+		struct sized at = value_at_point(p, c, n);
 
 		if (n == 0 || mpfr_less_p(at.value, lowest.value))
 			lowest = at;
@@ -80,7 +80,7 @@ static struct sized least(const struct plane *p, const struct bounds *b,
 	return v;
 }
 
-static double value(real a)
+static double nearest_double(real a)
 {
 	return mpfr_get_d(a, MPFR_RNDN);
 }
@@ -114,7 +114,7 @@ static double farthest(const double eye[3])
 	return fmax(fabs(eye[0]), fmax(fabs(eye[1]), fabs(eye[2])));
 }
 
-static void measure_sides(struct fitted *f)
+static void measure_side_gaps(struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
 	bool persp = p->type == PROJECTION_PERSP;
@@ -123,10 +123,10 @@ static void measure_sides(struct fitted *f)
 
 	truth_limits(&f->s, limit);
 	truth_scene(&f->s, SPACE_MODEL, SPACE_CLIP, &t);
-	struct plane w = column(&t, 3);
+	struct plane w = plane_of_column(&t, 3);
 
 	for (int k = 0; k < 4; k++) {
-		struct plane x = column(&t, k / 2);
+		struct plane x = plane_of_column(&t, k / 2);
 		real unit = persp ? slope(&f->s, k, limit[k / 2]) :
 				    real_of(2 / (k < 2 ? p->width : p->height));
 
@@ -137,17 +137,17 @@ static void measure_sides(struct fitted *f)
 	}
 }
 
-static void measure(struct fitted *f)
+static void measure_gaps(struct fitted *f)
 {
 	const struct scene *s = &f->s;
 	struct truth t;
 
-	measure_sides(f);
+	measure_side_gaps(f);
 	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &t);
 	for (int k = 4; k < 6; k++) {
 		double sign = truth_gaze_sign(&s->convention) *
 		    (k == 4 ? 1 : -1);
-		struct plane z = column(&t, 2);
+		struct plane z = plane_of_column(&t, 2);
 
 		z = combine(&z, sign, &z, real_of(0));
 		f->gap[k] = sized_add(least(&z, f->b, &f->cloud),
@@ -161,7 +161,7 @@ static void measure(struct fitted *f)
 	}
 }
 
-static bool holds(const struct fitted *f)
+static bool contains_bounds(const struct fitted *f)
 {
 	bool doubtful;
 
@@ -189,7 +189,7 @@ static bool is_filled(const struct fitted *f, int k, double distance)
 {
 	real gaps = add(f->gap[k].value, f->gap[k + 1].value);
 
-	return value(gaps) < distance * (1 - 0x1p-30);
+	return nearest_double(gaps) < distance * (1 - 0x1p-30);
 }
 
 static bool depth_tight(const struct fitted *f)
@@ -204,22 +204,22 @@ static bool depth_tight(const struct fitted *f)
 /* Returns the size of the numbers whose rounding can change gap k. */
 static double rounded_size(const struct fitted *f, int k)
 {
-	return farthest(f->s.camera.eye) + value(f->gap[k].size);
+	return farthest(f->s.camera.eye) + nearest_double(f->gap[k].size);
 }
 
 /* Returns whether opposite gaps are equal but for rounding. */
 static bool is_centered(const struct fitted *f)
 {
 	for (int k = 0; k < 4; k += 2)
-		if (fabs(value(sub(f->gap[k].value, f->gap[k + 1].value))) >
-		    0x1p-48 * rounded_size(f, k))
+		if (fabs(nearest_double(sub(f->gap[k].value,
+			f->gap[k + 1].value))) > 0x1p-48 * rounded_size(f, k))
 			return false;
 	return true;
 }
 
-/* Returns whether width and height are the tightest doubles. With an aspect only one
- * has to be tight, from which the other side follows. */
-static bool sides_tight(const struct fitted *f)
+/* Returns whether width and height are the tightest doubles. With an aspect, only one
+ * of width and height has to be tight: the aspect gives the other. */
+static bool sides_are_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
 	bool tight[2];
@@ -235,7 +235,8 @@ static bool sides_tight(const struct fitted *f)
 		real twice = divide(real_of(2), limit[j]);
 
 		/* the side is too large by 2 gap / limit */
-		tight[j] = !is_filled(f, 2 * j, side * value(limit[j])) ||
+		tight[j] = !is_filled(f, 2 * j,
+			       side * nearest_double(limit[j])) ||
 		    is_tight(sized_mul(less, (struct sized){ twice, twice }),
 			side, 0);
 	}
@@ -244,13 +245,14 @@ static bool sides_tight(const struct fitted *f)
 	real aspect = divide(real_of(p->aspect[0]), real_of(p->aspect[1]));
 
 	return tight[0] ?
-	    value(divide(real_of(p->width), aspect)) == p->height :
-	    tight[1] && value(mul(real_of(p->height), aspect)) == p->width;
+	    nearest_double(divide(real_of(p->width), aspect)) == p->height :
+	    tight[1] &&
+		nearest_double(mul(real_of(p->height), aspect)) == p->width;
 }
 
 /* Returns whether the eye is as near as a side plane or near_ratio allows, but for the
  * rounding of the eye, also across the gaze. */
-static bool eye_tight(const struct fitted *f)
+static bool eye_is_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
 
@@ -258,7 +260,8 @@ static bool eye_tight(const struct fitted *f)
 		mul(real_of(p->near_ratio), real_of(p->far))) < 0)
 		return false;
 	for (int k = 0; k < 4; k++)
-		if (value(f->gap[k].value) <= 0x1p-48 * rounded_size(f, k))
+		if (nearest_double(f->gap[k].value) <=
+		    0x1p-48 * rounded_size(f, k))
 			return true;
 	return p->near - p->near_ratio * p->far <= 0x1p-48 * rounded_size(f, 5);
 }
@@ -280,9 +283,10 @@ static bool is_balanced(const struct fitted *f)
 		    mul(real_of(rounded_size(f, k + 1)),
 			slope(&f->s, k + 1, limit[k / 2])));
 
-		if (fabs(value(sub(low, high))) > 0x1p-48 * value(all))
+		if (fabs(nearest_double(sub(low, high))) >
+		    0x1p-48 * nearest_double(all))
 			return false;
-		touches |= value(low) <= 0x1p-48 * value(all);
+		touches |= nearest_double(low) <= 0x1p-48 * nearest_double(all);
 	}
 	return touches ||
 	    f->s.projection.near -
@@ -290,7 +294,7 @@ static bool is_balanced(const struct fitted *f)
 	    0x1p-48 * rounded_size(f, 5);
 }
 
-static unsigned flags(const struct scene *s, const struct fitted *f)
+static unsigned out_bits(const struct scene *s, const struct fitted *f)
 {
 	struct frustum frustum;
 	unsigned out = 0;
@@ -311,7 +315,7 @@ static unsigned flags(const struct scene *s, const struct fitted *f)
 
 /* Returns whether near and far would cut the bounds if they were one double tighter, as
  * the OUT_ bits say. A step from 0 is too small for the bits. */
-static bool flags_tight(const struct fitted *f)
+static bool near_and_far_are_tight(const struct fitted *f)
 {
 	struct scene near = f->s, far = f->s;
 
@@ -320,8 +324,8 @@ static bool flags_tight(const struct fitted *f)
 	if (!(near.projection.near < far.projection.far) ||
 	    !is_filled(f, 4, far.projection.far - near.projection.near))
 		return true;
-	return (f->s.projection.near == 0 || flags(&near, f) & OUT_NEAR) &&
-	    (f->s.projection.far == 0 || flags(&far, f) & OUT_FAR);
+	return (f->s.projection.near == 0 || out_bits(&near, f) & OUT_NEAR) &&
+	    (f->s.projection.far == 0 || out_bits(&far, f) & OUT_FAR);
 }
 
 static void sample_bounds(struct bounds *b, int e)
@@ -454,17 +458,17 @@ static int fit_many(int n, int e, bool points)
 			continue;
 		if (fit_scene(&f.s, has_eye, &b) != NULL)
 			continue;
-		measure(&f);
-		assert_true(holds(&f));
-		assert_int_equal(flags(&f.s, &f), 0);
+		measure_gaps(&f);
+		assert_true(contains_bounds(&f));
+		assert_int_equal(out_bits(&f.s, &f), 0);
 		assert_true(depth_tight(&f));
 		if (p->type == PROJECTION_PERSP && points && !has_eye)
 			assert_true(is_balanced(&f));
 		else if (p->type == PROJECTION_PERSP)
-			assert_true(eye_tight(&f));
+			assert_true(eye_is_tight(&f));
 		else
-			assert_true(is_centered(&f) && sides_tight(&f));
-		assert_true(flags_tight(&f));
+			assert_true(is_centered(&f) && sides_are_tight(&f));
+		assert_true(near_and_far_are_tight(&f));
 		real_release(mark);
 		fitted++;
 	}

@@ -7,7 +7,7 @@
 #include "claims.h"
 #include "numbers.h"
 
-static double nearest(real a)
+static double nearest_double(real a)
 {
 	return mpfr_get_d(a, MPFR_RNDN);
 }
@@ -32,7 +32,7 @@ static double least_side(real low, real high, double center, double margin)
 	return mpfr_get_d(divide(mul(real_of(2), most), room), MPFR_RNDU);
 }
 
-static void expect(const struct scene *s, const struct bounds *b,
+static void expected_window(const struct scene *s, const struct bounds *b,
     struct window *w)
 {
 	double *const side[2] = { &w->width, &w->height };
@@ -49,7 +49,7 @@ static void expect(const struct scene *s, const struct bounds *b,
 			low[i] = sub(low[i], half);
 			high[i] = add(high[i], half);
 		}
-		w->center[i] = nearest(
+		w->center[i] = nearest_double(
 		    divide(add(low[i], high[i]), real_of(2)));
 		*side[i] = least_side(low[i], high[i], w->center[i], s->margin);
 	}
@@ -57,8 +57,8 @@ static void expect(const struct scene *s, const struct bounds *b,
 		return;
 	real shape = divide(real_of(s->device.width),
 	    real_of(s->device.height));
-	double wide = nearest(mul(real_of(w->height), shape));
-	double high_enough = nearest(divide(real_of(w->width), shape));
+	double wide = nearest_double(mul(real_of(w->height), shape));
+	double high_enough = nearest_double(divide(real_of(w->width), shape));
 
 	if (wide > w->width)
 		w->width = wide;
@@ -75,7 +75,8 @@ static void sample_bounds(struct bounds *b, int e)
 
 		if (sample_below(4) == 0)
 			c = a;
-		if (sample_below(4) == 0) /* bounds of a few ulps */
+		if (sample_below(4) ==
+		    0) /* bounds of a few units in the last place */
 			c = a * (1 + sample_below(9) * 0x1p-50);
 		b->center[i] = a;
 		b->min[i] = fmin(a, c);
@@ -83,7 +84,7 @@ static void sample_bounds(struct bounds *b, int e)
 	}
 }
 
-static bool holds(const struct scene *s, const struct bounds *b)
+static bool window_holds(const struct scene *s, const struct bounds *b)
 {
 	struct frustum f;
 	unsigned out = 0;
@@ -98,13 +99,14 @@ static bool holds(const struct scene *s, const struct bounds *b)
 
 /* Returns whether the window holds the bounds with the side along axis one double
  * smaller. */
-static bool holds_less(const struct scene *s, const struct bounds *b, int axis)
+static bool smaller_window_holds(const struct scene *s, const struct bounds *b,
+    int axis)
 {
 	struct scene less = *s;
 	double *side = axis == 0 ? &less.window.width : &less.window.height;
 
 	*side = nextafter(*side, 0);
-	return holds(&less, b);
+	return window_holds(&less, b);
 }
 
 static bool is_flat(const struct bounds *b)
@@ -129,16 +131,17 @@ static void fit_many(int e, int n)
 		if (fit_window(&s, &b) == NULL) {
 			const struct window *w = &s.window;
 
-			expect(&s, &b, &want);
+			expected_window(&s, &b, &want);
 			assert_number(w->center[0], want.center[0]);
 			assert_number(w->center[1], want.center[1]);
 			assert_number(w->width, want.width);
 			assert_number(w->height, want.height);
 			assert_true(!w->by_edges && w->zoom == 1);
-			assert_true(s.has_window && holds(&s, &b));
+			assert_true(s.has_window && window_holds(&s, &b));
 			if (!b.sphere && s.margin == 0 && !is_flat(&b)) {
-				bool less[2] = { holds_less(&s, &b, 0),
-					holds_less(&s, &b, 1) };
+				bool less[2] = { smaller_window_holds(&s, &b,
+						     0),
+					smaller_window_holds(&s, &b, 1) };
 
 				assert_false(less[0] && less[1]);
 				assert_true(s.has_device || !less[0]);
@@ -163,7 +166,7 @@ static void windows_are_the_least(void **state)
 	fit_many(149, 500);
 }
 
-/* One end is so small beside the other that the middle is rounded: the exact side is
+/* One end is so small beside the other that their middle is rounded. The exact side is
  * slightly more than a double, and is rounded up. */
 static void sides_are_rounded_up(void **state)
 {
@@ -203,7 +206,7 @@ static void refusals(void **state)
 	assert_refused_as(&b, "/bounds");
 	b = (struct bounds){ .max = { 1e-151, 1e-151 } };
 	assert_refused_as(&b, "/bounds");
-	/* a third coordinate is ignored */
+	/* fit_window ignores the third coordinate */
 	struct scene s = { 0 };
 
 	b = (struct bounds){ .min = { 0, 0, 1 }, .max = { 1, 1, 0 } };

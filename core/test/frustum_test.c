@@ -25,7 +25,7 @@ static void onto_planes(const struct scene *s, enum space from, struct block *b)
 			b->in[j][i] = image.out[j][i];
 }
 
-static struct sized limit_of(real limit)
+static struct sized sized_limit(real limit)
 {
 	return (struct sized){ limit, magnitude(limit) };
 }
@@ -73,7 +73,7 @@ static void planes_of(const struct scene *s, const struct sized q[4],
 	truth_limits(s, limits);
 	for (int k = 0; k < 6; k++) {
 		bool high = k & 1;
-		struct sized limit = k < 4 ? limit_of(limits[k / 2]) :
+		struct sized limit = k < 4 ? sized_limit(limits[k / 2]) :
 					     sized_of(1);
 
 		if ((k == 2 || k == 3) && truth_answer(s)->ndc_y_down)

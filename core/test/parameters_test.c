@@ -93,7 +93,8 @@ static void to_matrices(struct scene *s)
 	s->projection.type = PROJECTION_MATRIX;
 }
 
-/* The parameters of a matrix are those that it was made of, but for rounding. */
+/* The parameters that inspect finds in a matrix are those that the matrix was made of,
+ * but for rounding. */
 static void matrices_give_their_parameters(void **state)
 {
 	struct scene s;
@@ -128,14 +129,15 @@ static void matrices_give_their_parameters(void **state)
 	assert_true(n > 100);
 }
 
-static void check(double got, struct sized n, struct sized d,
+static void count_verdict(double got, struct sized n, struct sized d,
     int tally[VERDICTS])
 {
 	tally[truth_verdict(got, n, d, false)]++;
 }
 
-/* Computes by the inverse map the homogeneous point of view space where side plane side
- * meets near or far, and the other ndc coordinate is 0. */
+/* Computes, by the inverse map, the homogeneous point of view space where the side
+ * plane with number side meets the near or far plane and the other of x and y in ndc
+ * is 0. */
 static void corner_at(const struct scene *s, const struct truth *back,
     const real limit[2], bool reversed, bool far, int side, struct sized h[4])
 {
@@ -188,8 +190,8 @@ static void check_edges(const struct scene *s, const struct truth *back,
 			    sized_mul(eye[0], d));
 			d = sized_mul(d, eye[1]);
 		}
-		check(copysign(edge[side],
-			  mpfr_sgn(n.value) * mpfr_sgn(d.value)),
+		count_verdict(copysign(edge[side],
+				  mpfr_sgn(n.value) * mpfr_sgn(d.value)),
 		    n, d, tally);
 	}
 }
@@ -207,7 +209,7 @@ static void check_distance(const struct scene *s, const struct truth *back,
 		if (far && isinf(p->far))
 			assert_true(isinf(got));
 		else
-			check(got, sized_of(far ? p->far : p->near),
+			count_verdict(got, sized_of(far ? p->far : p->near),
 			    truth_w_gradient(p), tally);
 		return;
 	}
@@ -217,7 +219,7 @@ static void check_distance(const struct scene *s, const struct truth *back,
 		eye[j] = truth_element(back, 2, j);
 	if (truth_sign(eye[3], NULL) == 0) {
 		got *= truth_gaze_sign(truth_answer(s));
-		check(got, h[2], h[3], tally);
+		count_verdict(got, h[2], h[3], tally);
 	} else if (truth_sign(h[3], NULL) == 0) {
 		assert_true(isinf(got));
 	} else {
@@ -226,7 +228,7 @@ static void check_distance(const struct scene *s, const struct truth *back,
 		struct sized d = sized_mul(h[3], eye[3]);
 
 		got = copysign(got, mpfr_sgn(n.value) * mpfr_sgn(d.value));
-		check(got, n, d, tally);
+		count_verdict(got, n, d, tally);
 	}
 }
 
@@ -259,8 +261,8 @@ static void check_frustum_planes(const struct scene *s, const struct picture *r,
 		for (int i = 0; i < 4; i++)
 			if (truth_sign(length, NULL) != 0 &&
 			    !(k >= 4 && projection_is_open(&s->projection)))
-				check(r->frustum_plane[k][i], v[i], length,
-				    tally);
+				count_verdict(r->frustum_plane[k][i], v[i],
+				    length, tally);
 			else
 				assert_true(isnan(r->frustum_plane[k][i]));
 	}
@@ -310,8 +312,8 @@ static void numbers_are_nearest(void **state)
 		for (int side = 0; side < 4; side++) {
 			corner_of(&s, &back, r.reverse_z, false, side, h);
 			if (!isnan(r.near_edge[side]))
-				check(r.near_edge[side], h[side / 2], h[3],
-				    tally[1]);
+				count_verdict(r.near_edge[side], h[side / 2],
+				    h[3], tally[1]);
 		}
 		real_release(mark);
 	}
@@ -381,12 +383,12 @@ static void to_one_matrix(struct scene *s)
 	s->has_camera = false;
 }
 
-static real at(real gradient[4], real point[3])
+static real value_at(real gradient[4], real point[3])
 {
 	return add(dot(gradient, point, 3), gradient[3]);
 }
 
-static void check_real(double got, real exact, int tally[2])
+static void count_nearest(double got, real exact, int tally[2])
 {
 	tally[got == mpfr_get_d(exact, MPFR_RNDN)]++;
 }
@@ -418,7 +420,7 @@ static void check_combined(const struct scene *s, const struct picture *r,
 		eye[i] = divide(back[2][i], back[2][3]);
 		n[i] = g[3][i];
 	}
-	real w = root(dot(n, n, 3)), depth = at(g[2], eye);
+	real w = root(dot(n, n, 3)), depth = value_at(g[2], eye);
 
 	normalise(n, 3);
 	for (int i = 0; i < 3; i++)
@@ -427,9 +429,9 @@ static void check_combined(const struct scene *s, const struct picture *r,
 	cross(up, n, right);
 	for (int i = 0; i < 3; i++) {
 		right[i] = c->right_handed ? negative(right[i]) : right[i];
-		check_real(camera->eye[i], eye[i], tally);
-		check_real(camera->at[i], n[i], tally);
-		check_real(camera->up[i], up[i], tally);
+		count_nearest(camera->eye[i], eye[i], tally);
+		count_nearest(camera->at[i], n[i], tally);
+		count_nearest(camera->up[i], up[i], tally);
 	}
 	real d[2];
 
@@ -438,13 +440,13 @@ static void check_combined(const struct scene *s, const struct picture *r,
 
 		d[i] = divide(depth, sub(mul(real_of(k), w), dot(g[2], n, 3)));
 		if (!isinf(distance[i]))
-			check_real(distance[i], d[i], tally);
+			count_nearest(distance[i], d[i], tally);
 	}
 	for (int i = 0; i < 4; i++) {
 		real *axis = i < 2 ? right : up, *x = g[i / 2];
 		real off = sub(mul(real_of(i % 2 ? 1 : -1), w), dot(x, n, 3));
 
-		check_real(edge[i], divide(mul(off, d[0]), dot(x, axis, 3)),
+		count_nearest(edge[i], divide(mul(off, d[0]), dot(x, axis, 3)),
 		    tally);
 	}
 }

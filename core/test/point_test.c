@@ -114,7 +114,7 @@ static void sums_of_given_numbers(void **state)
 	assert_image(&t, 1, -0x1p-60, 0, (double[]){ 3, 1, 1 - 0x1p-53 });
 }
 
-/* The image is 1 plus 2^310 times a difference of roots that is 0, and comes out as 1. */
+/* The image is 1 plus 2^310 times a difference of roots that is 0: it is exactly 1. */
 static void one_beside_a_zero_of_roots(void **state)
 {
 	struct sum root = sum_sqrt(sum_of_double(2));

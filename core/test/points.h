@@ -50,7 +50,7 @@ struct image {
 	bool
 	    exists; /* false on the eye plane, and behind it if transform.front */
 	bool
-	    doubtful; /* d is within TRUTH_TOLERANCE of 0, exists may be wrong */
+	    doubtful; /* d is within TRUTH_TOLERANCE of 0, so exists may be wrong */
 };
 
 void image_of(const struct truth *, const struct transform *, const double p[4],

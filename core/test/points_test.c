@@ -58,7 +58,7 @@ static bool sample_any(int e, struct scene *s, enum space *from,
 	return accepted;
 }
 
-static bool same(const struct block *a, const struct block *b, int out,
+static bool same_images(const struct block *a, const struct block *b, int out,
     size_t n)
 {
 	for (int j = 0; j < out; j++)
@@ -92,7 +92,7 @@ static void copies_give_the_same_bits(void **state)
 				if (!kernels_choose(copies[c]))
 					continue;
 				map_block(&t, (enum precision)e, &b, n);
-				assert_true(same(&first, &b, t.out, n));
+				assert_true(same_images(&first, &b, t.out, n));
 			}
 		}
 	}
@@ -120,7 +120,7 @@ static void points_do_not_depend_on_blocks(void **state)
 			map_block(&t, PRECISION_EXACT, &one, 1);
 			for (int j = 0; j < t.out; j++)
 				whole.out[j][0] = whole.out[j][i];
-			assert_true(same(&whole, &one, t.out, 1));
+			assert_true(same_images(&whole, &one, t.out, 1));
 		}
 	}
 }

@@ -34,7 +34,7 @@ struct rays {
 	double at[2][POINTS_BLOCK], ray[6][POINTS_BLOCK];
 };
 
-static void cast(const struct ray_maker *r, bool single, size_t n,
+static void cast_block(const struct ray_maker *r, bool single, size_t n,
     struct rays *b)
 {
 	const double *const at[2] = { b->at[0], b->at[1] };
@@ -78,7 +78,7 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 }
 
 /* Returns whether device depth falls along rays. */
-static bool against(const struct scene *s)
+static bool is_depth_against_rays(const struct scene *s)
 {
 	return (s->viewport.max_z > s->viewport.min_z) ==
 	    projection_is_reversed(&s->projection, &s->convention);
@@ -120,10 +120,11 @@ static void rays_are_exact(void **state)
 		truth_scene(&s, SPACE_CLIP, SPACE_WORLD, &eye);
 		for (int single = 0; single < 2; single++) {
 			sample_positions(&s.viewport, 10, &b);
-			cast(&r, single, 10, &b);
+			cast_block(&r, single, 10, &b);
 			for (size_t i = 0; i < 10; i++)
 				check_ray(&r, &back, open ? &eye : NULL,
-				    against(&s), &b, i, single, verdicts);
+				    is_depth_against_rays(&s), &b, i, single,
+				    verdicts);
 		}
 		real_release(mark);
 	}
@@ -154,15 +155,15 @@ static void copies_give_the_same_rays(void **state)
 		sample_positions(&s.viewport, n, &first);
 		kernels_choose("baseline");
 		memcpy(&b, &first, sizeof b);
-		cast(&r, single, n, &first);
+		cast_block(&r, single, n, &first);
 		for (int c = 0; c < COPIES; c++) {
 			if (!kernels_choose(copies[c]))
 				continue;
-			cast(&r, single, n, &b);
+			cast_block(&r, single, n, &b);
 			for (int j = 0; j < 6; j++)
 				assert_memory_equal(first.ray[j], b.ray[j],
 				    n * sizeof(double));
-			cast(&r, single, 1, &b);
+			cast_block(&r, single, 1, &b);
 			for (int j = 0; j < 6; j++)
 				assert_memory_equal(first.ray[j], b.ray[j],
 				    sizeof(double));
@@ -183,7 +184,7 @@ static void no_position_no_ray(void **state)
 		sample_scene(&s, 0);
 	while (ray_maker_of(&s, &r) != NULL);
 	b.at[0][0] = (double)NAN;
-	cast(&r, false, 1, &b);
+	cast_block(&r, false, 1, &b);
 	for (int j = 0; j < 6; j++)
 		assert_true(isnan(b.ray[j][0]));
 }

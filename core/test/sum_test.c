@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Each operation carries on the bound of the error of a sum, and sum_sign takes a sum
- * for 0 that is not above its bound. */
+/* The result of each operation has the right bound of its error, and sum_sign returns
+ * 0 for a sum that is not above its bound. */
 #include "../exact/sum.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include "numbers.h"
 
-/* Returns a 0 whose bound of the error is SUM_QUOTIENT_ERROR, an exponent (see sum.h). */
+/* Returns a 0. The bound of its error is SUM_QUOTIENT_ERROR, an exponent: see sum.h. */
 static struct sum inexact_zero(void)
 {
 	struct sum one = sum_with_error(ex_of(1), SUM_QUOTIENT_ERROR);
@@ -96,7 +96,7 @@ static void tests_for_zero_and_one(void **state)
 	assert_false(sum_is_power_of_two(&one));
 }
 
-/* Roots and quotients that fit the words of a sum are exact, and others have an error. */
+/* Roots and quotients that fit the words of a sum are exact. Others have an error. */
 static void short_roots_and_quotients_are_exact(void **state)
 {
 	(void)state;

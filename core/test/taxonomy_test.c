@@ -4,12 +4,12 @@
 
 #include "claims.h"
 
-/* The numbers of one kind, counted by verdict. */
+/* The count of numbers of each verdict. */
 struct tally {
 	int n[VERDICTS];
 };
 
-static void check(double got, struct sized n, struct sized d,
+static void count_verdict(double got, struct sized n, struct sized d,
     struct tally *tally)
 {
 	tally->n[truth_verdict(got, n, d, false)]++;
@@ -17,19 +17,19 @@ static void check(double got, struct sized n, struct sized d,
 
 /* Checks that got is h / w, or nan if the point is not visible or w is 0. */
 static void check_point(const double *got, const struct sized h[4], int n,
-    bool seen, struct tally *tally)
+    bool visible, struct tally *tally)
 {
 	bool doubtful;
 	int w = truth_sign(h[3], &doubtful);
 
 	for (int j = 0; j < n; j++)
-		if (w == 0 || !seen)
+		if (w == 0 || !visible)
 			assert_true(isnan(got[j]) != 0);
 		else if (!doubtful)
-			check(got[j], h[j], h[3], tally);
+			count_verdict(got[j], h[j], h[3], tally);
 }
 
-static void row_of(const struct truth *t, int i, struct sized h[4])
+static void matrix_row(const struct truth *t, int i, struct sized h[4])
 {
 	for (int j = 0; j < 4; j++)
 		h[j] = truth_element(t, i, j);
@@ -44,7 +44,7 @@ static void check_vanishing_points(const struct scene *s,
 	for (int i = 0; i < 3; i++) {
 		struct sized h[4];
 
-		row_of(&truth, i, h);
+		matrix_row(&truth, i, h);
 		check_point(t->vanishing_point[i], h, 2, true, tally);
 	}
 }
@@ -64,7 +64,7 @@ static void check_places(const struct scene *s, const struct picture *t,
 
 	truth_scene(s, SPACE_CLIP, SPACE_WORLD, &truth);
 	truth_limits(s, limit);
-	row_of(&truth, 2, h);
+	matrix_row(&truth, 2, h);
 	check_point(t->eye, h, 3, true, tally);
 	for (int c = 0; c < 8; c++) {
 		double depth = (c >= 4) != t->reverse_z ? 1 : low;
@@ -112,7 +112,7 @@ static void check_fov(const struct scene *s, const struct picture *t,
 		mpfr_acos(angle, angle, MPFR_RNDN);
 		mpfr_mul_ui(angle, angle, 180, MPFR_RNDN);
 		mpfr_const_pi(a[0], MPFR_RNDN);
-		check(t->fov[k], (struct sized){ angle, angle },
+		count_verdict(t->fov[k], (struct sized){ angle, angle },
 		    (struct sized){ a[0], a[0] }, tally);
 	}
 }
@@ -152,7 +152,7 @@ static void check_foreshortening(const struct scene *s, const struct picture *t,
 		}
 		struct sized f = { root(dot(part + 1, part + 1, 2)), size };
 
-		check(t->foreshortening[i], f,
+		count_verdict(t->foreshortening[i], f,
 		    (struct sized){ real_of(1),
 			divide(real_of(1), magnitude(dot(n, d, 3))) },
 		    tally);
@@ -189,7 +189,7 @@ static void check_gaze(const struct scene *s, const struct picture *t,
 		n[i].value = magnitude(n[i].value);
 	}
 	for (int i = 0; i < 3; i++)
-		check(fabs(t->gaze[i]), n[i], sized_length(n), tally);
+		count_verdict(fabs(t->gaze[i]), n[i], sized_length(n), tally);
 	check_ahead(t);
 }
 

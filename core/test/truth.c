@@ -183,8 +183,8 @@ static void keep_worst(double *worst, double a)
 		*worst = a;
 }
 
-static void compare(const struct map *m, int i, int j, const struct truth *t,
-    struct worst *w)
+static void compare_element(const struct map *m, int i, int j,
+    const struct truth *t, struct worst *w)
 {
 	struct sized exact = truth_element(t, i, j), one = sized_of(1);
 	struct sum got = map_element(m, i, j);
@@ -226,6 +226,6 @@ void truth_compare(const struct truth *t, const struct map *r, struct worst *w)
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			compare(r, i, j, t, w);
+			compare_element(r, i, j, t, w);
 	real_release(mark);
 }

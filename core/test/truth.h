@@ -49,7 +49,8 @@ const struct convention *truth_answer(const struct scene *);
 void truth_matrix(const struct scene *, enum space from, enum space to,
     real m[4][4]);
 
-/* Returns the limits of |x| and |y| in ndc on the viewport. */
+/* Returns the limits of |x| and |y| in ndc on the viewport, less the margin of the
+ * scene. */
 void truth_limits(const struct scene *, real limit[2]);
 
 /* A value that is a sum. Its size is the sum of the magnitudes of its terms. */
@@ -100,7 +101,7 @@ enum verdict truth_verdict(double printed, struct sized n, struct sized d,
 /* Returns the double nearest to an element. */
 double element(const struct map *, int i, int j);
 
-/* The worst errors in many maps. TRUTH_TOLERANCE excuses nothing in a rational scene. */
+/* The worst errors in many maps. TRUTH_TOLERANCE excuses none in a rational scene. */
 struct worst {
 	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
 	double

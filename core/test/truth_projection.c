@@ -43,7 +43,8 @@ static void section_by_angles(const struct projection *p, real s[2],
 	}
 }
 
-/* Sets s to the given scale, of x if x_given, and the scale that follows by aspect. */
+/* Sets s to the scales of x and y. One of them is given, that of x if x_given, and the
+ * aspect gives the other. */
 static void section_by_aspect(const struct projection *p, bool x_given,
     real given, real s[2])
 {
@@ -90,7 +91,7 @@ static void cross_section(const struct projection *p, real n, real s[2],
 	case EXTENT_ANGLES:
 		section_by_angles(p, s, off);
 		break;
-	case EXTENT_INTRINSICS: /* see pixels */
+	case EXTENT_INTRINSICS: /* by the function pixels */
 		break;
 	}
 }

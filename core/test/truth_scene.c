@@ -141,7 +141,7 @@ static void camera(struct truth *t, const struct camera *c,
 		truth_half_turn(t);
 	struct truth_stage *roll = truth_stage(t);
 
-	/* row vectors times [cos sin; -sin cos] */
+	/* for row vectors: [cos sin; -sin cos] */
 	roll->m[0][0] = roll->m[1][1] = cosine(c->roll, c->unit);
 	roll->m[0][1] = sine(c->roll, c->unit);
 	roll->m[1][0] = negative(sine(c->roll, c->unit));

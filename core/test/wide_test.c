@@ -26,7 +26,7 @@ static uint64_t any_word(void)
 	return sample_below(4) ? w : sample_below(2) ? w % 3 : -(w % 3);
 }
 
-static wide both(uint64_t high, uint64_t low)
+static wide wide_of_words(uint64_t high, uint64_t low)
 {
 	return (wide)high << 64 | low;
 }
@@ -40,7 +40,8 @@ static void products(void **state)
 		uint64_t before = any_word(), carry = before;
 		uint64_t p = multiply_add(a, b, c, &carry);
 
-		assert_true(both(carry, p) == (wide)a * b + c + before);
+		assert_true(
+		    wide_of_words(carry, p) == (wide)a * b + c + before);
 	}
 }
 
@@ -52,7 +53,7 @@ static void quotients(void **state)
 		uint64_t d = any_word() | 1, high = any_word() % d;
 		uint64_t low = any_word(), q = divide_two_words(high, low, d);
 
-		assert_true(q == both(high, low) / d);
+		assert_true(q == wide_of_words(high, low) / d);
 	}
 }
 #endif

@@ -68,7 +68,7 @@ static void random_viewports(void **state)
 	check_viewports("hostile, to 1e150", 150, 1000);
 }
 
-/* Asserts which part of the x axis the window shows, by its centre and half its width. */
+/* Asserts which part of the x axis the window shows: its centre and half its width. */
 static void check_shown(const struct window *w, const struct device *d,
     double center, double half)
 {
