@@ -2,49 +2,19 @@
 /* number_read and number_write agree with strtod and printf, which round correctly in
  * the C library. The shortest text has the layout of JavaScript, by ECMA-262,
  * 6.1.6.1.20. */
-#define _DEFAULT_SOURCE
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/mman.h>
+#include "random.h"
 
 #include "../number/number.h"
 
-enum { TEXT_MAX = 2048, PAGES = 65536 };
+enum { TEXT_MAX = 2048 };
 
-static char *guard; /* the guard page: an access faults */
+static char *guard; /* the end of the texts that are read */
 
 static int make_guard(void **unused)
 {
-	char *start = mmap(NULL, 2 * PAGES, PROT_READ | PROT_WRITE,
-	    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-
 	(void)unused;
-	if (start == MAP_FAILED)
-		return -1;
-	guard = start + PAGES;
-	return mprotect(guard, PAGES, PROT_NONE);
-}
-
-static uint64_t next_random(void)
-{
-	static uint64_t state = 88172645463325252;
-
-	state ^= state << 13;
-	state ^= state >> 7;
-	return state ^= state << 17;
-}
-
-static int random_below(int n)
-{
-	return (int)(next_random() >> 33) % n;
+	guard = guard_page();
+	return 0;
 }
 
 /* Returns a random finite double, of a random kind. */

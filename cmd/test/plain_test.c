@@ -1,39 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops of cmd/number/vector read numbers as strtod does. They leave to the scalar
  * code every number that is not plain (see is_plain), and few others. */
-#define _DEFAULT_SOURCE
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/mman.h>
+#include "random.h"
 
 #include "../../core/points/transform.h"
 #include "../number/number.h"
 #include "../number/plain.h"
 
-enum { ROUNDS = 6000, PAGE = 65536 };
-
-static uint64_t next_random(void)
-{
-	static uint64_t state = 88172645463325252;
-
-	state ^= state << 13;
-	state ^= state >> 7;
-	return state ^= state << 17;
-}
-
-static int random_below(int n)
-{
-	return (int)((next_random() >> 33) % (uint64_t)n);
-}
+enum { ROUNDS = 6000 };
 
 static int put_digits(char *s, int n)
 {
@@ -182,16 +156,6 @@ static int check_batch(const struct number_loops *r, int sort, char *guard)
 	}
 	assert_true(n == 64 || left >> n == 0);
 	return n_left;
-}
-
-static char *guard_page(void)
-{
-	char *start = mmap(NULL, 2 * PAGE, PROT_READ | PROT_WRITE,
-	    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-
-	assert_true(start != MAP_FAILED);
-	assert_int_equal(mprotect(start + PAGE, PAGE, PROT_NONE), 0);
-	return start + PAGE;
 }
 
 static const char *const copies[] = { "avx512", "avx2", "neon", "baseline" };

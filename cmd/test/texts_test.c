@@ -2,17 +2,9 @@
 /* number_texts writes many numbers as number_write writes each, in every copy of the
  * loops that this processor runs. The command texts_test COUNT tests COUNT numbers for
  * each style. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+#include "random.h"
 
-#include <cmocka.h>
 #include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "../../core/points/transform.h"
 #include "../number/number.h"
@@ -38,21 +30,6 @@ static const struct number_style styles[] = {
 };
 
 static long count = 60000;
-
-static uint64_t next_random(void)
-{
-	static uint64_t state = 88172645463325252;
-
-	state ^= state << 13;
-	state ^= state >> 7;
-	state ^= state << 17;
-	return state * 2685821657736338717u;
-}
-
-static int random_below(int n)
-{
-	return (int)(next_random() >> 33) % n;
-}
 
 /* Returns a random number from 0 to below 1. */
 static double random_unit(void)
