@@ -4,7 +4,6 @@
 #include "../json/value.h"
 
 #include "refusal.h"
-#include "../../core/test/numbers.h"
 
 struct text {
 	const char *s;

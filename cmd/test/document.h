@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Functions for tests of documents. */
+/* Reads documents for tests, and asserts numbers and refusals. Includes cmocka. */
 #ifndef DOCUMENT_TEST_H
 #define DOCUMENT_TEST_H
 
 #include "../scene/document.h"
 #include "refusal.h"
-#include "../../core/test/numbers.h"
 
 struct refusal {
 	const struct document_wants *

@@ -1,14 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../message/utf8.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
 
-#include <cmocka.h>
 #include "../../core/test/numbers.h"
 
 static void test_escaped(void **state)

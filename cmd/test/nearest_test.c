@@ -1,13 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../message/utf8.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
 #include "../../core/test/numbers.h"
 
 static const char *const words[] = { "eye", "at", "up", "orientation",

@@ -5,18 +5,13 @@
 #define RANDOM_TEST_H
 
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/mman.h>
+
+#include "../../core/test/numbers.h"
 
 /* Returns the next number of the generator xorshift64*. */
 static inline uint64_t next_random(void)

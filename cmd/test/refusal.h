@@ -1,19 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* For tests of functions that print an error and exit. */
+/* Assertions about functions that print an error and exit. Includes cmocka. */
 #ifndef REFUSAL_TEST_H
 #define REFUSAL_TEST_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
+#include "../../core/test/numbers.h"
 
 /* Calls run in a child process. Returns what the child writes to standard output and
  * standard error, and sets *status to its exit status, which is 0 if run returns. */

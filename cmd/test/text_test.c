@@ -1,14 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "../json/text.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
 #include "../../core/test/numbers.h"
 
 /* A text, and the expected result: the rest of the text after its number or item, or

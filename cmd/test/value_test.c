@@ -1,13 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../json/value.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
 #include "../../core/test/numbers.h"
 
 /* Parses an array of n values, asserts n, and returns the first value, a number. */

@@ -5,14 +5,8 @@
 #include "../../core/points/transform.h"
 #include "../lines/line.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
 #include "../../core/test/numbers.h"
 
 /* A line, and its numbers with a bar after each, or NULL if walk_lines leaves the

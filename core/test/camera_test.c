@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The view matrix and its inverse against MPFR, exact zeros, and refusals. */
 #include "claims.h"
-#include "numbers.h"
 
 static const struct convention d3d;
 

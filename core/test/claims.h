@@ -3,15 +3,7 @@
 #ifndef CLAIM_H
 #define CLAIM_H
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
+#include "numbers.h"
 #include "sample.h"
 #include "truth.h"
 

@@ -2,7 +2,6 @@
 /* gcc 12 compiles these functions wrongly without the flags of the Makefile. If a test
  * fails, the output of a program of this compiler is not to be trusted. */
 #include "claims.h"
-#include "numbers.h"
 
 /* Keeps gcc, or clang, from analysing and inlining a function. */
 #if __has_attribute(noipa)

@@ -5,7 +5,6 @@
 
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
 /* Sets the lower and upper corner of the view volume in ndc. */
 static void corners_of(const struct scene *s, real low[3], real high[3])

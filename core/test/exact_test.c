@@ -3,7 +3,6 @@
  * are within the bounds that exact.h gives. MPFR has the truth. */
 #include "arithmetic.h"
 #include "claims.h"
-#include "numbers.h"
 
 enum { TRIES = 3000 };
 

@@ -6,7 +6,6 @@
 #include "../points/transform.h"
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
 enum { CLOUD = 300, ROOM = 304, PIECES = 3 };
 

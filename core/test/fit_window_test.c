@@ -5,7 +5,6 @@
 
 #include "../derive/frustum.h"
 #include "claims.h"
-#include "numbers.h"
 
 static double nearest_double(real a)
 {

@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Assertions about doubles and texts. A file that includes this header includes
- * cmocka.h before it. */
+/* Assertions about doubles and texts. Includes cmocka. */
 #ifndef NUMBERS_H
 #define NUMBERS_H
 
 #include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <string.h>
+
+#include <cmocka.h>
 
 /* Fails unless the doubles are equal, and prints both. */
 #define assert_number(got, expected) \

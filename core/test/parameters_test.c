@@ -4,7 +4,6 @@
 #include "../points/transform.h"
 
 #include "claims.h"
-#include "numbers.h"
 
 /* Returns the largest difference, in ndc, between images under s and under r, the scene
  * that inspect prints, at points of the view volume. Their maps are equal but for a

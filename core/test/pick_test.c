@@ -4,7 +4,6 @@
 
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
 /* The distance of model points from the near plane along the gaze, in the convention
  * of the document: the difference of a column of view and near, divided by divisor. */

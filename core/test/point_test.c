@@ -5,7 +5,6 @@
 
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
 /* Compares the image of a point, as doubles and as floats, with MPFR. */
 static void check_point(const struct truth *truth, const struct transform *t,

@@ -3,7 +3,6 @@
  * alone. */
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
 /* Cameras and targets at small whole numbers. Some points are on the eye plane, and a
  * coordinate that is 0 comes out as 0. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The projections and their inverses against MPFR, and refusals. */
 #include "claims.h"
-#include "numbers.h"
 
 static const struct convention d3d,
     gl = { true, true, true, false, true, false };

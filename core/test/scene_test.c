@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Maps between any two spaces against MPFR, and refusals. */
 #include "claims.h"
-#include "numbers.h"
 
 static void compare(const struct scene *s, enum space from, enum space to,
     struct worst *w)

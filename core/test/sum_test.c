@@ -3,13 +3,6 @@
  * 0 for a sum that is not above its bound. */
 #include "../exact/sum.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 #include "numbers.h"
 
 /* Returns a 0. The bound of its error is SUM_QUOTIENT_ERROR, an exponent: see sum.h. */

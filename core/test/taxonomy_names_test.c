@@ -4,7 +4,6 @@
 #include "../derive/picture.h"
 
 #include "claims.h"
-#include "numbers.h"
 
 static void kinds_have_their_names(void **state)
 {

@@ -4,7 +4,6 @@
 
 #include "arithmetic.h"
 #include "claims.h"
-#include "numbers.h"
 
 static double worst;
 

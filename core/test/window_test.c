@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Windows, devices and viewports against MPFR. */
 #include "claims.h"
-#include "numbers.h"
 
 static void check_windows(const char *what, int e, int tries)
 {
