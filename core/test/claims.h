@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Assertions about errors, maps and refusals. Includes cmocka for the tests of core. */
-#ifndef CLAIM_H
-#define CLAIM_H
+#ifndef CLAIMS_H
+#define CLAIMS_H
 
 #include "numbers.h"
 #include "sample.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Blocks of points for tests, and their exact images. */
-#ifndef BLOCK_H
-#define BLOCK_H
+#ifndef POINTS_TEST_H
+#define POINTS_TEST_H
 
 #include "../points/transform.h"
 #include "sample.h"
