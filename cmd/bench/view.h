@@ -68,8 +68,8 @@ static inline double error_of(const struct truth *t, const double point[3],
 	for (int k = 0; k < 3; k++) {
 		if (!isfinite(image[k]))
 			return HUGE_VAL;
-		real right = over(truth_column(t, k, p).value, w);
-		real error = magnitude(sub(right, number(image[k])));
+		real right = divide(truth_column(t, k, p).value, w);
+		real error = magnitude(sub(right, real_of(image[k])));
 
 		worst = fmax(worst, mpfr_get_d(error, MPFR_RNDU));
 	}

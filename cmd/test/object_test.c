@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Members that have the wrong name or stand in the wrong place. */
+/* Refusals of members that have an unknown name, stand in the wrong object, or are
+ * repeated. */
 #include "document.h"
 
 static const struct document_wants lookat = { .bare = SCENE_CAMERA,

@@ -52,7 +52,7 @@ static void carry_in(enum precision precision, const struct transform *t,
 
 	fill(&b, in);
 	memset(b.out, 0, sizeof b.out);
-	carry(t, precision, &b, MANY);
+	map_block(t, precision, &b, MANY);
 	for (int i = 0; i < MANY; i++) {
 		for (int j = 0; j < 3; j++)
 			out[i][j] = b.out[j][i];
@@ -124,8 +124,8 @@ static void true_image_of(const struct task *t, const double p[3],
 	image_of(&t->truth, &t->exact, (double[4]){ p[0], p[1], p[2] },
 	    &r->image);
 	r->n = t->n;
-	for (int j = 0; j < r->n && r->image.seen; j++)
-		r->at[j] = over(r->image.n[j].value, r->image.d.value);
+	for (int j = 0; j < r->n && r->image.exists; j++)
+		r->at[j] = divide(r->image.n[j].value, r->image.d.value);
 }
 
 static void widen(double *most, double a)
@@ -138,12 +138,12 @@ static void tally(const struct true_image *truth, const double got[4],
     struct cell *c)
 {
 	bool finite = isfinite(got[0]) && isfinite(got[1]) && isfinite(got[2]);
-	bool seen = truth->image.seen;
+	bool seen = truth->image.exists;
 
 	c->nan |= seen && !finite;
 	c->sign |= finite && seen != (got[3] > 0);
 	for (int j = 0; j < truth->n && seen && finite; j++) {
-		real off = magnitude(sub(number(got[j]), truth->at[j]));
+		real off = magnitude(sub(real_of(got[j]), truth->at[j]));
 
 		widen(&c->units, mpfr_get_d(off, MPFR_RNDU));
 		if (truth_sign(truth->image.n[j], NULL) != 0)
@@ -157,7 +157,7 @@ static void watch_sides(const struct true_image *truth, const double got[4],
 {
 	const double center[2] = { v->x + v->width / 2, v->y + v->height / 2 };
 
-	for (int j = 0; j < 2 && truth->image.seen; j++)
+	for (int j = 0; j < 2 && truth->image.exists; j++)
 		mirrored[j] &= (got[j] > center[j]) !=
 		    (mpfr_cmp_d(truth->at[j], center[j]) > 0);
 }
@@ -174,7 +174,7 @@ static void check_exact(const struct task *t, const struct true_image *truth,
 	point_exact(&t->exact, p, q);
 	judge_image(&truth->image, t->n, q, false, &verdicts);
 	r->wrong += (int)verdicts.n[WRONG];
-	r->ruled += (int)verdicts.n[RULED];
+	r->ruled += (int)verdicts.n[WITHIN_TOLERANCE];
 }
 
 static void compute(const struct task *t, double (*in)[3],
