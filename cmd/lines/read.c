@@ -6,8 +6,8 @@
 #include "line.h"
 #include "../message/utf8.h"
 
-/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; writes
- * the reason if not. */
+/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; if not,
+ * writes the reason. */
 static bool in_range(const struct layout *l, int i, double v,
     char reason[REASON_MAX])
 {
@@ -16,13 +16,13 @@ static bool in_range(const struct layout *l, int i, double v,
 	snprintf(reason, REASON_MAX,
 	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :
 		       "%s is beyond 1e150 in magnitude; choose another unit",
-	    coordinate_name(i), format_of(l->in)->unknown);
+	    coordinate_name(i), format_of(l->in)->nan_text);
 	return false;
 }
 
-/* Reads the numbers v of the coordinates. Returns false, with the reason, at the first
- * that is not a number within the range. */
-static bool read_coordinates(const struct layout *l, struct cut cut,
+/* Reads the coordinates v. Returns false, and writes the reason, if one of them is
+ * missing, is not a number, or is out of range. */
+static bool read_coordinates(const struct layout *l, struct cursor cursor,
     const struct chosen *c, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
@@ -30,13 +30,13 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 		const char *end = f->value.end;
 
 		if (c->times[i] != 1)
-			say_missing(l, i, cut, c, reason);
+			say_missing(l, i, cursor, c, reason);
 		else if (format_number(l->in, f->value.s, end, &v[i]) != end)
 			/* the message shows the quotes of csv */
 			say_field(l, i,
 			    format_of(l->in)->header ? f->whole : f->value,
 			    reason);
-		else if (!say_blanks(l, f, reason) &&
+		else if (!say_empty_field(l, f, reason) &&
 		    in_range(l, i, v[i], reason))
 			continue;
 		return false;
@@ -44,33 +44,33 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 	return true;
 }
 
-/* Returns whether a member of that name can be added to an object: the name is not a
- * pointer, is short, and needs no escapes. */
+/* Returns whether path, from --columns, can become the name of an added member: path is
+ * not a JSON pointer, is short, and needs no escapes. */
 static bool can_be_added(const char *path)
 {
-	char shown[JSON_ESCAPE_MAX * ADDED_ROOM];
+	char shown[JSON_ESCAPE_MAX * PREFIX_ROOM];
 	size_t n = strlen(path);
 
-	return *path != '/' && n < ADDED_ROOM - 8 &&
+	return *path != '/' && n < PREFIX_ROOM - 8 &&
 	    escape_copy(shown, sizeof shown, path, n, true, "") == n;
 }
 
-/* Returns whether the fields of a bad line that are not coordinates can be copied. */
-static bool can_be_kept(const struct layout *l, struct cut cut,
+/* Returns whether the other fields of a line with bad coordinates can be copied. */
+static bool can_be_kept(const struct layout *l, struct cursor cursor,
     const struct chosen *c)
 {
-	if (cut.s == NULL && !cut.members)
+	if (cursor.s == NULL && !cursor.members)
 		return false;
 	for (int i = 0; i < l->reads; i++)
 		if (c->times[i] > 1 ||
-		    (c->times[i] == 0 && cut.members &&
+		    (c->times[i] == 0 && cursor.members &&
 			!can_be_added(l->columns.name[i])))
 			return false;
 	return choose_overlap(l, c) == 0;
 }
 
-/* Returns whether --columns fits a line of JSON: numbers an array, names an object.
- * Else writes the reason. */
+/* Returns whether --columns fits a line of JSON, numbers an array and names an object;
+ * if not, writes the reason. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
@@ -84,22 +84,25 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
-/* Returns whether a line whose coordinates are numbers is legal; or writes why not. */
-static bool is_right(const struct layout *l, struct cut cut,
+/* Returns whether a line whose coordinates are numbers is legal; if not, writes the
+ * reason. */
+static bool is_right(const struct layout *l, struct cursor cursor,
     const struct chosen *c, char reason[REASON_MAX])
 {
-	size_t fields = l->append && l->fields > 0 ? cut_count(cut) : l->fields;
+	size_t fields = l->append && l->header_fields > 0 ?
+	    cursor_count(cursor) :
+	    l->header_fields;
 
-	if (fields != l->fields)
+	if (fields != l->header_fields)
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the "
 		    "image below other names",
-		    fields, l->fields);
-	else if (cut.bracket != NULL && choose_overlap(l, c) > 0)
+		    fields, l->header_fields);
+	else if (cursor.bracket != NULL && choose_overlap(l, c) > 0)
 		snprintf(reason, REASON_MAX,
 		    "has a coordinate in another; --columns names values "
 		    "apart");
-	else if (c->mixed)
+	else if (c->mixed_commas)
 		snprintf(reason, REASON_MAX,
 		    "has commas between some numbers and not between others; "
 		    "is the comma a decimal point? write 1.5 for 1,5");
@@ -108,8 +111,8 @@ static bool is_right(const struct layout *l, struct cut cut,
 	return false;
 }
 
-/* Finds the coordinates of a line and reads them. Sets the kind of the line:
- * LINE_REFUSED if the first row does not fit its header. */
+/* Finds the coordinates of a line and reads them. Sets the kind of the line, which is
+ * LINE_REFUSED if the first row has more fields than its header. */
 static void read_fields(struct layout *l, struct span text, enum first first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
@@ -121,33 +124,33 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	    *skip_blanks(l->in, text.s, text.end) == '{';
 	if (in->check != NULL && !in->check(l->in, text, reason))
 		return;
-	struct cut cut = cut_line(l->in, text);
+	struct cursor cursor = cursor_of_line(l->in, text);
 
 	const bool longer = in->header &&
-	    header_is_short(l, cut, first, reason);
+	    header_row_is_long(l, cursor, first, reason);
 
 	if (longer && first == FIRST_ROW) {
 		line->kind = LINE_REFUSED;
 		return;
 	}
-	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
+	if (cursor.bracket != NULL && !columns_fit(l, cursor.members, reason))
 		return;
-	choose(l, cut, &c);
-	if (cut.members && choose_clashes(l, &c, true, reason))
+	choose(l, cursor, &c);
+	if (cursor.members && choose_clashes(l, &c, true, reason))
 		return;
 	line->kind = LINE_POINT;
-	if (longer || !read_coordinates(l, cut, &c, v, reason) ||
-	    !is_right(l, cut, &c, reason))
+	if (longer || !read_coordinates(l, cursor, &c, v, reason) ||
+	    !is_right(l, cursor, &c, reason))
 		line->kind = LINE_BAD;
-	if (c.mixed) {
-		cut.words = line->words = l->columns.n == 0;
-		choose(l, cut, &c);
+	if (c.mixed_commas) {
+		cursor.blanks_only = line->blanks_only = l->columns.n == 0;
+		choose(l, cursor, &c);
 	}
-	if (line_is_bad(line) && !l->append && !can_be_kept(l, cut, &c))
+	if (line_is_bad(line) && !l->append && !can_be_kept(l, cursor, &c))
 		line->kind = LINE_LOST;
-	choose_places(l, &c, line);
+	choose_set_parts(l, &c, line);
 	if (first == FIRST_LINE && line_is_bad(line))
-		l->most = 0; /* a bad row may lack fields */
+		l->most_fields = 0; /* as a bad row may lack fields */
 	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
 	    l->columns.n == 0)
 		say_text_header(l, text, &c, reason);
@@ -163,19 +166,19 @@ void line_read(struct layout *l, struct span text, enum first *first,
 		.size = (uint32_t)(text.end - text.s),
 		.kind = LINE_COPY };
 	if (was == FIRST_LINE) {
-		text.s = skip_mark(text.s, text.end);
-		line->mark = text.s > line->s;
+		text.s = skip_bom(text.s, text.end);
+		line->has_bom = text.s > line->s;
 	}
 	const char *s = skip_blanks(l->in, text.s, text.end);
 
 	if (s == text.end)
 		return;
 	if (was == FIRST_LINE && (*in->open == '\0' || *s == '#') &&
-	    format_is_old(l->in, text, reason)) {
+	    format_has_cr_ends(l->in, text, reason)) {
 		line->kind = LINE_LOST;
-	} else if (*s == '#' && header_in_comment(l, text, was == FIRST_LINE)) {
+	} else if (*s == '#' && header_is_comment(l, text, was == FIRST_LINE)) {
 		if (was == FIRST_LINE)
-			say_comment(l, text);
+			say_note_columns(l, text);
 		return;
 	} else if (was == FIRST_LINE && in->header &&
 	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
@@ -185,9 +188,9 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	    !header_read(l, text, line, reason)) {
 		read_fields(l, text, was, line, v, reason);
 	}
-	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
+	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_NONE;
 	if (was == FIRST_LINE && *in->open == '\0' && *first != FIRST_ROW &&
 	    line->kind != LINE_REFUSED &&
-	    say_headless(l, text, line->kind == LINE_LOST, reason))
+	    say_needs_header(l, text, line->kind == LINE_LOST, reason))
 		line->kind = LINE_REFUSED;
 }
