@@ -7,7 +7,7 @@
 
 #include "../json/text.h"
 
-struct cursor cursor_of_value(struct span value, const char *end)
+struct cursor value_cursor(struct span value, const char *end)
 {
 	const char *s = json_skip_blanks(value.s + 1, end);
 
@@ -18,10 +18,10 @@ struct cursor cursor_of_value(struct span value, const char *end)
 		.members = *value.s == '{' };
 }
 
-struct cursor cursor_of_line(struct dialect in, struct span line)
+struct cursor line_cursor(struct dialect in, struct span line)
 {
 	if (*format_of(in)->open != '\0')
-		return cursor_of_value(trimmed(in, line), line.end);
+		return value_cursor(trimmed(in, line), line.end);
 	return (struct cursor){ .in = in, .s = line.s, .end = line.end };
 }
 
@@ -118,14 +118,14 @@ static bool separator_counts(const struct search *r, const struct field *f,
 /* Searches the fields after the cursor. Enters each value once, for all routes that lead
  * into the value, so that the time is linear in the length of the line. */
 static void search_fields(struct search *r, struct cursor c,
-    const struct route routes[SOUGHT_MAX])
+    const struct route routes[SOUGHT])
 {
 	struct chosen *out = r->out;
-	int fields[SOUGHT_MAX] = { 0 }; /* that the route leads to or into */
+	int fields[SOUGHT] = { 0 }; /* that the route leads to or into */
 	struct field f;
 
 	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {
-		struct route inside[SOUGHT_MAX];
+		struct route inside[SOUGHT];
 		bool enter = false;
 
 		for (int i = 0; i < r->n; i++) {
@@ -148,8 +148,7 @@ static void search_fields(struct search *r, struct cursor c,
 			}
 		}
 		if (enter && (*f.value.s == '{' || *f.value.s == '['))
-			search_fields(r, cursor_of_value(f.value, c.end),
-			    inside);
+			search_fields(r, value_cursor(f.value, c.end), inside);
 		if (separator_counts(r, &f, k, c.end)) {
 			r->separators++;
 			r->commas += f.comma;
@@ -164,10 +163,9 @@ void choose(const struct layout *l, struct cursor c, struct chosen *out)
 {
 	const bool named = c.members || c.names ||
 	    (c.bracket != NULL && l->columns.n > 0);
-	struct route routes[SOUGHT_MAX];
+	struct route routes[SOUGHT];
 	struct search r = { .l = l,
-		.n = c.names || (l->append && c.members) ? SOUGHT_MAX :
-							   l->reads,
+		.n = c.names || (l->append && c.members) ? SOUGHT : l->reads,
 		.text = format_of(c.in)->blanks && !named,
 		.last = named ? LONG_MAX : -1,
 		.out = out };
@@ -203,7 +201,7 @@ int choose_overlap(const struct layout *l, const struct chosen *c)
 	return 0;
 }
 
-void choose_set_parts(const struct layout *l, const struct chosen *c,
+void choose_parts(const struct layout *l, const struct chosen *c,
     struct line *line)
 {
 	bool whole = line->kind != LINE_POINT && format_of(l->in)->header;
@@ -223,12 +221,12 @@ bool choose_clashes(const struct layout *l, const struct chosen *c,
 {
 	int i = 4;
 
-	while (i < SOUGHT_MAX && c->times[i] == 0)
+	while (i < SOUGHT && c->times[i] == 0)
 		i++;
-	if (i < SOUGHT_MAX)
+	if (i < SOUGHT)
 		snprintf(reason, REASON_MAX,
 		    "%s '%s', which %s adds; give it another name",
 		    members ? "has a member" : "the header has a column",
 		    l->name[i - 4], l->append ? "--append" : "the output");
-	return i < SOUGHT_MAX;
+	return i < SOUGHT;
 }

@@ -15,8 +15,7 @@ struct dialect dialect_of(enum format f, char separator)
 		row->separator != 0 ? row->separator : separator };
 }
 
-bool format_has_cr_ends(struct dialect d, struct span line,
-    char reason[REASON_MAX])
+bool format_cr_only(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	const char *s = line.s;
 	bool fields = format_of(d)->escape == '"' &&
@@ -57,7 +56,7 @@ static bool json_line_check(struct dialect d, struct span line,
 		    "'.[]'");
 	else if (json_check(&c))
 		return true;
-	else if (format_has_cr_ends(d, line, reason))
+	else if (format_cr_only(d, line, reason))
 		return false;
 	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
@@ -69,21 +68,20 @@ static bool json_line_check(struct dialect d, struct span line,
 	return false;
 }
 
-/* Sets *f to a field of text, up to a blank or, unless c->blanks_only is set, a comma. */
+/* Sets *f to a field of text, up to a blank or, unless c->no_commas is set, a comma. */
 static void next_of_text(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *after;
 
 	f->value.s = s;
-	while (s < c->end && !is_blank(*s) && (c->blanks_only || *s != ','))
+	while (s < c->end && !is_blank(*s) && (c->no_commas || *s != ','))
 		s++;
 	f->value.end = s;
 	f->whole = f->value;
 	c->previous_end = s;
-	after = c->blanks_only ? skip_blanks(c->in, s, c->end) :
-				 skip_separator(s, c->end);
-	c->comma = !c->blanks_only &&
-	    memchr(s, ',', (size_t)(after - s)) != NULL;
+	after = c->no_commas ? skip_blanks(c->in, s, c->end) :
+			       skip_separator(s, c->end);
+	c->comma = !c->no_commas && memchr(s, ',', (size_t)(after - s)) != NULL;
 	f->next = after == c->end && !c->comma ? NULL : after;
 }
 
@@ -161,7 +159,7 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 	const char *after = *in->open != '\0' ? json_number(s, end, v) :
 						number_read(s, end, v);
 
-	for (int i = 0; i < in->missing_words && after == NULL; i++)
+	for (int i = 0; i < in->nan_words && after == NULL; i++)
 		if (strlen(words[i]) == (size_t)(end - s) &&
 		    memcmp(words[i], s, (size_t)(end - s)) == 0) {
 			*v = (double)NAN;
@@ -186,19 +184,18 @@ static bool can_copy(struct dialect d, struct span f)
 }
 
 #define LINES .open = "", .close = "", .nan_text = "nan"
-#define CSV                                                 \
-	LINES, .quote = '"', .escape = '"', .header = true, \
-	       .missing_words = 7, .check = csv_check, .next = next_of_csv
+#define CSV                                                                 \
+	LINES, .quote = '"', .escape = '"', .header = true, .nan_words = 7, \
+	       .check = csv_check, .next = next_of_csv
 
 const struct format_row format_rows[] = {
 	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
-	    .missing_words = 6, .next = next_of_text },
+	    .nan_words = 6, .next = next_of_text },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
-	    .nan_text = "null", .quote = '"', .escape = '\\',
-	    .missing_words = 1, .check = json_line_check,
-	    .next = next_of_json },
+	    .nan_text = "null", .quote = '"', .escape = '\\', .nan_words = 1,
+	    .check = json_line_check, .next = next_of_json },
 	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
 };

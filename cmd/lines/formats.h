@@ -46,7 +46,7 @@ struct cursor {
 	const char *bracket; /* behind the opening bracket; NULL: not JSON */
 	bool members;        /* the fields are members of a JSON object */
 	bool names;          /* the fields are names of a header */
-	bool blanks_only;    /* fields of text end at blanks only */
+	bool no_commas;      /* fields of text end at blanks only */
 	bool comma;          /* in text: the separator before s has a comma */
 };
 
@@ -61,9 +61,9 @@ struct format_row {
 	const char *nan_text;     /* how nan is written */
 	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int missing_words; /* the words of format_number that are read as nan */
-	bool blanks; /* blanks separate fields, with or without one comma */
-	bool header; /* the first line may name the fields */
+	int nan_words; /* the words of format_number that are read as nan */
+	bool blanks;   /* blanks separate fields, with or without one comma */
+	bool header;   /* the first line may name the fields */
 
 	/* Returns whether a line can be divided into fields; if not, writes the
 	 * reason. NULL: every line can. */
@@ -115,8 +115,7 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 
 /* Returns whether the lines of a source end in carriage returns alone, and writes the
  * reason: line has a carriage return outside of quotes, and other text follows. */
-bool format_has_cr_ends(struct dialect, struct span line,
-    char reason[REASON_MAX]);
+bool format_cr_only(struct dialect, struct span line, char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */
 static inline bool is_blank(char c)

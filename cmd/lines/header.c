@@ -21,7 +21,7 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	if (mark &&
 	    (d.separator == ' ' || next == text.end || *next != d.separator))
 		s = after;
-	struct cursor c = cursor_of_line(d, (struct span){ s, text.end });
+	struct cursor c = line_cursor(d, (struct span){ s, text.end });
 
 	c.names = true;
 	return c;
@@ -118,11 +118,10 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 
 	if (!format_of(l->in)->header)
 		return true;
-	const size_t n = cursor_count(cursor_of_line(l->in, text));
+	const size_t n = cursor_count(line_cursor(l->in, text));
 
 	if (!first) /* if the separator is a blank, "# x y z" is a comment */
-		return n < 2 ||
-		    (n != l->most_fields && n != l->header_fields) ||
+		return n < 2 || (n != l->max_fields && n != l->header_fields) ||
 		    (l->in.separator == ' ' && is_blank(s[1]));
 	struct cursor header = header_cursor(l->in, text);
 
@@ -139,7 +138,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	struct columns *c = &l->columns;
 	struct chosen chosen;
 
-	l->header_fields = l->most_fields = 0;
+	l->header_fields = l->max_fields = 0;
 	if (c->by_default)
 		c->n = 0;
 	const bool undecided = l->header == HEADER_MAYBE &&
@@ -158,9 +157,9 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 		if (chosen.times[i] > 0)
 			c->field[i] = (int)chosen.index[i];
 	c->n = l->reads;
-	l->header_fields = l->most_fields = cursor_count(header);
-	l->reordered = !layout_point_is_first(l);
-	choose_set_parts(l, &chosen, line);
+	l->header_fields = l->max_fields = cursor_count(header);
+	l->reordered = !layout_in_order(l);
+	choose_parts(l, &chosen, line);
 	return true;
 }
 
@@ -173,18 +172,18 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 
 	for (; cursor_next(&c, &f); n++)
 		blanks |= say_empty_field(l, &f, reason);
-	if (first != FIRST_NONE && n > l->most_fields &&
+	if (first != FIRST_NONE && n > l->max_fields &&
 	    (l->header_fields == 0 || !layout_has_names(l)))
-		l->most_fields = n;
+		l->max_fields = n;
 	n -= f.value.s == f.value.end;
-	if (n <= l->most_fields || l->header_fields == 0)
+	if (n <= l->max_fields || l->header_fields == 0)
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the %s %zu; %s%s", n,
-		    l->header_fields == l->most_fields ? "header" : "first row",
-		    l->most_fields,
-		    first == FIRST_ROW && n == l->most_fields + 1 ?
+		    l->header_fields == l->max_fields ? "header" : "first row",
+		    l->max_fields,
+		    first == FIRST_ROW && n == l->max_fields + 1 ?
 			"name the first column, too, or number --columns" :
 			"quote a field that has the separator in it",
 		    l->in.separator == ',' ? ", or write 1.5 for 1,5" : "");

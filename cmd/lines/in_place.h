@@ -39,8 +39,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts order, the numbers of coordinates, by the places of the coordinates on the line.
- */
+/* Sorts the numbers of coordinates in order by their places on the line. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
@@ -55,9 +54,8 @@ static inline void find_order(const struct line *line, int n, int order[4])
 }
 
 /* Returns whether added values can be written directly after the last of n coordinates:
- * the values have no names, no quote follows the coordinate, and in text the separator
- * before the coordinate is one byte. By --append they are written after the line, which
- * must not end in blanks. */
+ * they have no names, no quote follows the coordinate, and in text the separator before
+ * it is one byte. By --append, they follow a line that does not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
     const struct line *line, int n)
 {
@@ -94,10 +92,9 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 	return out + (next - done);
 }
 
-/* Writes a point. Replaces the coordinates, which are on the line in the given order, or
- * in the order x, y, z, w if order is NULL, and adds the other values after the last
- * coordinate. If append is set, adds all values after the line. Returns the end of the
- * output. */
+/* Writes a point. Replaces the coordinates, which are on the line in the given order (if
+ * NULL: x, y, z, w), and adds the other values after the last coordinate. If append is
+ * set, adds all values after the line. Returns the end of the output. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

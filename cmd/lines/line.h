@@ -10,8 +10,7 @@
  *
  * in_place.h writes a line of which only numbers change. line_write in splice.c writes
  * every other line: it divides the line into fields again and copies them.
- *
- * The table of formats.c has a row of functions for each format of lines. */
+ */
 #ifndef LINE_H
 #define LINE_H
 
@@ -43,8 +42,7 @@ struct columns {
  * nor a comment, the first row after a header, or NONE of the three. */
 enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
-/* HEADER_FIRST: by --header, the first line of csv is a header. HEADER_NONE: by
- * --no-header, no line is. HEADER_MAYBE: header_read decides. */
+/* HEADER_FIRST: --header, HEADER_NONE: --no-header, else HEADER_MAYBE. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* The formats of points, and the numbers that are read and written. */
@@ -52,15 +50,14 @@ struct layout {
 	struct dialect in, out;
 	enum header header;
 	struct columns columns;
-	int reads;   /* coordinates that are read of a point */
-	int writes;  /* numbers that are written for a point */
+	int reads, writes; /* the numbers read of a point, and written for it */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
 	/* The names of the written numbers and, at COORDINATES_MAX, of the word of
 	 * --flags; "" for a number or word that is not written. */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t header_fields; /* 0: there is no header */
-	size_t most_fields;   /* of the header or the first row; 0: not known */
+	size_t max_fields;    /* of the header or the first row; 0: not known */
 	bool reordered; /* by the last header, field i is not coordinate i */
 	/* what a comment above the first row names; n: all its names */
 	struct columns comment_columns;
@@ -91,10 +88,10 @@ struct line {
 	uint32_t size;     /* in bytes, without the newline */
 	struct part at[4]; /* where x, y, z and w, or their names, are */
 	enum line_kind kind;
-	bool newline;     /* the line ends in a newline */
-	bool object;      /* the line is a JSON object */
-	bool blanks_only; /* only blanks end a field of text: 1,5 is one */
-	bool has_bom;     /* the line begins with a byte order mark */
+	bool newline;   /* the line ends in a newline */
+	bool object;    /* the line is a JSON object */
+	bool no_commas; /* only blanks end a field of text: 1,5 is one */
+	bool has_bom;   /* the line begins with a byte order mark */
 };
 
 /* The part of a coordinate that a line lacks. */
@@ -135,7 +132,7 @@ static inline struct span line_text(const struct line *line)
 }
 
 /* Returns the text of coordinate i. */
-static inline struct span line_coordinate(const struct line *line, int i)
+static inline struct span line_field(const struct line *line, int i)
 {
 	return (struct span){ line->s + line->at[i].from,
 		line->s + line->at[i].to };
@@ -148,7 +145,7 @@ static inline struct part line_part(const struct line *line, struct span f)
 }
 
 /* Returns the size of a binary record in bytes. */
-static inline size_t layout_record_size(const struct layout *l)
+static inline size_t record_size(const struct layout *l)
 {
 	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
 }
@@ -160,7 +157,7 @@ static inline int layout_field(const struct layout *l, int i)
 }
 
 /* Returns whether the coordinates are the first fields, in their order. */
-static inline bool layout_point_is_first(const struct layout *l)
+static inline bool layout_in_order(const struct layout *l)
 {
 	int i = 0;
 
@@ -198,8 +195,7 @@ void line_read(struct layout *, struct span text, enum first *, struct line *,
  * the format's nan_text. Returns the end of the output. */
 char *line_put_rare_number(const struct layout *, int k, double v, char *out);
 
-/* Returns the room in bytes that line_write needs for all lines, which have so many
- * bytes together. */
+/* Returns the room that line_write needs for lines of so many bytes together. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
@@ -215,15 +211,14 @@ char *line_write(const struct layout *, const struct line *,
  * format. From text to text without --columns, copies the text after the coordinates.
  * Returns the end of the output, which has at most six bytes for each byte of the line,
  * and three more for each field. */
-char *line_put_fields(const struct layout *, const struct line *, char *out);
+char *line_put_rest(const struct layout *, const struct line *, char *out);
 
 /* Returns a cursor before the first field of a line. A line of JSON must be an array or
  * object that json_check accepts. */
-struct cursor cursor_of_line(struct dialect, struct span line);
+struct cursor line_cursor(struct dialect, struct span line);
 
-/* Returns a cursor before the first element or member of the JSON value, an array or
- * object of a line that ends at end. */
-struct cursor cursor_of_value(struct span value, const char *end);
+/* Returns a cursor over a JSON array or object in a line that ends at end. */
+struct cursor value_cursor(struct span value, const char *end);
 
 /* Sets the next field and moves the cursor behind it. Returns false if there is none. */
 bool cursor_next(struct cursor *, struct field *);
@@ -231,15 +226,15 @@ bool cursor_next(struct cursor *, struct field *);
 /* Returns the number of fields after the cursor. */
 size_t cursor_count(struct cursor);
 
-enum { SOUGHT_MAX = 4 + COORDINATES_MAX + 1 };
+enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
 
 /* What choose looks for and finds: things 0 to 3 are the coordinates, and thing 4 + k
  * is a field with the name k of the layout, which the output adds. */
 struct chosen {
-	struct field field[SOUGHT_MAX]; /* the first field of each thing */
-	int times[SOUGHT_MAX];          /* the number of its fields */
+	struct field field[SOUGHT]; /* the first field of each thing */
+	int times[SOUGHT];          /* the number of its fields */
 	/* the numbers of its first and second field, from 0 */
-	long index[SOUGHT_MAX], second_index[SOUGHT_MAX];
+	long index[SOUGHT], second_index[SOUGHT];
 	bool mixed_commas; /* only some separators of text have a comma */
 };
 
@@ -247,8 +242,7 @@ struct chosen {
 void choose(const struct layout *, struct cursor, struct chosen *);
 
 /* Sets the parts of the line that are its coordinates. */
-void choose_set_parts(const struct layout *, const struct chosen *,
-    struct line *);
+void choose_parts(const struct layout *, const struct chosen *, struct line *);
 
 /* Returns a coordinate that shares its column with another coordinate or whose JSON
  * pointer leads into, or around, the value of another; 0 if there is none. */
@@ -273,19 +267,17 @@ bool header_is_comment(const struct layout *, struct span text, bool first);
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether a row of csv has more than most_fields of the layout, which a first
+/* Returns whether a row of csv has more than max_fields of the layout, which a first
  * row raises if no coordinate has a name, and writes the reason. An empty last field
  * does not count. R writes such tables: the header lacks a name for the column of row
  * names, so that each name is one column too far to the left. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
 
-/* Returns a cursor before the first name of a header, whose text has no byte order mark.
- */
+/* Returns a cursor over the names of a header, whose text has no byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);
 
-/* Writes why the field f is not coordinate i, or that the coordinate is missing if f is
- * empty. */
+/* Writes why f is not coordinate i; an empty f is a missing coordinate. */
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
@@ -338,7 +330,7 @@ struct stretch {
  * the path's first name or index; SIZE_MAX if the coordinate is not in the value. */
 struct paths {
 	const char *path[4];
-	size_t token_size[4];
+	size_t size[4];
 };
 
 /* What simple lines have in common, and how their n coordinates are found. */
@@ -346,8 +338,8 @@ struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
-	int exact_fields;   /* the fields of each line; 0: up to most_fields */
-	int most_fields;    /* the most fields of a line of csv */
+	int exact_fields;   /* the fields of each line; 0: up to max_fields */
+	int max_fields;     /* the most fields of a line of csv */
 	bool arrays;        /* lines may be JSON arrays */
 	bool objects;       /* lines may be JSON objects */
 	struct paths paths; /* the paths to the coordinates in an object */

@@ -22,15 +22,15 @@ static bool in_range(const struct layout *l, int i, double v,
 
 /* Reads the coordinates v. Returns false, and writes the reason, if one of them is
  * missing, is not a number, or is out of range. */
-static bool read_coordinates(const struct layout *l, struct cursor cursor,
-    const struct chosen *c, double v[4], char reason[REASON_MAX])
+static bool read_coordinates(const struct layout *l, struct cursor c,
+    const struct chosen *found, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		const struct field *f = &c->field[i];
+		const struct field *f = &found->field[i];
 		const char *end = f->value.end;
 
-		if (c->times[i] != 1)
-			say_missing(l, i, cursor, c, reason);
+		if (found->times[i] != 1)
+			say_missing(l, i, c, found, reason);
 		else if (format_number(l->in, f->value.s, end, &v[i]) != end)
 			/* the message shows the quotes of csv */
 			say_field(l, i,
@@ -56,17 +56,17 @@ static bool can_be_added(const char *path)
 }
 
 /* Returns whether the other fields of a line with bad coordinates can be copied. */
-static bool can_be_kept(const struct layout *l, struct cursor cursor,
-    const struct chosen *c)
+static bool can_be_kept(const struct layout *l, struct cursor c,
+    const struct chosen *found)
 {
-	if (cursor.s == NULL && !cursor.members)
+	if (c.s == NULL && !c.members)
 		return false;
 	for (int i = 0; i < l->reads; i++)
-		if (c->times[i] > 1 ||
-		    (c->times[i] == 0 && cursor.members &&
+		if (found->times[i] > 1 ||
+		    (found->times[i] == 0 && c.members &&
 			!can_be_added(l->columns.name[i])))
 			return false;
-	return choose_overlap(l, c) == 0;
+	return choose_overlap(l, found) == 0;
 }
 
 /* Returns whether --columns fits a line of JSON, numbers an array and names an object;
@@ -84,25 +84,23 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
-/* Returns whether a line whose coordinates are numbers is legal; if not, writes the
- * reason. */
-static bool is_right(const struct layout *l, struct cursor cursor,
-    const struct chosen *c, char reason[REASON_MAX])
+/* Returns whether a line with good coordinates is legal; if not, writes the reason. */
+static bool is_right(const struct layout *l, struct cursor c,
+    const struct chosen *found, char reason[REASON_MAX])
 {
-	size_t fields = l->append && l->header_fields > 0 ?
-	    cursor_count(cursor) :
-	    l->header_fields;
+	size_t fields = l->append && l->header_fields > 0 ? cursor_count(c) :
+							    l->header_fields;
 
 	if (fields != l->header_fields)
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the "
 		    "image below other names",
 		    fields, l->header_fields);
-	else if (cursor.bracket != NULL && choose_overlap(l, c) > 0)
+	else if (c.bracket != NULL && choose_overlap(l, found) > 0)
 		snprintf(reason, REASON_MAX,
 		    "has a coordinate in another; --columns names values "
 		    "apart");
-	else if (c->mixed_commas)
+	else if (found->mixed_commas)
 		snprintf(reason, REASON_MAX,
 		    "has commas between some numbers and not between others; "
 		    "is the comma a decimal point? write 1.5 for 1,5");
@@ -117,43 +115,43 @@ static void read_fields(struct layout *l, struct span text, enum first first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
-	struct chosen c;
+	struct chosen found;
 
 	line->kind = LINE_LOST;
 	line->object = *in->open != '\0' &&
 	    *skip_blanks(l->in, text.s, text.end) == '{';
 	if (in->check != NULL && !in->check(l->in, text, reason))
 		return;
-	struct cursor cursor = cursor_of_line(l->in, text);
+	struct cursor c = line_cursor(l->in, text);
 
 	const bool longer = in->header &&
-	    header_row_is_long(l, cursor, first, reason);
+	    header_row_is_long(l, c, first, reason);
 
 	if (longer && first == FIRST_ROW) {
 		line->kind = LINE_REFUSED;
 		return;
 	}
-	if (cursor.bracket != NULL && !columns_fit(l, cursor.members, reason))
+	if (c.bracket != NULL && !columns_fit(l, c.members, reason))
 		return;
-	choose(l, cursor, &c);
-	if (cursor.members && choose_clashes(l, &c, true, reason))
+	choose(l, c, &found);
+	if (c.members && choose_clashes(l, &found, true, reason))
 		return;
 	line->kind = LINE_POINT;
-	if (longer || !read_coordinates(l, cursor, &c, v, reason) ||
-	    !is_right(l, cursor, &c, reason))
+	if (longer || !read_coordinates(l, c, &found, v, reason) ||
+	    !is_right(l, c, &found, reason))
 		line->kind = LINE_BAD;
-	if (c.mixed_commas) {
-		cursor.blanks_only = line->blanks_only = l->columns.n == 0;
-		choose(l, cursor, &c);
+	if (found.mixed_commas) {
+		c.no_commas = line->no_commas = l->columns.n == 0;
+		choose(l, c, &found);
 	}
-	if (line_is_bad(line) && !l->append && !can_be_kept(l, cursor, &c))
+	if (line_is_bad(line) && !l->append && !can_be_kept(l, c, &found))
 		line->kind = LINE_LOST;
-	choose_set_parts(l, &c, line);
+	choose_parts(l, &found, line);
 	if (first == FIRST_LINE && line_is_bad(line))
-		l->most_fields = 0; /* as a bad row may lack fields */
+		l->max_fields = 0; /* as a bad row may lack fields */
 	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
 	    l->columns.n == 0)
-		say_text_header(l, text, &c, reason);
+		say_text_header(l, text, &found, reason);
 }
 
 void line_read(struct layout *l, struct span text, enum first *first,
@@ -174,7 +172,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	if (s == text.end)
 		return;
 	if (was == FIRST_LINE && (*in->open == '\0' || *s == '#') &&
-	    format_has_cr_ends(l->in, text, reason)) {
+	    format_cr_only(l->in, text, reason)) {
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_is_comment(l, text, was == FIRST_LINE)) {
 		if (was == FIRST_LINE)

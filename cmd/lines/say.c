@@ -9,7 +9,7 @@
 
 /* Appends to the reason as much as it has room for. */
 static void __attribute__((format(printf, 2, 3)))
-say_append(char reason[REASON_MAX], const char *format, ...)
+say_more(char reason[REASON_MAX], const char *format, ...)
 {
 	size_t n = strlen(reason);
 	va_list arguments;
@@ -49,13 +49,13 @@ static void say_separator(const struct layout *l, const struct separator *other,
     char reason[REASON_MAX])
 {
 	if (l->header_fields > 1)
-		say_append(reason,
+		say_more(reason,
 		    "; is %s the separator? the header has another; make both "
 		    "the same by tr or sed",
 		    other->shown);
 	else
-		say_append(reason, "; is %s the separator? say %s",
-		    other->shown, other->option);
+		say_more(reason, "; is %s the separator? say %s", other->shown,
+		    other->option);
 }
 
 /* Adds to the reason how to mend the field f, which is not a number and should be
@@ -72,9 +72,9 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 
 	if (other != NULL && other->c == ',' &&
 	    number_read(after + 1, f.end, &v) == f.end)
-		say_append(reason, "; a decimal point is a point: 1.5");
+		say_more(reason, "; a decimal point is a point: 1.5");
 	else if (f.end - f.s > 2 && memcmp(f.s, "---", 3) == 0)
-		say_append(reason, "; leave out such lines by grep -v -e ---");
+		say_more(reason, "; leave out such lines by grep -v -e ---");
 	else if (other != NULL &&
 	    (other->c != ' ' ||
 		(l->in.separator != ';' &&
@@ -82,7 +82,7 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 			NULL)))
 		say_separator(l, other, reason);
 	else
-		say_append(reason, "; a number is wanted%s",
+		say_more(reason, "; a number is wanted%s",
 		    after != NULL && json ?
 			", as JSON writes it" :
 			after != NULL ?
@@ -102,13 +102,13 @@ void say_field(const struct layout *l, int i, struct span f,
 
 	*reason = '\0';
 	if (f.s == f.end) {
-		say_append(reason, "%s is missing; %d numbers are wanted%s",
+		say_more(reason, "%s is missing; %d numbers are wanted%s",
 		    coordinate_name(i), l->reads,
 		    i == 2 && l->two_hint != NULL ? l->two_hint : "");
 	} else if (!json && (*f.s == '[' || *f.s == '{')) {
-		say_append(reason, "looks like JSON; say -i json");
+		say_more(reason, "looks like JSON; say -i json");
 	} else {
-		say_append(reason, "%s is '%s'", coordinate_name(i),
+		say_more(reason, "%s is '%s'", coordinate_name(i),
 		    escaped(word, f.s, (size_t)(f.end - f.s)));
 		say_remedy(l, i, f, reason);
 	}
@@ -137,7 +137,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Copies the names of the fields after the cursor. Leaves out the units in brackets of a
+/* Copies the names of the fields after the c. Leaves out the units in brackets of a
  * comment, which is read as text. */
 static void copy_names(struct cursor c, struct names *names)
 {
@@ -237,15 +237,15 @@ static bool say_guess(const struct names *names, int reads,
 	bool all = true;
 
 	while (guess_columns(names, reads, &k, found)) {
-		say_append(reason, n++ == 0 ? "; say --columns " : " or ");
+		say_more(reason, n++ == 0 ? "; say --columns " : " or ");
 		for (int i = 0; i < reads; i++) {
-			say_append(reason, "%s%s", i > 0 ? "," : "",
+			say_more(reason, "%s%s", i > 0 ? "," : "",
 			    found[i] < 0 ? "NAME" : names->list[found[i]]);
 			all &= found[i] >= 0;
 		}
 	}
 	if (!all)
-		say_append(reason, ", where NAME is another column");
+		say_more(reason, ", where NAME is another column");
 	if (n > 2 || strlen(reason) == REASON_MAX - 1)
 		reason[was] = '\0';
 	return reason[was] != '\0';
@@ -265,7 +265,7 @@ static void say_names(const struct layout *l, struct cursor c,
 
 	copy_names(c, &names);
 	if (names.n > 0 && strncmp(names.list[0], "sep=", 4) == 0)
-		say_append(reason, "; leave this line out by tail -n +2");
+		say_more(reason, "; leave this line out by tail -n +2");
 	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
 	const size_t head = typed != NULL ? strcspn(typed, ".[") : 0;
 
@@ -273,13 +273,13 @@ static void say_names(const struct layout *l, struct cursor c,
 	    find_name(&names, typed, head, "") >= 0) {
 		const char *s = escaped(shown, typed, strlen(typed));
 
-		say_append(reason, "; say /");
+		say_more(reason, "; say /");
 		for (; *s != '\0'; s++)
 			if (*s != ']')
-				say_append(reason, "%c",
+				say_more(reason, "%c",
 				    strchr(".[", *s) != NULL ? '/' : *s);
 	} else if (typed != NULL && near != NULL) {
-		say_append(reason, "; did you mean '%s'?",
+		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
 	} else if (typed == NULL && !say_guess(&names, l->reads, reason)) {
 		const struct separator *other = find_separator(l, header,
@@ -289,24 +289,23 @@ static void say_names(const struct layout *l, struct cursor c,
 			say_separator(l, other, reason);
 			return;
 		}
-		say_append(reason,
+		say_more(reason,
 		    "; say with --columns which the coordinates are");
 	}
 	if (names.n > 0 || names.omitted)
-		say_append(reason, "%s it has ",
+		say_more(reason, "%s it has ",
 		    reason[strlen(reason) - 1] == '?' ? "" : ";");
 	for (; i < names.n && strlen(reason) < room; i++)
-		say_append(reason, "%s%s", i > 0 ? ", " : "",
+		say_more(reason, "%s%s", i > 0 ? ", " : "",
 		    escaped(shown, names.list[i], strlen(names.list[i])));
 	if (i < names.n || names.omitted)
-		say_append(reason, i > 0 ? ", ..." : "...");
+		say_more(reason, i > 0 ? ", ..." : "...");
 }
 
-void say_missing(const struct layout *l, int i, struct cursor cursor,
-    const struct chosen *c, char reason[REASON_MAX])
+void say_missing(const struct layout *l, int i, struct cursor c,
+    const struct chosen *found, char reason[REASON_MAX])
 {
-	const char *name = cursor.members || cursor.names ? l->columns.name[i] :
-							    NULL;
+	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
 	char shown[ESCAPED_MAX];
 
 	*reason = '\0';
@@ -315,30 +314,28 @@ void say_missing(const struct layout *l, int i, struct cursor cursor,
 			say_field(l, i, (struct span){ NULL, NULL }, reason);
 		else if (!say_empty_field(l, &(struct field){ .next = NULL },
 			     reason))
-			say_append(reason,
-			    "%s is missing: there is no field %d",
+			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
 		return;
 	}
 	escaped(shown, name, strlen(name));
-	if (c->times[i] == 0) {
-		say_append(reason, "%s '%s'%s",
-		    cursor.names ? "the header has no column" : "has no member",
+	if (found->times[i] == 0) {
+		say_more(reason, "%s '%s'%s",
+		    c.names ? "the header has no column" : "has no member",
 		    shown,
-		    cursor.names || l->columns.n > 0 ?
+		    c.names || l->columns.n > 0 ?
 			"" :
 			"; --columns names the coordinates, such as lon "
 			"or /pos/x");
-		say_names(l, cursor,
-		    cursor.names && l->columns.by_default ? NULL : name,
+		say_names(l, c, c.names && l->columns.by_default ? NULL : name,
 		    reason);
-	} else if (cursor.names) {
-		say_append(reason,
+	} else if (c.names) {
+		say_more(reason,
 		    "the header has two columns for %s, %ld and %ld; say with "
 		    "--columns, by number, which the coordinates are",
-		    name, c->index[i] + 1, c->second_index[i] + 1);
+		    name, found->index[i] + 1, found->second_index[i] + 1);
 	} else {
-		say_append(reason, "has two members '%s'", shown);
+		say_more(reason, "has two members '%s'", shown);
 	}
 }
 
@@ -352,13 +349,13 @@ void say_note_columns(struct layout *l, struct span text)
 	for (const char *s = text.s; s < text.end; s++)
 		if (strchr("#%!;:=", *s) != NULL)
 			text.s = s + 1;
-	copy_names(cursor_of_line((struct dialect){ FORMAT_TEXT, ' ' }, text),
+	copy_names(line_cursor((struct dialect){ FORMAT_TEXT, ' ' }, text),
 	    &names);
 	other.columns.n = names.n;
 	while (!names.omitted && guess_columns(&names, l->reads, &k, field)) {
 		if (field[l->reads - 1] < 0 || (l->reads > 3 && field[2] < 0))
 			continue;
-		if (layout_point_is_first(&other))
+		if (layout_in_order(&other))
 			return;
 		if (told.n == 0)
 			told = other.columns;
@@ -371,7 +368,7 @@ bool say_needs_header(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
 	const int *field = l->comment_columns.field;
-	struct cursor c = cursor_of_line(l->in, row);
+	struct cursor c = line_cursor(l->in, row);
 	bool numbers = l->comment_columns.n > 0;
 	struct field f;
 	int n = 0;
@@ -393,21 +390,21 @@ bool say_needs_header(const struct layout *l, struct span row, bool lost,
 		"lacks the header of a file before; say --columns by number" :
 		"the comment above names other columns");
 	for (int i = 0; i < l->reads && !l->reordered; i++)
-		say_append(reason, "%s%d", i > 0 ? "," : "; say --columns ",
+		say_more(reason, "%s%d", i > 0 ? "," : "; say --columns ",
 		    field[i] + 1);
 	return true;
 }
 
 void say_text_header(const struct layout *l, struct span line,
-    const struct chosen *c, char reason[REASON_MAX])
+    const struct chosen *found, char reason[REASON_MAX])
 {
 	const struct separator *other = find_separator(l, line, true);
 
 	for (int i = 0; i < l->reads; i++) {
-		struct span f = c->field[i].value;
+		struct span f = found->field[i].value;
 		double v;
 
-		if (c->times[i] > 0 && f.s < f.end &&
+		if (found->times[i] > 0 && f.s < f.end &&
 		    (*f.s == '[' || *f.s == '{' ||
 			format_number(l->in, f.s, f.end, &v) != NULL))
 			return;

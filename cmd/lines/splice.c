@@ -4,7 +4,7 @@
  * divides the line into fields again, and copies, replaces or leaves out each field.
  *
  * The values of a point are its written numbers and the word of --flags: value k <
- * COORDINATES_MAX is number k, and value FLAGS_VALUE is the word. */
+ * COORDINATES_MAX is number k, and value FLAGS is the word. */
 #include <math.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@
 #include "line.h"
 #include "in_place.h"
 
-enum { FLAGS_VALUE = COORDINATES_MAX };
+enum { FLAGS = COORDINATES_MAX };
 
 /* A line that is being written. */
 struct splice {
@@ -26,6 +26,7 @@ struct splice {
 	char *out;        /* the end of the output */
 	size_t fields;    /* the number of fields written so far */
 	unsigned due;     /* bit k is set while value k is to be written */
+	int last; /* added values follow coordinate last; -1: the last field */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
@@ -76,11 +77,10 @@ static char *put_value(const struct splice *w, int k, char *out)
 	if (w->numbers == NULL)
 		return !l->append && k < l->reads &&
 			!is_missing(w->line->at[k]) ?
-		    format_convert(l->in, l->out, line_coordinate(w->line, k),
-			out) :
+		    format_convert(l->in, l->out, line_field(w->line, k), out) :
 		    stpcpy(out, value_name(w, k));
-	return k < FLAGS_VALUE ? put_coordinate(l, *w->numbers, k, out) :
-				 put_word(l, w->flags, out);
+	return k < FLAGS ? put_coordinate(l, *w->numbers, k, out) :
+			   put_word(l, w->flags, out);
 }
 
 /* Writes all values from k on that are due, in an object with their names. A separator
@@ -115,7 +115,7 @@ static void put_values(struct splice *w, int k, bool members)
 static int coordinate_in(const struct splice *w, const char *s, const char *end)
 {
 	for (int i = 0; i < w->l->reads; i++) {
-		const char *at = line_coordinate(w->line, i).s;
+		const char *at = line_field(w->line, i).s;
 
 		if (at >= s && at <= end && !is_missing(w->line->at[i]))
 			return i;
@@ -132,7 +132,7 @@ static int value_for(const struct splice *w, const struct field *f, bool outer)
 
 	if (f->name.s == NULL || !outer)
 		return i;
-	for (int k = w->l->reads; k <= FLAGS_VALUE && i < 0; k++) {
+	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
 		const char *name = w->l->name[k];
 		struct span added = { name, name + strlen(name) };
 
@@ -144,8 +144,7 @@ static int value_for(const struct splice *w, const struct field *f, bool outer)
 
 /* Returns the separator for values after the field f: in text the separator before f,
  * or the separator after f if f is the first field. */
-static struct span separator_beside(const struct layout *l,
-    const struct field *f)
+static struct span separator_at(const struct layout *l, const struct field *f)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
 	struct span found = { f->previous_end, f->value.s };
@@ -169,15 +168,26 @@ static void skip_field(struct splice *w, const struct field *f)
 	w->done = end > w->done ? end : w->done;
 }
 
+/* Writes value k in the place of the field f; in a header the name f stays. */
+static void replace_field(struct splice *w, const struct field *f, int k)
+{
+	struct span at = k < w->l->reads ? line_field(w->line, k) : f->value;
+
+	w->due -= 1u << k;
+	if (w->numbers == NULL)
+		return;
+	copy_to(w, at.s);
+	w->out = put_value(w, k, w->out);
+	w->done = at.end;
+}
+
 /* Copies the fields of a line or, unless outer is set, of a JSON value in the line.
- * Replaces a field that has a value_for, or leaves it out if the value is not due. Adds
- * the other values after coordinate last, or at the end of the line if last is -1. */
-static void splice_fields(struct splice *w, struct cursor c, bool outer,
-    int last)
+ * Replaces a field that has a value_for, or leaves it out if the value is not due. */
+static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;
 
-	while (cursor_next(&c, &f)) {
+	while (cursor_next(c, &f)) {
 		int k = value_for(w, &f, outer);
 
 		if (k >= 0 && (w->due >> k & 1) == 0) {
@@ -185,33 +195,21 @@ static void splice_fields(struct splice *w, struct cursor c, bool outer,
 			continue;
 		}
 		w->fields += outer;
-		if (k < 0) {
-			if (c.bracket != NULL &&
-			    coordinate_in(w, f.value.s, f.value.end) >= 0)
-				splice_fields(w,
-				    cursor_of_value(f.value, c.end), false, -1);
-			continue;
-		}
-		if (k < w->l->reads && outer)
-			w->separator = separator_beside(w->l, &f);
-		w->due -= 1u << k;
-		if (w->numbers != NULL) {
-			struct span at = k < w->l->reads ?
-			    line_coordinate(w->line, k) :
-			    f.value;
+		if (k >= 0) {
+			replace_field(w, &f, k);
+		} else if (c->bracket != NULL &&
+		    coordinate_in(w, f.value.s, f.value.end) >= 0) {
+			struct cursor inside = value_cursor(f.value, c->end);
 
-			copy_to(w, at.s);
-			w->out = put_value(w, k, w->out);
-			w->done = at.end;
+			splice_fields(w, &inside, false);
 		}
-		if (k == last) {
-			copy_to(w, trimmed(c.in, f.whole).end);
+		if (!outer || k < 0 || k >= w->l->reads)
+			continue;
+		w->separator = separator_at(w->l, &f);
+		if (k == w->last) {
+			copy_to(w, trimmed(c->in, f.whole).end);
 			put_values(w, w->l->reads, false);
 		}
-	}
-	if (outer) {
-		copy_to(w, c.previous_end != NULL ? c.previous_end : c.bracket);
-		put_values(w, 0, c.members);
 	}
 }
 
@@ -223,10 +221,10 @@ static struct cursor cursor_of(const struct layout *l, const struct line *line)
 
 	text.s += line->has_bom ? 3 : 0;
 	c = line->kind == LINE_HEADER ? header_cursor(l->in, text) :
-					cursor_of_line(l->in, text);
+					line_cursor(l->in, text);
 	if (c.s != NULL)
 		c.s = skip_blanks(l->in, c.s, c.end);
-	c.blanks_only = line->blanks_only;
+	c.no_commas = line->no_commas;
 	return c;
 }
 
@@ -234,13 +232,15 @@ static struct cursor cursor_of(const struct layout *l, const struct line *line)
 static void splice(struct splice *w)
 {
 	const struct layout *l = w->l;
-	int last = (l->reads < l->writes ? l->reads : l->writes) - 1;
 	struct cursor c = cursor_of(l, w->line);
 
+	w->last = (l->reads < l->writes ? l->reads : l->writes) - 1;
 	for (int i = 0; i < l->reads; i++)
 		if (is_missing(w->line->at[i]) || c.members)
-			last = -1;
-	splice_fields(w, c, true, last);
+			w->last = -1;
+	splice_fields(w, &c, true);
+	copy_to(w, c.previous_end != NULL ? c.previous_end : c.bracket);
+	put_values(w, 0, c.members);
 }
 
 /* Copies the line, and adds all values at its end or before its last bracket. */
@@ -260,7 +260,7 @@ static void append(struct splice *w)
 	w->fields = *in->close == '\0' || s.end - s.s > 1;
 	while (in->blanks && cursor_next(&c, &f))
 		if (coordinate_in(w, f.whole.s, f.value.s) >= 0)
-			w->separator = separator_beside(w->l, &f);
+			w->separator = separator_at(w->l, &f);
 	copy_to(w, s.end);
 	put_values(w, 0, w->line->object);
 }
@@ -289,8 +289,7 @@ static char *put_other_numbers(const struct layout *l, const struct line *line,
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 	const bool single = l->in.format == FORMAT_F32;
 
-	for (int i = 0; i < l->record && line->size == layout_record_size(l);
-	     i++) {
+	for (int i = 0; i < l->record && line->size == record_size(l); i++) {
 		const char *s = line->s + point_size(l->in.format, i);
 		double v = little_get(s, !single);
 		bool coordinate = false;
@@ -327,10 +326,9 @@ static void put_other_fields(struct splice *w)
 	}
 	if (line->kind == LINE_LOST || line->object)
 		return;
-	if (line->kind == LINE_POINT && layout_point_is_first(l) &&
-	    !l->append) {
+	if (line->kind == LINE_POINT && layout_in_order(l) && !l->append) {
 		c.bracket = *in->open != '\0' ? line->s : NULL;
-		cursor_after(&c, line_coordinate(line, l->reads - 1).end);
+		cursor_after(&c, line_field(line, l->reads - 1).end);
 		if (in->blanks && to->blanks && l->columns.n == 0 &&
 		    c.s != NULL) {
 			*w->out++ = ' ';
@@ -354,8 +352,7 @@ static void put_other_fields(struct splice *w)
 	w->out = out;
 }
 
-char *line_put_fields(const struct layout *l, const struct line *line,
-    char *out)
+char *line_put_rest(const struct layout *l, const struct line *line, char *out)
 {
 	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
@@ -398,7 +395,7 @@ static char *convert_point(const struct layout *l, const struct line *line,
 		*out++ = l->out.separator;
 		out = put_word(l, flags, out);
 	}
-	out = line_put_fields(l, line, out);
+	out = line_put_rest(l, line, out);
 	*out = *to->close;
 	out += *to->close != '\0';
 	*out = '\n';
@@ -425,8 +422,7 @@ char *line_write(const struct layout *l, const struct line *line,
 		.separator = { &l->out.separator, &l->out.separator + 1 },
 		.done = line->s,
 		.out = out,
-		.due = ((1u << l->writes) - 1) |
-		    (unsigned)l->flags << FLAGS_VALUE };
+		.due = ((1u << l->writes) - 1) | (unsigned)l->flags << FLAGS };
 
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");

@@ -47,12 +47,12 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		.stops = stops_of(l->in),
 		.n = l->reads,
 		.exact_fields = l->append ? (int)l->header_fields : 0,
-		.most_fields = l->header_fields > 0 ? (int)l->most_fields :
-						      STRETCH,
+		.max_fields = l->header_fields > 0 ? (int)l->max_fields :
+						     STRETCH,
 		.added_names = l->append ? l->name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
-		.by_column = !layout_point_is_first(l) };
+		.by_column = !layout_in_order(l) };
 	for (int i = 0; i < l->reads; i++)
 		w->field[i] = layout_field(l, i);
 	for (int i = 0; i < l->reads && w->objects; i++) {
@@ -62,8 +62,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		name += pointer;
 		w->objects = !pointer || strchr(name, '~') == NULL;
 		w->paths.path[i] = name;
-		w->paths.token_size[i] = pointer ? strcspn(name, "/") :
-						   strlen(name);
+		w->paths.size[i] = pointer ? strcspn(name, "/") : strlen(name);
 	}
 	return w->arrays || w->objects;
 }
@@ -85,9 +84,8 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 	return n > 0;
 }
 
-/* A position in a stretch of text. A function pass_x moves the position to the end of x.
- * If the function returns false, the line is left to line_read, unless the comment of
- * the function says otherwise. */
+/* A position in a stretch of text. A function pass_x moves the position behind x, or
+ * returns false if the line has to be left to line_read. */
 struct walker {
 	const char *text;
 	uint32_t at;          /* the position, in bytes from text */
@@ -139,8 +137,7 @@ INLINE bool pass_separator(struct walker *p, struct dialect d)
 	return p->comma || (text && !stop_is(p, '\n'));
 }
 
-/* Returns the number of stops after the backslash in the JSON escape at s; -1 if there is
- * no escape at s. */
+/* Returns the number of stops after the backslash of the escape at s; -1: no escape. */
 static int stops_in_escape(const char *s)
 {
 	unsigned code;
@@ -242,19 +239,14 @@ INLINE bool pass_other_field(struct walker *p, struct dialect d)
 	return true;
 }
 
-/* How the coordinates are found among fields. */
-enum lookup {
-	BY_ORDER,  /* coordinate i is field i */
-	BY_COLUMN, /* coordinate i is field walk->field[i] */
-	BY_PATH,
-	NO_LOOKUP, /* the fields hold no coordinate */
-};
+/* How coordinates are found: coordinate i is field i, or field walk->field[i], or at the
+ * end of path i; NO_LOOKUP: the fields hold no coordinates. */
+enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 
 static bool pass_nested(struct walker *, const struct target *,
     const struct paths *, unsigned leads, int levels);
 
-/* Results beside the number of a coordinate. NOT_SIMPLE: the line is left to line_read.
- */
+/* Results beside a coordinate's number. NOT_SIMPLE: the line is left to line_read. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2 };
 
 /* Returns the paths whose bits are set in leads, without their first tokens. */
@@ -265,15 +257,14 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 	for (int i = 0; i < 4; i++) {
 		bool set = (leads >> i & 1) != 0;
 
-		rest.path[i] = set ? t->path[i] + t->token_size[i] + 1 : "";
-		rest.token_size[i] = set ? strcspn(rest.path[i], "/") :
-					   SIZE_MAX;
+		rest.path[i] = set ? t->path[i] + t->size[i] + 1 : "";
+		rest.size[i] = set ? strcspn(rest.path[i], "/") : SIZE_MAX;
 	}
 	return rest;
 }
 
 /* Returns the coordinate whose path ends at the field of that name or index. Sets bit i
- * of leads if path i leads to the field or into its value. */
+ * of leads if path i leads to the field. */
 INLINE int follow_paths(const struct paths *t, int n, struct span name,
     unsigned *leads)
 {
@@ -283,7 +274,7 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 	for (int i = 0; i < n; i++) {
 		const char *path = t->path[i];
 
-		if (t->token_size[i] != size || *path != *name.s ||
+		if (t->size[i] != size || *path != *name.s ||
 		    (size > 1 && memcmp(path, name.s, size) != 0))
 			continue;
 		*leads |= 1u << i;
@@ -379,8 +370,7 @@ struct fields {
 };
 
 /* Passes the name of field k, if it has one. Returns the coordinate that the field is,
- * NO_COORDINATE or NOT_SIMPLE. Sets bit i of leads if path i leads to or into the field.
- */
+ * NO_COORDINATE or NOT_SIMPLE. Sets bit i of leads if path i leads to the field. */
 INLINE int identify_field(struct walker *p, struct dialect d, struct fields *f,
     const struct walk *w, int k, unsigned *leads)
 {
@@ -453,7 +443,7 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 		return t->walk->exact_fields != 0 ?
 		    k == t->walk->exact_fields :
 		    k - (p->text[p->at - 1] == d.separator) <=
-			t->walk->most_fields;
+			t->walk->max_fields;
 	if (d.format != FORMAT_TEXT)
 		return true;
 	return (f.commas == 0 || f.commas == f.separators) &&
@@ -544,8 +534,7 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
 		uint32_t begin = p.at;
 		const struct target t = { walk, &lines[i], begin, i, places };
 
-		lines[i].object = lines[i].blanks_only = lines[i].has_bom =
-		    false;
+		lines[i].object = lines[i].no_commas = lines[i].has_bom = false;
 		bool found = p.text + begin - s->readable >= PLAIN_BEFORE &&
 		    pass_line(&p, d, n, lookup, &t);
 
@@ -622,7 +611,7 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
 		int i = __builtin_ctzll(any);
 
 		for (int k = 0; k < walk->n; k++) {
-			struct span f = line_coordinate(&lines[i], k);
+			struct span f = line_field(&lines[i], k);
 
 			/* a number such as 1e-300 that vector code does not read */
 			if ((unread[k] >> i & 1) != 0 &&
