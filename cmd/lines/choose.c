@@ -55,8 +55,6 @@ struct route {
 	long index;
 };
 
-static const struct route no_route = { NULL, -1 };
-
 bool is_index(struct span token, long k)
 {
 	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
@@ -65,12 +63,17 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether path, the route to thing i, leads to the field f or into its value,
- * and sets *rest to the rest of the path. f is field k after the cursor. The case of
- * coordinates' default names does not count in a header: X is x. */
-static bool leads_to(const struct layout *l, const char *path, int i,
+/* Returns whether the route to thing i leads to f, which is field k after the cursor, or
+ * into its value; sets *rest to the rest of the path. The case of the default names of
+ * coordinates does not count in a header: X is x. */
+static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
+	const char *path = route->path;
+
+	*rest = "";
+	if (path == NULL)
+		return route->index == k;
 	bool pointer = *path == '/' && !c->names;
 
 	path += pointer;
@@ -93,14 +96,13 @@ struct search {
 	int n;
 	bool text; /* the fields are separated as in text */
 	long last; /* the number of the last field that is looked at */
-	int separators, commas; /* those that count; those with a comma */
+	int separators, commas; /* that count; that count and have a comma */
 	struct chosen *out;
 };
 
-/* Returns whether the separator before f, field k of text, counts: the separators that
- * count must be alike, so that none is a decimal comma. Before the field after the last
- * coordinate, the separator counts if the field may be decimals: the field is a number,
- * and two coordinates, or a comma without a blank, are before the field. */
+/* Returns whether the separator before f, field k of text, has to be like the others, so
+ * that no comma is a decimal comma. After the last coordinate it has to be if f may be
+ * decimals: f is a number after two coordinates, or after a comma without a blank. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {
@@ -129,12 +131,10 @@ static void search_fields(struct search *r, struct cursor c,
 		bool enter = false;
 
 		for (int i = 0; i < r->n; i++) {
-			const char *path = routes[i].path, *rest = "";
+			const char *rest;
 
-			inside[i] = no_route;
-			if (path == NULL ?
-				routes[i].index != k :
-				!leads_to(r->l, path, i, &c, &f, k, &rest))
+			inside[i] = (struct route){ .index = -1 };
+			if (!leads_to(r->l, &routes[i], i, &c, &f, k, &rest))
 				continue;
 			fields[i]++;
 			if (*rest != '\0') {
@@ -179,7 +179,7 @@ void choose(const struct layout *l, struct cursor c, struct chosen *out)
 		r.last = k > r.last ? k : r.last;
 	}
 	for (int i = l->reads; i < r.n; i++) {
-		routes[i] = no_route;
+		routes[i] = (struct route){ .index = -1 };
 		if (i >= 4 && *l->name[i - 4] != '\0' &&
 		    (l->append ||
 			(i - 4 >= l->reads && format_of(l->out)->header)))

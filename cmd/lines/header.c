@@ -86,9 +86,8 @@ static bool begins_with_digit(struct span f)
 	return f.s < f.end && isdigit((unsigned char)*f.s);
 }
 
-/* Returns whether the first line is a header and not a row. In a row a coordinate is a
- * number, all coordinates are missing values such as NA, or all begin with a digit, as
- * numbers with decimal commas do. */
+/* Returns whether the first line is no row: no coordinate is a number, and not all are
+ * missing values such as NA, or begin with a digit, as 1,5 does. */
 static bool looks_like_header(const struct layout *l, struct cursor header)
 {
 	bool all_missing = true, all_digits = true;

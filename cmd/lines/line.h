@@ -21,11 +21,13 @@
 #include "formats.h"
 #include "../number/plain.h"
 
-/* The most numbers written for a point, which are the position and direction of a ray. */
-enum { COORDINATES_MAX = 6 };
-
-/* The most bytes of the name of a written number, with the final 0. */
-enum { NAME_ROOM = 16 };
+enum {
+	COORDINATES_MAX = 6, /* numbers written for a point: a ray's are 6 */
+	NAME_ROOM = 16,      /* bytes for the name of a written number */
+	WORD_MAX = 48,       /* bytes of the word of --flags */
+	PREFIX_ROOM = 64,    /* bytes for separator and name before a value */
+	SOUGHT = 4 + COORDINATES_MAX + 1, /* things in struct chosen */
+};
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
@@ -115,11 +117,6 @@ struct numbers {
 	size_t stride, text_stride;
 };
 
-/* The most bytes of the separator and the member's name before an added value. */
-enum { PREFIX_ROOM = 64 };
-
-enum { WORD_MAX = 48 };
-
 /* The word of --flags, such as left+near. */
 struct word {
 	char s[WORD_MAX];
@@ -159,21 +156,19 @@ static inline int layout_field(const struct layout *l, int i)
 /* Returns whether the coordinates are the first fields, in their order. */
 static inline bool layout_in_order(const struct layout *l)
 {
-	int i = 0;
-
-	while (i < l->reads && layout_field(l, i) == i)
-		i++;
-	return i == l->reads;
+	for (int i = 0; i < l->reads; i++)
+		if (layout_field(l, i) != i)
+			return false;
+	return true;
 }
 
 /* Returns whether any coordinate is looked up by the name of its column or member. */
 static inline bool layout_has_names(const struct layout *l)
 {
-	int i = 0;
-
-	while (i < l->reads && l->columns.name[i] == NULL)
-		i++;
-	return i < l->reads;
+	for (int i = 0; i < l->reads; i++)
+		if (l->columns.name[i] != NULL)
+			return true;
+	return false;
 }
 
 /* Returns the name of coordinate i: x, y, z or w. */
@@ -225,8 +220,6 @@ bool cursor_next(struct cursor *, struct field *);
 
 /* Returns the number of fields after the cursor. */
 size_t cursor_count(struct cursor);
-
-enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
 
 /* What choose looks for and finds: things 0 to 3 are the coordinates, and thing 4 + k
  * is a field with the name k of the layout, which the output adds. */
@@ -294,11 +287,10 @@ void say_missing(const struct layout *, int i, struct cursor,
  * the coordinates are not the first columns. */
 void say_note_columns(struct layout *, struct span text);
 
-/* Returns whether a first row can't be read without a header, and writes the reason.
- * With --columns by name a header is needed if the row is lost, which has a reason
- * already. Else the header of the file before may have reordered the columns, or the
- * comment above may name other columns: it has as many names as the row has fields, and
- * the fields that it names as coordinates are numbers. */
+/* Returns whether a first row can't be read without a header, and writes the reason: the
+ * header of a file before reordered the columns, or a comment above names the columns of
+ * coordinates, has as many names as the row has fields, and these columns are numbers.
+ * With --columns by name, the row is lost, which has a reason already. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 

@@ -6,8 +6,7 @@
 #include "line.h"
 #include "../message/utf8.h"
 
-/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; if not,
- * writes the reason. */
+/* Returns whether v, coordinate i, is in range or nan; if not, writes the reason. */
 static bool in_range(const struct layout *l, int i, double v,
     char reason[REASON_MAX])
 {
@@ -147,10 +146,10 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (line_is_bad(line) && !l->append && !can_be_kept(l, c, &found))
 		line->kind = LINE_LOST;
 	choose_parts(l, &found, line);
-	if (first == FIRST_LINE && line_is_bad(line))
-		l->max_fields = 0; /* as a bad row may lack fields */
-	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
-	    l->columns.n == 0)
+	if (first != FIRST_LINE || !line_is_bad(line))
+		return;
+	l->max_fields = 0; /* a bad row may lack fields */
+	if (in->blanks && l->columns.n == 0)
 		say_text_header(l, text, &found, reason);
 }
 

@@ -58,8 +58,7 @@ static void say_separator(const struct layout *l, const struct separator *other,
 		    other->option);
 }
 
-/* Adds to the reason how to mend the field f, which is not a number and should be
- * coordinate i. */
+/* Adds to the reason how to mend f, which should be a number and coordinate i. */
 static void say_remedy(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
@@ -137,7 +136,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Copies the names of the fields after the c. Leaves out the units in brackets of a
+/* Copies the names of the fields after the cursor. Leaves out the units in brackets of a
  * comment, which is read as text. */
 static void copy_names(struct cursor c, struct names *names)
 {
@@ -186,11 +185,10 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Guesses the columns of coordinates: sets found to the numbers of names that begin
- * alike and end in axes, such as gps_lon and gps_lat; -1 for a coordinate without such a
- * name. *k counts the pairs of axes and names that have been tried. Returns false if
- * none is left. Skips quaternions, such as qx, qy, qz and qw, and beside a column x all
- * names with a common beginning. */
+/* Finds the next columns, after *k tries, that may be coordinates: sets found to the
+ * numbers of names that begin alike and end in axes, such as gps_lon and gps_lat, or to
+ * -1. Returns false if there are no more. Skips quaternions, such as qx, qy, qz and qw,
+ * and beside a column x all names with a common beginning. */
 static bool guess_columns(const struct names *names, int reads, int *k,
     int found[4])
 {

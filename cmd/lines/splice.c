@@ -123,23 +123,22 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
-/* Returns the value that replaces the field, or -1: the coordinate in the field or, if
- * the line is an object and outer says that the field is its member, the added value
- * with the name of the member. */
+/* Returns the value that replaces the field f, or -1: the coordinate in f or, if f is a
+ * member of the line (outer), the added value with the name of f. */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
 	int i = coordinate_in(w, f->whole.s, f->value.s);
 
-	if (f->name.s == NULL || !outer)
+	if (i >= 0 || f->name.s == NULL || !outer)
 		return i;
-	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
+	for (int k = w->l->reads; k <= FLAGS; k++) {
 		const char *name = w->l->name[k];
 		struct span added = { name, name + strlen(name) };
 
 		if (*name != '\0' && json_is_name(f->name, added, false))
 			return k;
 	}
-	return i;
+	return -1;
 }
 
 /* Returns the separator for values after the field f: in text the separator before f,

@@ -220,9 +220,8 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes a field of text or csv that is not a coordinate. The first quote after an
- * opening quote must close the field: if another character follows, the caller finds no
- * separator and no newline, and the line is left to line_read. */
+/* Passes a field of text or csv that is not a coordinate. A quote inside of a quoted
+ * field seems to close it: then the caller finds no separator and leaves the line. */
 INLINE bool pass_other_field(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
@@ -247,7 +246,7 @@ static bool pass_nested(struct walker *, const struct target *,
     const struct paths *, unsigned leads, int levels);
 
 /* Results beside a coordinate's number. NOT_SIMPLE: the line is left to line_read. */
-enum { NO_COORDINATE = -1, NOT_SIMPLE = -2 };
+enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
 /* Returns the paths whose bits are set in leads, without their first tokens. */
 static struct paths paths_inside(const struct paths *t, unsigned leads)
@@ -397,14 +396,11 @@ INLINE int identify_field(struct walker *p, struct dialect d, struct fields *f,
 	return repeated ? NOT_SIMPLE : i;
 }
 
-enum { LAST_FIELD, MORE_FIELDS };
-
 /* Passes field k and the separator after it. Returns LAST_FIELD, MORE_FIELDS or
  * NOT_SIMPLE. The last coordinate of text counts as the last field. */
 INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
     const struct target *t, int k)
 {
-	const bool text = d.format == FORMAT_TEXT;
 	unsigned leads;
 	int i = identify_field(p, d, f, t->walk, k, &leads);
 
@@ -415,9 +411,8 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 		     !pass_value(p, t, f->paths, leads, f->levels) :
 		     !pass_other_field(p, d))
 		return NOT_SIMPLE;
-	if (text && p->found == f->n)
-		return LAST_FIELD;
-	if (stop_is(p, '\n') || !pass_separator(p, d))
+	if ((d.format == FORMAT_TEXT && p->found == f->n) || stop_is(p, '\n') ||
+	    !pass_separator(p, d))
 		return LAST_FIELD;
 	f->separators++;
 	f->commas += p->comma;
