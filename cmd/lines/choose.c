@@ -63,9 +63,9 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether the route to thing i leads to f, which is field k after the cursor, or
- * into its value; sets *rest to the rest of the path. The case of the default names of
- * coordinates does not count in a header: X is x. */
+/* Returns whether the route to thing i leads to f, which is field k after the cursor,
+ * or into its value; sets *rest to the rest of the path. The case of the default names
+ * of coordinates does not count in a header: X is x. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
@@ -96,13 +96,14 @@ struct search {
 	int n;
 	bool text; /* the fields are separated as in text */
 	long last; /* the number of the last field that is looked at */
-	int separators, commas; /* that count; that count and have a comma */
+	int separators, commas; /* that separator_counts; with a comma */
 	struct chosen *out;
 };
 
-/* Returns whether the separator before f, field k of text, has to be like the others, so
- * that no comma is a decimal comma. After the last coordinate it has to be if f may be
- * decimals: f is a number after two coordinates, or after a comma without a blank. */
+/* Returns whether the separator before f, field k of text, counts. If only some of the
+ * separators that count have commas, these may be decimal commas. After the last
+ * coordinate, a separator counts if f may be decimals: f is a number after two
+ * coordinates, or after a comma without a blank. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {
@@ -117,13 +118,13 @@ static bool separator_counts(const struct search *r, const struct field *f,
 			*f->previous_end == ',')));
 }
 
-/* Searches the fields after the cursor. Enters each value once, for all routes that lead
- * into the value, so that the time is linear in the length of the line. */
+/* Searches the fields after the cursor. Enters each value once, for all routes that
+ * lead into the value, so that the time is linear in the length of the line. */
 static void search_fields(struct search *r, struct cursor c,
     const struct route routes[SOUGHT])
 {
 	struct chosen *out = r->out;
-	int fields[SOUGHT] = { 0 }; /* that the route leads to or into */
+	int fields[SOUGHT] = { 0 }; /* the fields that each route leads to */
 	struct field f;
 
 	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {

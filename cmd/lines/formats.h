@@ -22,7 +22,7 @@ enum format {
 /* A format with its separator; tsv is FORMAT_CSV with a tab. */
 struct dialect {
 	enum format format;
-	char separator; /* in text only between added fields */
+	char separator; /* between fields; in text between added fields */
 };
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
@@ -61,9 +61,9 @@ struct format_row {
 	const char *nan_text;     /* how nan is written */
 	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int nan_words; /* the words of format_number that are read as nan */
-	bool blanks;   /* blanks separate fields, with or without one comma */
-	bool header;   /* the first line may name the fields */
+	int nan_words;            /* how many words of format_number are nan */
+	bool blanks; /* blanks separate fields, with or without one comma */
+	bool header; /* the first line may name the fields */
 
 	/* Returns whether a line can be divided into fields; if not, writes the
 	 * reason. NULL: every line can. */
@@ -107,9 +107,9 @@ static inline size_t point_size(enum format f, int coordinates)
 const char *format_number(struct dialect, const char *s, const char *end,
     double *v);
 
-/* Writes the field f of the dialect in for the dialect out: copies a field that means the
- * same in out, and quotes another. Returns the end of the output, which has at most six
- * bytes for each byte of f, as in \u0001, and two quotes. */
+/* Writes the field f of the dialect in for the dialect out: copies a field that means
+ * the same in out, and quotes another. Returns the end of the output, which has at most
+ * six bytes for each byte of f, as in \u0001, and two quotes. */
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
@@ -123,8 +123,8 @@ static inline bool is_blank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
-/* Returns whether c is white space in a dialect. In JSON \v and \f are no white space,
- * and in csv the separator is none. */
+/* Returns whether c is white space in a dialect. In JSON \v and \f are not white space,
+ * and in csv the separator is not. */
 static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
     char c)
 {

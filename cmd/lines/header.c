@@ -27,7 +27,7 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	return c;
 }
 
-/* Returns the first coordinate whose name the header lacks, or l->reads. */
+/* Returns the first coordinate whose name the header lacks; l->reads: none. */
 static int find_missing_name(const struct layout *l, const struct chosen *c)
 {
 	int i = 0;
@@ -58,8 +58,8 @@ static bool is_usable(const struct layout *l, struct cursor header,
 	return i == 0 && !choose_clashes(l, c, false, reason);
 }
 
-/* Returns whether the line may be a point or a header that numbers its columns: an empty
- * field, 0, 1, 2 and so on, as pandas writes for an array. Writes the reason. */
+/* Returns whether the line may be a point as well as a header, and writes the reason:
+ * an empty field, 0, 1, 2 and so on, as pandas numbers the columns of an array. */
 static bool is_numbered(const struct layout *l, struct cursor c,
     char reason[REASON_MAX])
 {

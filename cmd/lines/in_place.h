@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes a line of which only the numbers change: a point in the format of the input. */
+/* Writes a line of which only the numbers change: a point in its own format. */
 #ifndef IN_PLACE_H
 #define IN_PLACE_H
 
@@ -73,7 +73,7 @@ static inline bool can_add_in_place(const struct layout *l,
 		line->s[last] != '"');
 }
 
-/* Returns the separator before added values. */
+
 static inline char added_separator(const struct layout *l,
     const struct line *line)
 {
@@ -92,9 +92,9 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 	return out + (next - done);
 }
 
-/* Writes a point. Replaces the coordinates, which are on the line in the given order (if
- * NULL: x, y, z, w), and adds the other values after the last coordinate. If append is
- * set, adds all values after the line. Returns the end of the output. */
+/* Writes a point. Replaces the coordinates, which are on the line in the given order
+ * (if NULL: x, y, z, w), and adds the other values after the last coordinate. If append
+ * is set, adds all values after the line. Returns the end of the output. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

@@ -9,8 +9,7 @@
  * header.c reads.
  *
  * in_place.h writes a line of which only numbers change. line_write in splice.c writes
- * every other line: it divides the line into fields again and copies them.
- */
+ * every other line: it divides the line into fields again and copies them. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -59,9 +58,10 @@ struct layout {
 	 * --flags; "" for a number or word that is not written. */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t header_fields; /* 0: there is no header */
-	size_t max_fields;    /* of the header or the first row; 0: not known */
-	bool reordered; /* by the last header, field i is not coordinate i */
-	/* what a comment above the first row names; n: all its names */
+	size_t
+	    max_fields; /* of the header or a longer first row; 0: not known */
+	bool reordered; /* in the last header field i is not coordinate i */
+	/* by a comment above the first row; n is the number of all its names */
 	struct columns comment_columns;
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* the output keeps binary records, and adds the images */
@@ -76,11 +76,11 @@ enum line_kind {
 	LINE_HEADER,
 	LINE_BAD,     /* a coordinate is wrong; the other fields are kept */
 	LINE_LOST,    /* wrong, and no field can be kept */
-	LINE_REFUSED, /* a wrong header or first row: refuses the source */
+	LINE_REFUSED, /* a wrong header or first row: the source is refused */
 };
 
-/* The bytes from to to - 1 of a line, counted from its beginning. 32 bits are enough: a
- * line has at most 64 MiB with its newline, and a line in a document 256 MiB. */
+/* The bytes [from, to) of a line. 32 bits are enough: a line has at most 64 MiB with
+ * its newline, and a line in a document 256 MiB. */
 struct part {
 	uint32_t from, to;
 };
@@ -180,9 +180,9 @@ static inline const char *coordinate_name(int i)
 }
 
 /* Reads a line and its coordinates v. Writes to reason what is wrong with a line and
- * what would be right. Sets *first to what comes after the line. The first line may
- * begin with a byte order mark, and in csv it may be a header, which sets the columns
- * of the layout. */
+ * what would be right. *first says which line this may be, and is set for the next
+ * line. The first line may begin with a byte order mark, and in csv it may be a header,
+ * which sets the columns of the layout. */
 void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
@@ -194,11 +194,11 @@ char *line_put_rare_number(const struct layout *, int k, double v, char *out);
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
- * after the line. The word of --flags follows the numbers unless flags is NULL. For a
- * LINE_LOST the numbers are all. Blank lines and comments are copied. A header loses
- * the names of coordinates that are not written, and gets the names of added values; in
- * text the header becomes a comment. From JSON or to JSON, blank lines, comments and
- * headers are left out. Returns the end of the output. */
+ * after the line. The word of --flags follows the numbers unless flags is NULL. A
+ * LINE_LOST becomes the numbers alone. Blank lines and comments are copied. A header
+ * loses the names of coordinates that are not written, and gets the names of added
+ * values; in text the header becomes a comment. From JSON or to JSON, blank lines,
+ * comments and headers are left out. Returns the end of the output. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
@@ -215,7 +215,7 @@ struct cursor line_cursor(struct dialect, struct span line);
 /* Returns a cursor over a JSON array or object in a line that ends at end. */
 struct cursor value_cursor(struct span value, const char *end);
 
-/* Sets the next field and moves the cursor behind it. Returns false if there is none. */
+/* Sets the next field and moves the cursor past it; returns false if there is none. */
 bool cursor_next(struct cursor *, struct field *);
 
 /* Returns the number of fields after the cursor. */
@@ -260,8 +260,8 @@ bool header_is_comment(const struct layout *, struct span text, bool first);
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether a row of csv has more than max_fields of the layout, which a first
- * row raises if no coordinate has a name, and writes the reason. An empty last field
+/* Returns whether a row of csv has more fields than max_fields, and writes the reason.
+ * A longer first row raises max_fields if no coordinate has a name. An empty last field
  * does not count. R writes such tables: the header lacks a name for the column of row
  * names, so that each name is one column too far to the left. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
@@ -283,26 +283,26 @@ bool say_empty_field(const struct layout *, const struct field *f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_columns of the layout if the words of a comment are names of columns, and
- * the coordinates are not the first columns. */
+/* Sets comment_columns of the layout if the words of a comment are names of columns,
+ * and the coordinates are not the first columns. */
 void say_note_columns(struct layout *, struct span text);
 
-/* Returns whether a first row can't be read without a header, and writes the reason: the
- * header of a file before reordered the columns, or a comment above names the columns of
- * coordinates, has as many names as the row has fields, and these columns are numbers.
- * With --columns by name, the row is lost, which has a reason already. */
+/* Returns whether a first row can't be read without a header, and writes the reason:
+ * the header of a file before reordered the columns, or a comment above names the
+ * columns of coordinates, has as many names as the row has fields, and these columns
+ * are numbers. With --columns by name: the row is lost, and has a reason already. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that the first line of text looks like a header, unless a field in the place of
- * a coordinate begins with a number or a bracket. */
+/* Writes that the first line of text looks like a header, unless a field in the place
+ * of a coordinate begins with a number or a bracket. */
 void say_text_header(const struct layout *, struct span line,
     const struct chosen *, char reason[REASON_MAX]);
 
 /* walk.c reads simple lines fast, by an index of a stretch of text. The index lists the
  * stops, which are the bytes that can end a field. A walk goes from stop to stop and
- * finds the coordinates without looking at the bytes between the stops; vector code then
- * reads many numbers at once. A line that is not simple is left to line_read. */
+ * finds the coordinates without looking at the bytes between the stops; vector code
+ * then reads many numbers at once. A line that is not simple is left to line_read. */
 
 /* The most bytes of a stretch. So few bytes stay in the first-level cache until their
  * numbers are read, and the place of a stop fits into 16 bits. */
@@ -331,7 +331,7 @@ struct walk {
 	struct byte_set stops;
 	int n;
 	int exact_fields;   /* the fields of each line; 0: up to max_fields */
-	int max_fields;     /* the most fields of a line of csv */
+	int max_fields;     /* the most fields of a row of csv */
 	bool arrays;        /* lines may be JSON arrays */
 	bool objects;       /* lines may be JSON objects */
 	struct paths paths; /* the paths to the coordinates in an object */
@@ -350,7 +350,7 @@ bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
 /* Walks up to n <= PLAIN_BATCH lines, and sets the places of coordinate k of all lines
- * in the element k of the array. Sets bit i of *left if line i is left to line_read.
+ * in element k of the plain_places. Sets bit i of *left if line i is left to line_read.
  * Returns the number of lines, which is at least one if at < end. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);

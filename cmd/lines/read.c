@@ -84,7 +84,7 @@ static bool columns_fit(const struct layout *l, bool members,
 }
 
 /* Returns whether a line with good coordinates is legal; if not, writes the reason. */
-static bool is_right(const struct layout *l, struct cursor c,
+static bool is_legal(const struct layout *l, struct cursor c,
     const struct chosen *found, char reason[REASON_MAX])
 {
 	size_t fields = l->append && l->header_fields > 0 ? cursor_count(c) :
@@ -137,7 +137,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		return;
 	line->kind = LINE_POINT;
 	if (longer || !read_coordinates(l, c, &found, v, reason) ||
-	    !is_right(l, c, &found, reason))
+	    !is_legal(l, c, &found, reason))
 		line->kind = LINE_BAD;
 	if (found.mixed_commas) {
 		c.no_commas = line->no_commas = l->columns.n == 0;

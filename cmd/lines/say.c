@@ -131,13 +131,13 @@ enum { NAMES_MAX = 32, COLUMN_ROOM = 64 };
 /* The first NAMES_MAX names of columns or members that are shorter than COLUMN_ROOM. */
 struct names {
 	char name[NAMES_MAX][COLUMN_ROOM];
-	const char *list[NAMES_MAX + 1]; /* NULL ends it */
+	const char *list[NAMES_MAX + 1]; /* NULL ends the list */
 	int n;
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Copies the names of the fields after the cursor. Leaves out the units in brackets of a
- * comment, which is read as text. */
+/* Copies the names of the fields after the cursor. Leaves out the units in brackets of
+ * a comment, which is read as text. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -186,9 +186,9 @@ static bool can_be_typed(const char *name)
 }
 
 /* Finds the next columns, after *k tries, that may be coordinates: sets found to the
- * numbers of names that begin alike and end in axes, such as gps_lon and gps_lat, or to
- * -1. Returns false if there are no more. Skips quaternions, such as qx, qy, qz and qw,
- * and beside a column x all names with a common beginning. */
+ * numbers of names that begin alike and end in axes, such as gps_lon and gps_lat; -1:
+ * no such name. Returns false if there are no more. Skips quaternions, such as qx, qy,
+ * qz and qw, and skips names such as px if x is a name. */
 static bool guess_columns(const struct names *names, int reads, int *k,
     int found[4])
 {
@@ -250,8 +250,8 @@ static bool say_guess(const struct names *names, int reads,
 }
 
 /* Adds to the reason the names of the columns or members after the cursor: "; it has x,
- * y, z". If a name is near typed, the name in --columns, asks first "; did you mean 'x'?"
- * If typed is NULL, --columns is not given: guesses "; say --columns lon,lat,h". */
+ * y, z". If a name is near typed, the name in --columns, asks first "; did you mean
+ * 'x'?" If typed is NULL, without --columns, guesses "; say --columns lon,lat,h". */
 static void say_names(const struct layout *l, struct cursor c,
     const char *typed, char reason[REASON_MAX])
 {

@@ -69,7 +69,7 @@ static const char *value_name(const struct splice *w, int k)
 	return l->name[k];
 }
 
-/* Writes value k. In a header, writes the value's name: a coordinate keeps its own. */
+/* Writes value k or, in a header, its name; a coordinate keeps its name there. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
@@ -181,7 +181,7 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 }
 
 /* Copies the fields of a line or, unless outer is set, of a JSON value in the line.
- * Replaces a field that has a value_for, or leaves it out if the value is not due. */
+ * Replaces a field by its value_for, or leaves it out if the value is not due. */
 static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;
@@ -212,7 +212,7 @@ static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 	}
 }
 
-/* Returns a cursor before the first field of the line, or the first name of a header. */
+/* Returns a cursor before the first field of a line or the first name of a header. */
 static struct cursor cursor_of(const struct layout *l, const struct line *line)
 {
 	struct span text = line_text(line);
@@ -250,7 +250,7 @@ static void append(struct splice *w)
 	struct cursor c = cursor_of(w->l, w->line);
 	struct field f;
 
-	if (in->header) /* blanks before the newline belong to a field */
+	if (in->header) /* blanks at the end of csv belong to a field */
 		s.end -= s.end > s.s && s.end[-1] == '\r';
 	else
 		s = trimmed(c.in, s);
@@ -359,8 +359,8 @@ char *line_put_rest(const struct layout *l, const struct line *line, char *out)
 	return w.out;
 }
 
-/* Writes a line in another format, or a LINE_LOST: the values and then the other fields,
- * or by --append the fields and then the values. */
+/* Writes a line in another format, or a LINE_LOST: the values and then the other
+ * fields, or by --append the fields and then the values. */
 static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;

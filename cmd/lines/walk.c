@@ -11,8 +11,8 @@
  * removes the branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* Returns the stops of a dialect: the bytes that can end a field, and the bytes that can
- * make a line not simple. */
+/* Returns the stops of a dialect: the bytes that can end a field, and the bytes that
+ * can make a line not simple. */
 static struct byte_set stops_of(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -21,7 +21,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* one bit for each upper half of stops, of which eight occur */
+		/* a bit for each upper half of a byte: stops have at most eight */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 
@@ -94,7 +94,7 @@ struct walker {
 	int found;            /* the number of coordinates passed */
 };
 
-/* Returns whether the byte at the position is c, which must be a stop. */
+/* Returns whether the stop c is at the position. */
 INLINE bool stop_is(const struct walker *p, char c)
 {
 	return *p->stop == p->at && p->text[p->at] == c;
@@ -149,8 +149,8 @@ static int stops_in_escape(const char *s)
 	return s[1] != '\0' && strchr("/bfnrt", s[1]) != NULL ? 0 : -1;
 }
 
-/* Passes a string of JSON. Returns false if the string has an escape and may_have_escapes
- * is not set, as for a name that could be the name of a coordinate. */
+/* Passes a string of JSON. Returns false if the string has an escape and
+ * may_have_escapes is not set, as for a name that could be the name of a coordinate. */
 INLINE bool pass_string(struct walker *p, bool may_have_escapes)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
@@ -221,7 +221,7 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 }
 
 /* Passes a field of text or csv that is not a coordinate. A quote inside of a quoted
- * field seems to close it: then the caller finds no separator and leaves the line. */
+ * field seems to close it: then the caller finds no separator, and the line is left. */
 INLINE bool pass_other_field(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
@@ -238,8 +238,8 @@ INLINE bool pass_other_field(struct walker *p, struct dialect d)
 	return true;
 }
 
-/* How coordinates are found: coordinate i is field i, or field walk->field[i], or at the
- * end of path i; NO_LOOKUP: the fields hold no coordinates. */
+/* How coordinates are found: coordinate i is field i, or field walk->field[i], or at
+ * the end of path i; NO_LOOKUP: the fields hold no coordinates. */
 enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 
 static bool pass_nested(struct walker *, const struct target *,
@@ -248,7 +248,7 @@ static bool pass_nested(struct walker *, const struct target *,
 /* Results beside a coordinate's number. NOT_SIMPLE: the line is left to line_read. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
-/* Returns the paths whose bits are set in leads, without their first tokens. */
+/* Returns the paths whose bits are set in leads, without their first name or index. */
 static struct paths paths_inside(const struct paths *t, unsigned leads)
 {
 	struct paths rest;
@@ -283,8 +283,8 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 	return NO_COORDINATE;
 }
 
-/* Passes a JSON value that is not a coordinate, and the coordinates in the value if bits
- * of leads are set. */
+/* Passes a JSON value that is not a coordinate. Bit i of leads is set if coordinate i
+ * is in the value. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct paths *paths, unsigned leads, int levels)
 {
@@ -330,8 +330,8 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 	return NO_COORDINATE;
 }
 
-/* Returns whether the separator after the n coordinates of text shows that no comma is a
- * decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma says whether commas are
+/* Returns whether the separator after the n coordinates of text shows that no comma is
+ * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma says whether commas are
  * between the coordinates. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
@@ -344,7 +344,6 @@ INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
 	return stop_is(p, '\n') || p->comma == comma;
 }
 
-/* Returns whether name is one of the names added. */
 static bool is_added_name(const char (*added)[NAME_ROOM], struct span name)
 {
 	size_t n = (size_t)(name.end - name.s);
@@ -419,8 +418,8 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 	return MORE_FIELDS;
 }
 
-/* Passes the fields up to the newline or the closing bracket, and in text up to the last
- * coordinate. */
+/* Passes the fields up to the newline or the closing bracket, and in text up to the
+ * last coordinate. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {
