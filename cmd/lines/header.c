@@ -60,7 +60,7 @@ static bool is_usable(const struct layout *l, struct cursor header,
 
 /* Returns whether the line may be a point as well as a header, and writes the reason:
  * an empty field, 0, 1, 2 and so on, as pandas numbers the columns of an array. */
-static bool is_numbered(const struct layout *l, struct cursor c,
+static bool is_ambiguous(const struct layout *l, struct cursor c,
     char reason[REASON_MAX])
 {
 	struct field f;
@@ -142,14 +142,14 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 		c->n = 0;
 	const bool undecided = l->header == HEADER_MAYBE &&
 	    (c->by_default || !layout_has_names(l));
-	const bool numbered = undecided && is_numbered(l, header, reason);
+	const bool ambiguous = undecided && is_ambiguous(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
-	    (undecided && !numbered && !looks_like_header(l, header)))
+	    (undecided && !ambiguous && !looks_like_header(l, header)))
 		return false;
 	choose(l, header, &chosen);
 	line->kind = LINE_REFUSED;
-	if (numbered || !is_usable(l, header, &chosen, reason))
+	if (ambiguous || !is_usable(l, header, &chosen, reason))
 		return true;
 	line->kind = LINE_HEADER;
 	for (int i = 0; i < l->reads; i++)

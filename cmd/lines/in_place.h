@@ -73,7 +73,6 @@ static inline bool can_add_in_place(const struct layout *l,
 		line->s[last] != '"');
 }
 
-
 static inline char added_separator(const struct layout *l,
     const struct line *line)
 {

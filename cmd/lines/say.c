@@ -198,7 +198,7 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 		{ "east", "north" }, { "e", "n" }, { "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "h", "up", "w" };
-	const int many = reads < 4 ? 10 : 9;
+	const int usable = reads < 4 ? 10 : 9; /* w may be a coordinate */
 
 	while (*k < 9 * names->n) {
 		const char *const *axis = axes[*k / names->n];
@@ -217,9 +217,9 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 			(axis == axes[0] && reads < 4 && found[3] >= 0)))
 			continue;
 		found[2] = -1;
-		for (int i = 0; i < 2 * many && found[2] < 0; i++)
-			found[2] = find_name(names, a, i < many ? at : 0,
-			    heights[i % many]);
+		for (int i = 0; i < 2 * usable && found[2] < 0; i++)
+			found[2] = find_name(names, a, i < usable ? at : 0,
+			    heights[i % usable]);
 		return true;
 	}
 	return false;

@@ -67,20 +67,20 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	return w->arrays || w->objects;
 }
 
-bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
+bool stretch_open(struct stretch *s, const struct walk *walk, const char *text,
     const char *end)
 {
 	size_t size = (size_t)(end - text), n;
 
 	if (size > STRETCH)
 		size = STRETCH;
-	n = number_loops()->find(&walk->stops, text, size, w->stop);
-	while (n > 0 && text[w->stop[n - 1]] != '\n')
+	n = number_loops()->find(&walk->stops, text, size, s->stop);
+	while (n > 0 && text[s->stop[n - 1]] != '\n')
 		n--;
-	w->text = text;
-	w->at = 0;
-	w->end = n > 0 ? w->stop[n - 1] + 1u : 0;
-	w->next = w->stop;
+	s->text = text;
+	s->at = 0;
+	s->end = n > 0 ? s->stop[n - 1] + 1u : 0;
+	s->next = s->stop;
 	return n > 0;
 }
 
