@@ -221,7 +221,8 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 }
 
 /* Passes a field of text or csv that is not a coordinate. A quote inside of a quoted
- * field seems to close it: then the caller finds no separator, and the line is left. */
+ * field seems to close it: the caller finds no separator, and line_read gets the line.
+ */
 INLINE bool pass_other_field(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
@@ -283,8 +284,8 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 	return NO_COORDINATE;
 }
 
-/* Passes a JSON value that is not a coordinate. Bit i of leads is set if coordinate i
- * is in the value. */
+/* Passes a JSON value that is not a coordinate. Bit i of leads is set if path i leads
+ * into the value. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct paths *paths, unsigned leads, int levels)
 {
