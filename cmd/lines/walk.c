@@ -221,8 +221,7 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 }
 
 /* Passes a field of text or csv that is not a coordinate. A quote inside of a quoted
- * field seems to close it: the caller finds no separator, and line_read gets the line.
- */
+ * field seems to close it: the caller finds no separator, and line_read reads it. */
 INLINE bool pass_other_field(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
