@@ -157,12 +157,12 @@ void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
-	const enum first was = *first;
+	const bool json = *in->open != '\0', first_line = *first == FIRST_LINE;
 
 	*line = (struct line){ .s = text.s,
 		.size = (uint32_t)(text.end - text.s),
 		.kind = LINE_COPY };
-	if (was == FIRST_LINE) {
+	if (first_line) {
 		text.s = skip_bom(text.s, text.end);
 		line->has_bom = text.s > line->s;
 	}
@@ -170,23 +170,23 @@ void line_read(struct layout *l, struct span text, enum first *first,
 
 	if (s == text.end)
 		return;
-	if (was == FIRST_LINE && (*in->open == '\0' || *s == '#') &&
+	if (first_line && (!json || *s == '#') &&
 	    format_cr_only(l->in, text, reason)) {
 		line->kind = LINE_LOST;
-	} else if (*s == '#' && header_is_comment(l, text, was == FIRST_LINE)) {
-		if (was == FIRST_LINE)
+	} else if (*s == '#' && header_is_comment(l, text, first_line)) {
+		if (first_line)
 			say_note_columns(l, text);
 		return;
-	} else if (was == FIRST_LINE && in->header &&
+	} else if (first_line && in->header &&
 	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
 		line->kind = LINE_LOST;
 		say_field(l, 0, (struct span){ s, text.end }, reason);
-	} else if (was != FIRST_LINE || !in->header ||
+	} else if (!first_line || !in->header ||
 	    !header_read(l, text, line, reason)) {
-		read_fields(l, text, was, line, v, reason);
+		read_fields(l, text, *first, line, v, reason);
 	}
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_NONE;
-	if (was == FIRST_LINE && *in->open == '\0' && *first != FIRST_ROW &&
+	if (first_line && !json && *first != FIRST_ROW &&
 	    line->kind != LINE_REFUSED &&
 	    say_needs_header(l, text, line->kind == LINE_LOST, reason))
 		line->kind = LINE_REFUSED;
