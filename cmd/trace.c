@@ -98,7 +98,7 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 		at = stpcpy(at, "\"flags\":\"");
 	memcpy(at, word->s, word->size);
 	at += word->size;
-	at = json ? stpcpy(at, "\"}") : line_rest(&j->layout, line, at);
+	at = json ? stpcpy(at, "\"}") : line_put_rest(&j->layout, line, at);
 	*at++ = '\n';
 	c->size = (size_t)(at - c->out);
 }

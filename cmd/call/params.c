@@ -71,7 +71,7 @@ static bool params_skip_blanks(void)
 
 	do {
 		s = next;
-		next = skip_mark(json_skip_blanks(s, end), end);
+		next = skip_bom(json_skip_blanks(s, end), end);
 	} while (next != s);
 	json_count_lines(params.text.s + params.begin, s, &params.line,
 	    &params.column);

@@ -26,7 +26,7 @@ static inline struct layout layout_of(const uint8_t *b)
 		.out = dialect_of((enum format)(b[0] / 6 % 6),
 		    separators[b[3] & 1]),
 		.header = (enum header)(b[1] / 72 % 3),
-		.columns = { .by_header = b[1] / 12 % 6 == 0 },
+		.columns = { .by_default = b[1] / 12 % 6 == 0 },
 		.reads = size[0],
 		.writes = size[1],
 		.flags = b[1] / 6 & 1,

@@ -48,15 +48,14 @@ static void check_back(const struct layout *l, const double v[],
 	struct line line = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
-	enum first header = skip_mark(text.s, text.end) > text.s ?
-	    FIRST_LINE :
-	    FIRST_IS_READ;
+	enum first header = skip_bom(text.s, text.end) > text.s ? FIRST_LINE :
+								  FIRST_NONE;
 
 	for (int i = 0; i < back.columns.n && l->in.format == FORMAT_CSV; i++)
 		back.columns.name[i] = NULL;
-	back.columns.by_header = false;
+	back.columns.by_default = false;
 	back.header = HEADER_NONE;
-	back.fields = 0; /* the header of the output has more names */
+	back.header_fields = 0; /* the header of the output has more names */
 	back.in = l->out;
 	back.reads = l->writes > 4 ? 3 : l->writes;
 	if (!same_dialect(l->in, l->out))
