@@ -20,7 +20,7 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 {
 	const struct sum factor[2] = { sum_negated_if(minus, a), b };
 
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 5; i++)
 		sum_dot(2, factor, &m->m[i][k], 3 - k, &r->m[i][j]);
 }
 
@@ -47,9 +47,9 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 	combine_columns(ends, reversed, m, false, 2, one,
 	    sum_of_double(c->depth_minus_one));
 	combine_columns(ends, !reversed, m, true, 2, one, one);
-	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
-		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 5 && projection_is_open(&s->projection); i++)
+		ends->m[i][0] = ends->m[i][1] = sum_of_double(i >= 3);
+	for (int i = 0; i < 5; i++)
 		ends->m[i][2] = m->m[i][3];
 }
 
@@ -64,7 +64,7 @@ const char *view_planes(const struct scene *s, enum space from,
 	planes_of_clip(s, &m, sides, ends);
 	if (from == SPACE_NDC || from == SPACE_DEVICE)
 		why = scene_map(s, from, SPACE_VIEW, &m);
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 5; i++)
 		ends->m[i][2] = m.m[i][3];
 	return why;
 }

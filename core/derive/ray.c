@@ -54,7 +54,7 @@ static void start_at_eye(const struct scene *s, struct transform *t)
 	for (int j = 0; j < 4; j++)
 		m[3][j] = sum_negated_if(sum_sign(m[2][3]) < 0, m[2][j]);
 	memset(m, 0, 3 * sizeof *m);
-	memset(t->map.origin, 0, sizeof t->map.origin);
+	map_set_origin(&t->map, (double[3]){ 0 });
 	transform_init(t, SPACE_DEVICE, SPACE_WORLD, false);
 }
 
@@ -72,8 +72,9 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	if (why != NULL)
 		return why;
 	r->direction.map.divisor = sum_of_double(1);
-	memcpy(r->direction.map.origin, r->to_world.map.origin,
-	    2 * sizeof(double));
+	map_set_origin(&r->direction.map,
+	    (double[3]){ r->to_world.map.origin[0],
+		r->to_world.map.origin[1] });
 	if (projection_is_open(&s->projection))
 		start_at_eye(s, &r->to_world);
 	r->depth = reversed ? v->max_z : v->min_z;
@@ -224,7 +225,7 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	memset(r, 0, sizeof *r);
 	r->divisor = sum_of_double(1);
 	memcpy(r->origin, m.origin, 2 * sizeof *m.origin);
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 5; i++)
 		if (i != 2)
 			set_plane_row(&m, i, p, r);
 	bool turned = sum_sign(m.m[3][3]) < 0; /* w is constant and negative */

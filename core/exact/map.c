@@ -55,6 +55,19 @@ void map_of_doubles(const double m[4][4], struct map *r)
 	sum_set(&r->divisor, 1);
 	for (int i = 0; i < 16; i++)
 		sum_set(&r->m[i / 4][i % 4], m[i / 4][i % 4]);
+	memcpy(r->m[4], r->m[3], sizeof r->m[4]);
+}
+
+void map_set_origin(struct map *r, const double origin[3])
+{
+	struct sum p[4] = { [3] = sum_of_double(1) };
+
+	for (int k = 0; k < 3; k++) {
+		r->origin[k] = origin[k];
+		p[k] = sum_of_double(origin[k]);
+	}
+	for (int j = 0; j < 4; j++)
+		map_image(r, j, p, &r->m[4][j]);
 }
 
 static void divide_element(struct sum *a, const struct sum *d)
@@ -74,7 +87,7 @@ void map_divide(struct map *r, struct sum d)
 		power = sum_mul(power, r->divisor);
 		r->divisor = sum_of_double(1);
 	}
-	for (int i = 0; i < 16 && !sum_is_one(&power); i++)
+	for (int i = 0; i < 20 && !sum_is_one(&power); i++)
 		divide_element(&r->m[i / 4][i % 4], &power);
 }
 
@@ -82,11 +95,11 @@ void map_divide_column(struct map *r, int j, struct sum d)
 {
 	bool divides = !sum_is_exact(&d) || sum_is_power_of_two(&d);
 
-	for (int i = 0; i < 4 && divides; i++)
+	for (int i = 0; i < 5 && divides; i++)
 		divide_element(&r->m[i][j], &d);
 	if (divides)
 		return;
-	for (int i = 0; i < 16; i++) {
+	for (int i = 0; i < 20; i++) {
 		struct sum *m = &r->m[i / 4][i % 4];
 
 		if (i % 4 != j && !sum_is_exact_zero(m))
@@ -147,7 +160,7 @@ void map_multiply(struct map *r, const struct map *factor, bool before)
 
 	memcpy(r->origin, a->origin, sizeof r->origin);
 	r->divisor = sum_mul(a->divisor, b->divisor);
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 5; i++)
 		for (int j = 0; j < 4; j++)
 			map_image(b, j, a->m[i], &r->m[i][j]);
 }
@@ -204,7 +217,6 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 			    map_minor(3, a.m, 1u << j, 1u << i));
 	inverse->divisor = sum_of_double(1);
 	map_divide(inverse, det);
-	for (int k = 0; k < 3; k++)
-		inverse->origin[k] = map_is_affine(&a) ? m[3][k] : 0;
+	map_set_origin(inverse, map_is_affine(&a) ? m[3] : (double[3]){ 0 });
 	return true;
 }

@@ -14,14 +14,16 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3]);
 struct sum vec3_length(const struct sum a[3]);
 bool vec3_is_zero(const struct sum a[3]);
 
-/* The image of a point p is (p, 1) m / divisor. The elements of m can have errors; the
- * divisor is exact and positive. A map that is computed without angles and lengths is
- * exact, and so is its inverse. One divisor serves all columns, as most images are
- * quotients of two columns. */
+/* The image of a point p is (p, 1) m / divisor, by the first four rows of m. Elements
+ * can have errors; the divisor is exact and positive. A map that is computed without
+ * angles and lengths is exact, and so is its inverse. One divisor serves all columns,
+ * as most images are quotients of two columns.
+ *
+ * transform.h subtracts the origin, the eye or a window's centre, from points first, as
+ * images near it need many digits. Row 4 of m is the image of the origin. It is not
+ * computed from row 3, whose error can exceed it if the eye is far. */
 struct map {
-	struct sum m[4][4], divisor;
-	/* The point that transform.h subtracts from coordinates first: the eye, or a
-	 * window's centre, near which images need many digits. */
+	struct sum m[5][4], divisor;
 	double origin[3];
 };
 
@@ -29,6 +31,9 @@ void map_identity(struct map *);
 
 /* Makes the map of a matrix of given numbers, with origin 0. */
 void map_of_doubles(const double m[4][4], struct map *);
+
+/* Sets the origin, and row 4 from the other rows. */
+void map_set_origin(struct map *, const double origin[3]);
 
 /* Divide the images of the map, or only their coordinate j, by d. map_divide needs an
  * exact d. map_divide_column divides column j by a d that has an error, but makes an

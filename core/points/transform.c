@@ -40,19 +40,13 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 void transform_prepare(struct transform *t)
 {
 	struct kernel_map *k = &t->for_kernel;
-	struct sum origin[4] = { [3] = sum_of_double(1) };
 
 	memcpy(t->relative, t->map.m, sizeof t->relative);
+	memcpy(t->relative[3], t->map.m[4], sizeof t->relative[3]);
+	memcpy(k->origin, t->map.origin, sizeof k->origin);
 	k->a = k->b = 0;
-	for (int i = 0; i < 3; i++) {
-		k->origin[i] = t->map.origin[i];
-		origin[i] = sum_of_double(k->origin[i]);
-	}
-	for (int j = 0; j < 4; j++) {
-		map_image(&t->map, j, origin, &t->relative[3][j]);
-		t->relative[3][j] = sum_snap_zero(t->relative[3][j]);
+	for (int j = 0; j < 4; j++)
 		round_column(t, j, k);
-	}
 }
 
 /* Returns NULL or, if images would need more than EX_WORDS words, the member and the
@@ -96,7 +90,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	if (from == SPACE_CLIP || t->reciprocal)
 		t->in = 4;
 	if (from == SPACE_CLIP) /* no origin, as w may differ from 1 */
-		memset(t->map.origin, 0, sizeof t->map.origin);
+		map_set_origin(&t->map, (double[3]){ 0 });
 	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
 		t->out = 4;
 	t->divide = t->reciprocal ||

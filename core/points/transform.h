@@ -11,9 +11,8 @@
  */
 struct transform {
 	struct map map;
-	/* The matrix for differences of points from the map's origin. Row 3 is the
-	 * image of the origin. An element of row 3 that is within its error of 0
-	 * becomes exact 0: its error could exceed the image of a small difference. */
+	/* The matrix for differences of points from the map's origin: rows 0, 1, 2 and
+	 * 4 of the map. */
 	struct sum relative[4][4];
 	int in, out; /* numbers of coordinates: 2, 3, or 4 if homogeneous */
 	bool divide;

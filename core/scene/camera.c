@@ -13,7 +13,7 @@ void convention_change(const struct convention *from,
 	double t = to->depth_minus_one != input ? -1 : 0.5,
 	       scale = t < 0 ? 2 : 0.5;
 
-	for (int i = 0; i < 4; i++) {
+	for (int i = 0; i < (input ? 4 : 5); i++) {
 		struct sum *y = input ? &r->m[1][i] : &r->m[i][1];
 		struct sum *z = input ? &r->m[2][i] : &r->m[i][2];
 		struct sum *w = input ? &r->m[3][i] : &r->m[i][3];
@@ -28,7 +28,7 @@ void convention_change(const struct convention *from,
 			*z = sum_add(*z, sum_scale(*w, t));
 	}
 	if (input && (flips_y || flips_z || depth))
-		memset(r->origin, 0, sizeof r->origin);
+		map_set_origin(r, (double[3]){ 0 });
 }
 
 /* An axis of view space is the unit vector v / length. v is an exact polynomial in the
@@ -170,6 +170,15 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
+/* Sets the origin, the eye or 0, of a map to or from view space. An element of the
+ * image that is within its error of 0 becomes exact 0, as the image of an eye is. */
+static void set_eye(struct map *r, const double eye[3])
+{
+	map_set_origin(r, eye);
+	for (int j = 0; j < 3; j++)
+		r->m[4][j] = sum_snap_zero(r->m[4][j]);
+}
+
 /* Computes the map to view space or, if inverse, the map to world space:
  *	 x0  y0  z0  0		 x0  x1  x2  0
  *	 x1  y1  z1  0		 y0  y1  y2  0
@@ -185,6 +194,7 @@ static void map_of_axes(const struct axis a[3], const double given[3],
 	const struct sum one = sum_of_double(1);
 	bool exact = sum_is_exact(&a[1].length);
 	struct sum d = exact ? a[1].length : one, minus[3], found;
+	double origin[3] = { 0 };
 
 	for (int i = 0; i < 3; i++)
 		minus[i] = sum_of_double(-given[i]);
@@ -203,11 +213,12 @@ static void map_of_axes(const struct axis a[3], const double given[3],
 		r->m[3][i] = is_translation == inverse ? found :
 							 sum_scale(d, given[i]);
 		if (!inverse)
-			r->origin[i] = is_translation ? sum_ratio(found, d) :
-							given[i];
+			origin[i] = is_translation ? sum_ratio(found, d) :
+						     given[i];
 	}
 	r->m[3][3] = d;
 	map_divide(r, d);
+	set_eye(r, origin);
 }
 
 /* Rotates view space about its z axis: appends the rotation to r or, if inverse, puts
@@ -219,7 +230,8 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse,
 	const struct sum c = trig_cos(roll, unit);
 	const struct sum s = sum_negated_if(inverse, trig_sin(roll, unit));
 	const struct map turn = { .m = { { c, s }, { sum_neg(s), c },
-				      { [2] = one }, { [3] = one } },
+				      { [2] = one }, { [3] = one },
+				      { [3] = one } },
 		.divisor = one };
 
 	map_multiply(r, &turn, inverse);
@@ -248,8 +260,8 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 	if (why != NULL)
 		return why;
 	map_of_axes(axis, c->matrix[3], true, inverts, r);
-	for (int i = 0; i < 3 && pose; i++)
-		r->origin[i] = inverse ? 0 : c->matrix[3][i];
+	if (pose)
+		set_eye(r, inverse ? (double[3]){ 0 } : c->matrix[3]);
 	return NULL;
 }
 

@@ -295,6 +295,7 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 {
 	*r = (struct map){ .m = { { f->x }, { [1] = f->y },
 			       { f->zx, f->zy, f->zz, f->zw },
+			       { f->tx, f->ty, f->tz, f->tw },
 			       { f->tx, f->ty, f->tz, f->tw } },
 		.divisor = sum_of_double(1) };
 	map_divide(r, f->d);
@@ -369,7 +370,7 @@ static const char *projection_matrix_map(const struct projection *p,
 		       "\"vectors\" says";
 	if (inverse && !map_inverse(p->matrix, r))
 		return "/projection/matrix: singular; it can't be inverted";
-	memset(r->origin, 0, sizeof r->origin);
+	map_set_origin(r, (double[3]){ 0 });
 	return NULL;
 }
 
@@ -402,7 +403,7 @@ static const char *append_intrinsics(const struct projection *p,
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
 	map_multiply(r, &canonical, !inverse);
-	memset(r->origin, 0, sizeof r->origin);
+	map_set_origin(r, (double[3]){ 0 });
 	return NULL;
 }
 

@@ -8,6 +8,7 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 {
 	r->m[i][i] = sum_mul(r->divisor, inverse ? d : n);
 	r->m[3][i] = sum_mul(r->divisor, sum_negated_if(inverse, t));
+	r->m[4][i] = r->m[3][i];
 	map_divide_column(r, i, inverse ? n : d);
 }
 
@@ -62,7 +63,7 @@ const char *window_map(const struct window *w, const struct device *d,
     bool inverse, struct map *r)
 {
 	struct sum size[2], center[2];
-	double divisor[2] = { 1, 1 };
+	double divisor[2] = { 1, 1 }, origin[3] = { 0 };
 	const char *why = window_shape(w, size, center);
 
 	if (why != NULL)
@@ -84,9 +85,10 @@ const char *window_map(const struct window *w, const struct device *d,
 
 		window_axis(r, i, sum_scale(n, w->zoom), sum_neg(sum_mul(c, n)),
 		    sum_scale(size[i], w->zoom), inverse);
-		r->origin[i] = inverse ? 0 :
-					 sum_ratio(c, sum_of_double(w->zoom));
+		origin[i] = sum_ratio(c, sum_of_double(w->zoom));
 	}
+	if (!inverse)
+		map_set_origin(r, origin);
 	return NULL;
 }
 
@@ -138,6 +140,7 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	ndc_axis(r, 1, sum_of_double(s[1]), 1, sum_diff(v->y, -v->height / 2),
 	    inverse);
 	ndc_axis(r, 2, depth, c->depth_minus_one ? 2 : 1, min, inverse);
+	map_set_origin(r, r->origin);
 	return NULL;
 }
 
