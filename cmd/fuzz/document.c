@@ -108,13 +108,13 @@ static void run(char *text, size_t size, int mode)
 	static const enum scene_member bare[] = { 0, SCENE_CAMERA,
 		SCENE_PROJECTION, SCENE_WINDOW };
 	const struct document_wants wants = {
-		.bare = bare[mode & 3],
+		.lone_member = bare[mode & 3],
 		.needed = bare[mode & 3],
 		.used = ~0u,
-		.flat = mode & 7 ? 0 : SCENE_WINDOW | SCENE_DEVICE,
-		.fit = (mode & 15) == 0,
-		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
-						PROJECTION_NONE,
+		.flat_members = mode & 7 ? 0 : SCENE_WINDOW | SCENE_DEVICE,
+		.for_fit = (mode & 15) == 0,
+		.projection_type = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
+						     PROJECTION_NONE,
 		.convention = mode & 16 ? &conventions[CONVENTION_GL] : NULL,
 		.coordinates = mode >> 5 & 3,
 	};
