@@ -44,7 +44,7 @@ struct document {
 	/* whether bounds, the camera's eye, and pick are given */
 	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
-	struct source source; /* for messages */
+	struct source source; /* the text, for messages */
 	/* The name of the member, such as camera, that is the whole document; or NULL.
 	 * Pointers in messages leave the name out. */
 	const char *lone_member;

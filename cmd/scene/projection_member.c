@@ -6,7 +6,7 @@
 
 #include "../message/utf8.h"
 
-/* A range of angles from least to most degrees, with words for messages. */
+/* A range of angles from least to most degrees, and its words in messages. */
 #define ANGLE_RANGE(label, least, most, degrees, radians, ...)              \
 	static const struct value_range label = { .min = least,             \
 		.max = most,                                                \
@@ -173,7 +173,7 @@ const struct ways projection_ways[] = {
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .offset = OFFSET(eye_given_by) },
 	{ { "z_near z_far" }, .own_fit = true, .kinds = VOLUME },
-	/* any members for fit, as fit_scene refuses the type */
+	/* no fit_way, as fit_scene refuses a matrix with any members */
 	{ { "matrix" }, .own_fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };

@@ -25,8 +25,8 @@ extern const char *const vector_names[];
 
 /* A matrix: 16 numbers in memory order; or 4 rows, which are for row vectors unless
  * source->column_vectors is set; or the object that -o json prints, whose member vectors
- * says what it is for. An affine matrix may also be 3 rows of 4 for column vectors, or 4
- * rows of 3 for row vectors. In the struct a double[4][4] for row vectors. */
+ * says "row" or "column". An affine matrix may also be 3 rows of 4 for column vectors, or
+ * 4 rows of 3 for row vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
@@ -84,7 +84,7 @@ enum {
 };
 
 extern const struct convention conventions[CONVENTIONS];
-extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
+extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends them */
 
 /* The members of a convention that is an object. Each has two words and is a bool of
  * struct convention: false for the first word, which d3d has, true for the second. */
