@@ -149,8 +149,8 @@ static void depth_range(struct scene *s, double extent)
 	s->viewport.max_z = 0x1p24 - 1;
 }
 
-/* Points are at distance 1, and near is a fraction of 1. Device z is scaled so that it
- * is this distance, wherever near is. */
+/* Points are at distance 1, and near is a fraction of 1. Device z is scaled so that, at
+ * distance 1, it grows by 1 per unit of distance, wherever near is. */
 static void normal_depth(struct scene *s, double distance_over_near)
 {
 	s->convention.depth_minus_one = false;
