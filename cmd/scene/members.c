@@ -188,7 +188,7 @@ static const struct ways window_ways[] = {
 
 /* Reads a point of bounds: three numbers or, in a flat document, two. If the command
  * does not use the bounds, the point may have two or three numbers. */
-static void read_corner(const struct value *v, const struct member *row,
+static void read_bounds_point(const struct value *v, const struct member *row,
     void *out)
 {
 	bool pair = value_is(v, JSON_ARRAY) && value_count(v) == 2;
@@ -202,19 +202,19 @@ static void read_corner(const struct value *v, const struct member *row,
 	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
 }
 
-static const struct type type_corner = { "3 numbers, or 2 of a window",
-	read_corner, NULL, 0 };
+static const struct type type_bounds_point = { "3 numbers, or 2 of a window",
+	read_bounds_point, NULL, 0 };
 
-#define CORNER(label, field, alias, text)                        \
-	ROW(bounds, label, type_corner, field, .aliases = alias, \
+#define POINT(label, field, alias, text)                               \
+	ROW(bounds, label, type_bounds_point, field, .aliases = alias, \
 	    .unit = "model units", .about = text)
 
 static const struct member bounds_members[] = {
-	CORNER("center", center, "centre position", "centre of the sphere"),
+	POINT("center", center, "centre position", "centre of the sphere"),
 	SIZE(bounds, "radius", radius, .unit = "model units",
 	    .about = "radius of the sphere"),
-	CORNER("min", min, "lower from", "least x, y and z of the box"),
-	CORNER("max", max, "upper to", "greatest x, y and z of the box"),
+	POINT("min", min, "lower from", "least x, y and z of the box"),
+	POINT("max", max, "upper to", "greatest x, y and z of the box"),
 	{ .name = NULL },
 };
 
@@ -244,7 +244,7 @@ static const struct value_range margin_range = { .min = 0,
 
 /* The row of a member that is an object. Struct scene has it in field, and in has_field
  * whether the document gave it. */
-#define PART(label, field, table, sample, ...)                            \
+#define SCENE_OBJECT(label, field, table, sample, ...)                    \
 	ROW(document, label, type_object, scene.field, .example = sample, \
 	    .flag = offsetof(struct document, scene.has_##field),         \
 	    .members = table, __VA_ARGS__)
@@ -271,7 +271,7 @@ const struct member scene_members[] = {
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
-	PART("camera", camera, camera_members, CAMERA_EXAMPLE,
+	SCENE_OBJECT("camera", camera, camera_members, CAMERA_EXAMPLE,
 	    .ways = camera_ways, .aliases = "view",
 	    .about = "where the camera stands (map from world to view space)",
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
@@ -280,16 +280,16 @@ const struct member scene_members[] = {
 	    .ways = projection_ways, .example = PERSP_EXAMPLE,
 	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
-	PART("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
+	SCENE_OBJECT("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways, .aliases = "screen",
 	    .about = "rectangle on the screen that shows the camera's image",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
-	PART("window", window, window_members, WINDOW_EXAMPLE,
+	SCENE_OBJECT("window", window, window_members, WINDOW_EXAMPLE,
 	    .ways = window_ways,
 	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
-	PART("device", device, device_members, RECTANGLE_EXAMPLE,
+	SCENE_OBJECT("device", device, device_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways,
 	    .about = "rectangle on the screen that shows a 2D window",
 	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),

@@ -152,7 +152,7 @@ const struct member projection_members[] = {
 };
 
 /* the index in projection_ways of the ways to give near and far */
-enum { WAYS_DEPTH = 3 };
+enum { WAYS_PLANES = 3 };
 
 /* The command fit finds the width and height of parallel projections that lack them. */
 const struct ways projection_ways[] = {
@@ -168,7 +168,7 @@ const struct ways projection_ways[] = {
 		"left right bottom top" },
 	    PARALLEL, OFFSET(extent), EXTENT_SIZE },
 	{ { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_DEPTH] = { { "near far" }, .own_fit = true, .kinds = PARALLEL },
+	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .kinds = PARALLEL },
 	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .offset = OFFSET(eye_given_by) },
@@ -179,7 +179,7 @@ const struct ways projection_ways[] = {
 };
 
 /* The ways to give near and far with intrinsics, which need neither. */
-static const struct ways intrinsics_ways = {
+static const struct ways optional_planes = {
 	.way = { "near far? reverse_z?", "" },
 };
 
@@ -260,7 +260,7 @@ static void check_planes(const struct value *v, uint64_t seen,
 
 	if (!v->source->for_fit || !projection_is_given_at_near(p))
 		way = object_way(v, projection_members, 0, seen,
-		    open ? &intrinsics_ways : &projection_ways[WAYS_DEPTH]);
+		    open ? &optional_planes : &projection_ways[WAYS_PLANES]);
 	else if (!is_given(p, seen, "near"))
 		value_refuse(VALUE_MISSING(v, "near"),
 		    "missing; the section is on the near plane, unless "

@@ -228,7 +228,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 		check_transposed(v, m);
 }
 
-static void print_rows(struct printer *p, const struct member *row,
+static void print_affine(struct printer *p, const struct member *row,
     const void *at)
 {
 	const double(*m)[4] = at;
@@ -246,7 +246,7 @@ static void print_rows(struct printer *p, const struct member *row,
 }
 
 const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
+const struct type type_affine = { "matrix", read_matrix, print_affine, 0 };
 
 #define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \

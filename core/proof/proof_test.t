@@ -71,7 +71,8 @@ my @mutations = (
 	[$exact, 'a length whose squares are rounded',
 	    'low = low + FMA(a[k].hi, a[k].hi, -square[k])', 'low = low', @toy],
 );
-# Faults that are made in one copy of the headers; the count finds each.
+# Groups of faults. Those of a group are made in one copy of the headers, and the count
+# finds each.
 my @counted = (
 	[$exact, 'an origin that is subtracted too near',
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],

@@ -9,14 +9,14 @@
  * of the eye is taken to be behind it, or vice versa, or the image is mirrored.
  */
 struct cell {
-	double units; /* error in device units, or in world units if from the device */
+	double units; /* of the device, or of the world if regime.back */
 	double ulps;  /* units in the last place of a double */
 	bool nan, sign;
 };
 
 struct row {
 	struct cell cell[WAYS];
-	bool refused; /* the program refuses the scene, for which no image is right */
+	bool refused; /* the program refuses the scene, rightly */
 	/* How many numbers of exact are not the nearest double, or nan in place
 	 * of a number, or a number in place of nan. */
 	int wrong;
