@@ -121,8 +121,8 @@ sub trouble {
 	} @others);
 }
 
-# Places the names one after another, and then each once more, as the others stand now.
-# Returns the cost of all places.
+# Places the names one after another, and then each once more, now that the others have
+# a place. Returns the cost of all places.
 sub place {
 	my @groups = @_;
 	delete @$_{qw(box line cost)} for @groups;

@@ -16,8 +16,8 @@ function add_normal(corner, a, b, c,    i, j, k)
 	}
 }
 
-# Returns the light that a point gets from the lamp. The power makes what is hardly lit
-# darker, so that hollows stand out.
+# Returns the light that a point gets from the lamp. The power darkens points with
+# little light, so that hollows stand out.
 function light(v,    i, nn, nl)
 {
 	for (i = 0; i < 3; i++) {

@@ -134,7 +134,8 @@ static void run(char *text, size_t size, int mode)
 		check_camera(&d.scene.camera);
 }
 
-/* Parses the defaults of a table's rows now, as the program keeps what they become. */
+/* Parses the defaults of a table's rows before the first input, as the program keeps
+ * their values. */
 static void keep_literals(const struct member *row)
 {
 	for (; row != NULL && row->name != NULL; row++) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Makes mutants: the program's source with one change, as by a tired programmer, which a
-# test should find. A mutant is
+# Makes mutants. A mutant is a change of the program's source, as by a tired programmer,
+# which a test should find. It is kept as
 #
 #	{file => 'core/x.c', line => 12, from => "\tlines as they stand\n",
 #	    to => "\tand as they are changed\n"}

@@ -140,7 +140,7 @@ sub progress {
 	shares();
 }
 
-# The header is read again for each file.
+# Checks the shares that --progress prints, which begin again with each file.
 sub shares {
 	my $n = 60000;
 	spew("$tmp/lines", "0 0 0\n" x $n);
@@ -387,7 +387,7 @@ SKIP: {
 		is_deeply([$status, $err], \@want,
 		    "a line of $n bytes: --scenes");
 	}
-	# without its newline it would be longer by one
+	# a line has at most 2^26 bytes, and a missing newline counts
 	for my $n ((1 << 26) - 1, 1 << 26) {
 		spew("$tmp/line", "0 0 0\n" x 30000 . "0 0 0 " . 'a' x ($n - 6));
 		my $want = $n < 1 << 26 ? '0 ' :

@@ -179,9 +179,9 @@ static poly tested(void)
 	return up.error < 0 ? up.is : minus(up.is, { { { up.error }, 1.0 } });
 }
 
-/* The error of a column and the greatest values of its parts, in units of B, the bound
- * of its terms. If bit k of far is set, the origin's coordinate k is so large that it
- * is subtracted whole. */
+/* The error of a column and the greatest values of its parts, in units of B, which
+ * kernel/exact.h defines. If bit k of far is set, the origin's coordinate k is so large
+ * that it is subtracted whole. */
 struct column_parts {
 	double error, hi, lo;
 };
@@ -367,8 +367,8 @@ static void run_approx(enum kernel_kind kind)
 	counted_approx(&map, from, out, out + 1, out + 2, 1, kind);
 }
 
-/* Makes a map whose element number term is 1, with the error of one rounding, and whose
- * others are small. */
+/* Makes a map in which row term is 1, with the error of one rounding, and other rows
+ * are small. */
 static void give_approx(int term)
 {
 	fresh();

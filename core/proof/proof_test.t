@@ -33,8 +33,8 @@ for my $way ('', '-DFUSED') {
 }
 holds('errors counted', count_errors($core));
 
-# The faults: the file, what is changed there, and what finds it, which is a program in
-# toy arithmetic with its number of digits, or a claim that the count exceeds.
+# The faults: the file, what is changed there, and what finds it. That is a program in
+# toy arithmetic, with its number of digits, or a claim that the count exceeds.
 my $exact = 'points/kernel/exact.h';
 my @toy = ('toy_exact.cc', '-DP=53');
 my @ties = ('toy_exact.cc', '-DP=6');

@@ -314,8 +314,8 @@ static MATRIX NAME(viewport)(const struct scene *s)
 	return r;
 }
 
-/* The matrices that a point passes. An offset may be subtracted before the stage taken,
- * or added after the last. */
+/* The matrices that a point passes. The offset before is subtracted from a point before
+ * the stage taken, and after is added after the last stage. */
 typedef struct {
 	int n, taken;
 	MATRIX stage[4];

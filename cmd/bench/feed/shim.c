@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A library that feed.sh preloads. When the program ends, writes to $FEED its
- * CPU time in seconds, and how much of it were reads and how much were writes.
- */
+ * CPU time in seconds, and the parts of it that reads and writes took. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdatomic.h>
