@@ -156,8 +156,8 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	if (size > 0 && setjmp(refused) == 0) {
-		/* no byte of room after the text, so that a sanitizer finds a read there
-		 */
+		/* no byte of room after the text, so that a sanitizer finds a read
+		 * there */
 		char *text = hold(size - 1);
 
 		memcpy(text, data + 1, size - 1);

@@ -10,7 +10,7 @@
 #include "types.h"
 #include "../message/message.h"
 
-/* The index of a member's row in scene_members. Row i has bit i in enum scene_member. */
+/* The index of a member's row in scene_members; row i has bit i in scene_member. */
 #define ROW_OF(member) __builtin_ctz(SCENE_##member)
 
 enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
@@ -18,8 +18,8 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Returns the end of e, an element of a point, whose text begins at s. Refuses an e that
- * is an array or object or, if e is a coordinate, neither a number nor null. */
+/* Returns the end of e, an element of a point, whose text begins at s. Refuses e if it
+ * is an array or object or, as a coordinate, neither a number nor null. */
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {
@@ -69,9 +69,9 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 }
 
 /* Replaces the text of an array of points, or of one point, by a line for each point,
- * and returns the size of the lines. Refuses a value that is not an array. The lines fit
- * into the text: a newline after a point takes the room of the comma or bracket before
- * the point. The newline after a single point may take the byte after the text. */
+ * and returns the size of the lines. Refuses a value that is not an array. The lines
+ * have room: a newline after a point replaces the comma or bracket before the point.
+ * The newline after a single point may take the byte after the text. */
 static size_t write_points(const struct value *v, const struct span *array,
     int coordinates)
 {

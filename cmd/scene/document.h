@@ -82,7 +82,7 @@ struct document_wants {
 	long lines_before;        /* lines of the file before the text */
 	size_t bytes_before;      /* bytes before the text on its first line */
 	const char *hint_for_two; /* for points of two numbers; or NULL */
-	/* The coordinates of a point; 0: the command does not read the member points. */
+	/* Coordinates of a point; 0: the command does not read the member points. */
 	int coordinates;
 };
 
@@ -107,9 +107,9 @@ _Noreturn void document_refuse(const struct document *d, const char *why);
 /* Calls document_refuse if why is not NULL. */
 void document_refuse_if(const struct document *d, const char *why);
 
-/* Prints a document of the command fit, whose camera has a gaze, and whose projection
- * is not a matrix. Each member has a line; if compact, all members share one. The output
- * reads back as the same scene and pick. A flat document is printed without members of
+/* Prints a document of the command fit, whose camera has a gaze and whose projection is
+ * no matrix, with a line for each member or, if compact, in one line. The output reads
+ * back as the same scene and pick. A flat document is printed without members of
  * SCENE_SPATIAL. */
 void print_scene(const struct document *, bool compact);
 

@@ -137,7 +137,7 @@ static const struct member device_members[] = {
 	RECTANGLE(device),
 	ROW(device, "origin", type_flag, top_left, .words = device_origins,
 	    .fallback = "\"bottom-left\"", .shown = true,
-	    .default_from = "that of -c or of the convention",
+	    .default_from = "-c's or the convention's",
 	    .about = "corner of the device where x and y are least"),
 	{ .name = NULL },
 };
@@ -253,7 +253,7 @@ const struct member scene_members[] = {
 	ROW(document, "convention", type_convention, scene.convention,
 	    .members = convention_members, .example = "\"d3d\"",
 	    .words = convention_names, .fallback = "\"d3d\"", .shown = true,
-	    .default_from = "that of -c",
+	    .default_from = "-c's",
 	    .about = "convention of the scene's axes, depths and matrices",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_EXAMPLE "}'"),

@@ -192,7 +192,7 @@ static bool is_given(const struct projection *p, uint64_t seen,
 	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
-/* Refuses a projection without a type, and lists the types that have all its members. */
+/* Refuses a projection without a type; lists the types that have all its members. */
 static _Noreturn void refuse_missing_type(const struct value *v)
 {
 	const struct value *type = VALUE_MISSING(v, "type");
@@ -250,7 +250,7 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* Refuses a perspective that lacks near or far. Intrinsics need neither, and far is then
+/* Refuses a perspective that lacks near or far. Intrinsics need neither; far is then
  * infinity. The command fit finds both, but needs near for a cross-section at near. */
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)

@@ -139,8 +139,8 @@ static const struct ways matrix_ways[] = { { .way = { "matrix vectors?" } },
 static const struct member matrix_row = { .members = matrix_members,
 	.ways = matrix_ways };
 
-/* Returns whether the rows of a matrix are for column vectors, as the member "vectors"
- * of v says or, without it, the shape of the rows or, if they are square, the document. */
+/* Returns whether rows of a matrix are for column vectors, as the member "vectors" of v
+ * says or, without it, their shape or, if they are square, the document. */
 static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, square = rows == columns;

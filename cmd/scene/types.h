@@ -23,10 +23,11 @@ extern const char *const angle_units[];
 /* "row" and "column", the vectors that a matrix may be for; NULL ends them. */
 extern const char *const vector_names[];
 
-/* A matrix: 16 numbers in memory order; or 4 rows, which are for row vectors unless
- * source->column_vectors is set; or the object that -o json prints, whose member vectors
- * says "row" or "column". An affine matrix may also be 3 rows of 4 for column vectors, or
- * 4 rows of 3 for row vectors. In the struct a double[4][4] for row vectors. */
+/* A matrix: 16 numbers in memory order; or 4 rows, for row vectors unless
+ * source->column_vectors is set; or the object that -o json prints, whose member
+ * vectors is "row" or "column". An affine matrix may also be 3 rows of 4 for column
+ * vectors, or 4 rows of 3 for row vectors. In the struct a double[4][4] for row
+ * vectors. */
 extern const struct type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or

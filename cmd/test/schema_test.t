@@ -143,7 +143,8 @@ for my $i (0 .. $#cases) {
 	my $error = $wrong->[$i];
 	my $agree = defined $error == ($message ne '');
 	SKIP: {
-		# In members that a command doesn't use, the program checks only the form.
+		# In members that a command doesn't use, the program checks only the
+		# form.
 		skip "no schema can tell: $name", 1 if !$agree &&
 		    ($message =~ $beyond || $name =~ m{^unneeded-\w+-range$});
 		ok($agree, $name) or

@@ -82,7 +82,7 @@ static void cancelling(struct scene *s, double shear)
 	s->world[1][0] = shear;
 }
 
-/* The device has the size 1e-150, and shows a view volume whose half width is the size. */
+/* The device has the size 1e-150, and shows a view volume of half width size. */
 static void underflowing(struct scene *s, double size)
 {
 	s->has_camera = false;

@@ -131,7 +131,8 @@ static bool carry_lines(blocks<T> &b, const char *s, const char *end)
 
 template <class Number, class T> static bool run_lines(blocks<T> &b)
 {
-	// The text has room for a newline after the last line, and for a read of 8 bytes.
+	// The text has room for a newline after the last line, and for a read of 8
+	// bytes.
 	static char text[READ_SIZE + 8];
 	size_t size = 0;
 	ssize_t got;
