@@ -24,10 +24,9 @@ extern const char *const angle_units[];
 extern const char *const vector_names[];
 
 /* A matrix: 16 numbers in memory order; or 4 rows, for row vectors unless
- * source->column_vectors is set; or the object that -o json prints, whose member
- * vectors is "row" or "column". An affine matrix may also be 3 rows of 4 for column
- * vectors, or 4 rows of 3 for row vectors. In the struct a double[4][4] for row
- * vectors. */
+ * source->column_vectors is set; or the object of matrix and vectors that -o json
+ * prints. An affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3
+ * for row vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
