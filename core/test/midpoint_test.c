@@ -52,7 +52,7 @@ struct move {
 	double ulps[4], change;
 };
 
-static void write_point(const double p[4], const struct move *m, double times,
+static void move_point(const double p[4], const struct move *m, double times,
     double q[4])
 {
 	for (int i = 0; i < 4; i++) {
@@ -67,7 +67,7 @@ static void measure_change(const struct search *h, const double p[4],
 {
 	double q[4];
 
-	write_point(p, m, 1, q);
+	move_point(p, m, 1, q);
 	m->change = without_integer(
 	    midpoint_distance(h, q) - midpoint_distance(h, p));
 }
@@ -129,7 +129,7 @@ static double approach_midpoint(const struct search *h, double p[4],
 			last--;
 		if (m[last].change == 0 || !is_move_small(&m[last]))
 			break;
-		write_point(p, &m[last], -rint(best / m[last].change), q);
+		move_point(p, &m[last], -rint(best / m[last].change), q);
 		double now = midpoint_distance(h, q);
 
 		if (fabs(now) < fabs(best)) {
