@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The view that the benchmarks measure, and how far an image of a point is from
- * the truth. All its numbers are floats: those who compute in float start from
- * the same scene. */
+/* The view that the benchmarks measure, and the error of an image of a point.
+ * All numbers of the view are floats, so that libraries in float get the same
+ * scene. */
 #ifndef VIEW_BENCH_H
 #define VIEW_BENCH_H
 

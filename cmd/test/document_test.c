@@ -69,23 +69,23 @@ REFUSES(scenes)
 
 static void test_bare(void **state)
 {
-	const struct document_wants lookat = { WANTS, .bare = SCENE_CAMERA,
-		.needed = SCENE_CAMERA };
+	const struct document_wants lookat = { WANTS,
+		.lone_member = SCENE_CAMERA, .needed = SCENE_CAMERA };
 	struct document d = read_as(&lookat,
 	    "{\"$schema\":1,\"_a\":[{\"\":1e999}],\"_a\":2,\"eye\":[1,2,3],"
 	    "\"gaze\":[4,5,6]}");
 
 	(void)state;
-	assert_string_equal(d.bare, "camera");
+	assert_string_equal(d.lone_member, "camera");
 	assert_string_equal(d.source.name, "s.json");
 	assert_true(d.scene.has_camera);
 	assert_false(d.scene.has_world);
 	assert_null(d.points);
 	d = read_as(&lookat, "{\"camera\":{\"eye\":[1,2,3],\"at\":[4,5,6]}}");
-	assert_null(d.bare);
+	assert_null(d.lone_member);
 	assert_true(d.scene.has_camera);
 	d = read_as(&(struct document_wants){ WANTS }, "{}");
-	assert_null(d.bare);
+	assert_null(d.lone_member);
 	assert_false(d.scene.has_camera);
 	assert_int_equal(d.scene.projection.type, PROJECTION_NONE);
 }
@@ -278,7 +278,7 @@ struct reason {
 static void refuse(const void *argument)
 {
 	const struct reason *r = argument;
-	struct document d = { .source.name = "-", .bare = r->bare };
+	struct document d = { .source.name = "-", .lone_member = r->bare };
 
 	document_refuse(&d, r->why);
 }

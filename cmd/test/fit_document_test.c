@@ -3,11 +3,11 @@
 #include "document.h"
 
 static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
-	.fit = true };
+	.for_fit = true };
 static const struct document_wants project = { WANTS };
 
 static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
-	.flat = SCENE_WINDOW | SCENE_DEVICE, .fit = true };
+	.flat_members = SCENE_WINDOW | SCENE_DEVICE, .for_fit = true };
 
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
 #define WINDOW_HINT                                                \
@@ -135,7 +135,7 @@ static void test_missing(void **state)
 static void test_flat(void **state)
 {
 	static const struct document_wants unused = { .used = SCENE_WINDOW,
-		.flat = SCENE_WINDOW };
+		.flat_members = SCENE_WINDOW };
 	struct document d = read_as(&either,
 	    "{\"window\":{\"zoom\":2},\"points\":[1,2,3],"
 	    "\"bounds\":{\"center\":[1,2],\"radius\":4}}");

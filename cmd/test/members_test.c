@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
 
-static const struct document_wants lookat = { .bare = SCENE_CAMERA,
+static const struct document_wants lookat = { .lone_member = SCENE_CAMERA,
 	.needed = SCENE_CAMERA,
 	WANTS };
-static const struct document_wants w2n = { .bare = SCENE_WINDOW,
+static const struct document_wants w2n = { .lone_member = SCENE_WINDOW,
 	.needed = SCENE_WINDOW,
 	.used = ~0u,
 	.coordinates = 2 };

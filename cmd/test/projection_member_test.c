@@ -3,18 +3,18 @@
 
 #include <math.h>
 
-static const struct document_wants persp = { .bare = SCENE_PROJECTION,
+static const struct document_wants persp = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_PERSP };
-static const struct document_wants ortho = { .bare = SCENE_PROJECTION,
+	.projection_type = PROJECTION_PERSP };
+static const struct document_wants ortho = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_ORTHO };
-static const struct document_wants volume = { .bare = SCENE_PROJECTION,
+	.projection_type = PROJECTION_ORTHO };
+static const struct document_wants volume = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_VOLUME };
+	.projection_type = PROJECTION_VOLUME };
 static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
@@ -393,7 +393,7 @@ static void test_parallel(void **state)
 	assert_int_equal(d.scene.projection.extent, EXTENT_HEIGHT);
 	assert_number(d.scene.projection.near, -1);
 	assert_numbers(d.scene.projection.aspect, 2, 1.5, 1.0);
-	wants.projection = PROJECTION_OBLIQUE;
+	wants.projection_type = PROJECTION_OBLIQUE;
 #define SHEARED(members)                                  \
 	read_as(&wants,                                   \
 	    "{\"type\":\"oblique\",\"near\":0,\"far\":1," \

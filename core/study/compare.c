@@ -10,7 +10,7 @@
 
 enum { MANY = 256 };
 
-/* A regime at one severity. */
+/* The scene of a regime at one severity, and its maps. */
 struct task {
 	const struct regime *regime;
 	struct scene scene;
@@ -44,7 +44,8 @@ static void fill(struct block *b, double (*in)[3])
 			b->in[j][i] = in[i][j];
 }
 
-/* As the program does. What it gives an image is in front of the eye. */
+/* Computes images as the program does. Points with an image are in front of the eye, so
+ * w becomes 1. */
 static void carry_in(enum precision precision, const struct transform *t,
     double (*in)[3], double (*out)[4])
 {
@@ -60,7 +61,8 @@ static void carry_in(enum precision precision, const struct transform *t,
 	}
 }
 
-/* The share of the points that the fast phase leaves undecided. */
+/* Returns the share of the points that a loop of core/points/kernel cannot round with
+ * certainty. */
 static double left_over(const struct transform *t, double (*in)[3])
 {
 	static struct block b;
@@ -75,7 +77,7 @@ static double left_over(const struct transform *t, double (*in)[3])
 	return n / (double)MANY;
 }
 
-/* As points come: they have been printed, by something that keeps all digits. */
+/* Returns the double that is read after a was printed in 17 digits, as points are. */
 static double printed(double a)
 {
 	char text[32];
@@ -84,7 +86,8 @@ static double printed(double a)
 	return strtod(text, NULL);
 }
 
-/* Where points are read, which is not where the regime places them. */
+/* Sets in to the points as the program reads them, which the regime places in another
+ * space. */
 static const char *place(const struct task *t, double (*in)[3])
 {
 	const struct scene *s = &t->scene;
@@ -151,7 +154,8 @@ static void tally(const struct true_image *truth, const double got[4],
 	}
 }
 
-/* Has every point changed sides, from left to right or from top to bottom? */
+/* Clears mirrored[j] if this point is on the right side of the centre along axis j. An
+ * image is mirrored if that stays set for all points. */
 static void watch_sides(const struct true_image *truth, const double got[4],
     const struct viewport *v, bool mirrored[2])
 {
@@ -162,8 +166,8 @@ static void watch_sides(const struct true_image *truth, const double got[4],
 		    (mpfr_cmp_d(truth->at[j], center[j]) > 0);
 }
 
-/* The promise of exact: in the loop for many points and by the accurate phase
- * for one, every number is the nearest double. */
+/* Counts where exact is not the nearest double, in the loop for many points and in
+ * point_exact for one. */
 static void check_exact(const struct task *t, const struct true_image *truth,
     const double in[3], const double got[4], struct row *r)
 {
