@@ -25,11 +25,11 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	if ((why = view_planes(s, SPACE_MODEL, &sides, m)) != NULL)
 		return why;
 	k->to_device = to_device;
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 5; i++)
 		m->m[i][2] = sum_mul(m->m[i][plane], divisor);
 	map_divide_column(m, 2, vec3_length(gradient));
 	/* the map is affine: w is 1 */
-	for (int i = 0; i < 4; i++)
+	for (int i = 0; i < 5; i++)
 		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
 	return NULL;

@@ -19,9 +19,11 @@
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
-	static const int factor[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 },
+	/* the columns X, Y and w, and the factors of each product */
+	static const int column[3] = { 0, 1, 3 };
+	static const int factor[4][2] = { { 1, 2 }, { 2, 0 }, { 0, 0 },
 		{ 0, 1 } };
-	struct sum normal[4][3], view[3];
+	struct sum normal[3][3];
 	struct map m;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_DEVICE, &m);
 
@@ -29,11 +31,13 @@ static const char *set_direction_map(const struct scene *s, bool depth_falls,
 		return why;
 	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != depth_falls;
 
-	for (int i = 0; i < 12; i++)
-		normal[i % 4][i / 4] = m.m[i / 4][i % 4];
+	for (int i = 0; i < 9; i++)
+		normal[i % 3][i / 3] = m.m[i / 3][column[i % 3]];
 	why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
 	memset(r->m, 0, sizeof r->m);
 	for (int i = 0; i < 4; i++) {
+		struct sum view[3];
+
 		if (i == 2)
 			continue;
 		vec3_cross(normal[factor[i][turned]],

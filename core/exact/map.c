@@ -216,6 +216,7 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 			inverse->m[i][j] = sum_negated_if((i + j) % 2,
 			    map_minor(3, a.m, 1u << j, 1u << i));
 	inverse->divisor = sum_of_double(1);
+	memset(inverse->m[4], 0, sizeof inverse->m[4]);
 	map_divide(inverse, det);
 	map_set_origin(inverse, map_is_affine(&a) ? m[3] : (double[3]){ 0 });
 	return true;
