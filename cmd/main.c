@@ -138,7 +138,7 @@ static void *run_scenes(void *data)
 	while (params_next(o)) {
 		run->command->run(run->command, o);
 		if (ex_has_overflowed())
-			die(EXIT_INPUT,
+			die_at(EXIT_INPUT, &(struct place){ .of_scene = true },
 			    "what is printed is not exact: " SCENE_TOO_WIDE);
 	}
 	return NULL;

@@ -195,6 +195,7 @@ void read_document(const struct command *c, const struct options *o,
 	wants.lines_before = (long)params.line - 1;
 	wants.bytes_before = params.column - 1;
 	wants.hint_for_two = two_numbers_hint(c, o);
+	wants.for_plane = o->plane.n > 0;
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
 	/* the document's points are not read if operands replace them */

@@ -227,7 +227,9 @@ static _Noreturn void refuse_way(const struct value *v,
 int object_way(const struct value *v, const struct member *table, int kind,
     uint64_t given, const struct ways *w)
 {
-	bool fit = v->source->for_fit && w->own_fit && !v->unused;
+	bool fit = !v->unused &&
+	    ((v->source->for_fit && w->own_fit) ||
+		(v->source->for_plane && w->own_plane));
 	const struct way_bits *b = find_way_bits(table, kind,
 	    fit ? w->fit_way : w->way);
 	uint64_t extra = 0, lacking = 0, way = 0;

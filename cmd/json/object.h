@@ -86,6 +86,7 @@ struct ways {
 	 * of the object's way; 0: there is no such field. */
 	size_t offset;
 	unsigned way_0;
+	bool own_plane; /* --plane takes the ways of fit, too */
 };
 
 /* Reads an object of the kind to the struct at base: all defaults, the members that are

@@ -22,6 +22,7 @@ struct source {
 	unsigned unit;         /* of angles: an enum angle_unit */
 	unsigned implied_type; /* of a projection that names none; or 0 */
 	bool for_fit;          /* what the command fit finds may be missing */
+	bool for_plane;        /* near and far may be missing, for --plane */
 	bool flat;             /* the document is of two dimensions */
 	bool has_axes;         /* a convention gives the view axes */
 	bool is_operand;       /* not a scene: --keep-going does not skip it */

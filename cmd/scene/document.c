@@ -220,6 +220,7 @@ void document_read(struct document *d, const char *name, char *text,
 	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
 	source.for_fit = w.for_fit;
+	source.for_plane = w.for_plane;
 	source.implied_type = (unsigned)w.projection_type;
 	*d = (struct document){ .source = source };
 	unsigned seen = find_members(d, &root, wants, m);

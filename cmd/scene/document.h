@@ -76,6 +76,8 @@ struct document_wants {
 	 * width and height of a parallel projection, and all members of the window of
 	 * a flat document. */
 	bool for_fit;
+	/* near and far may be missing, unless sizes are given at near: for --plane. */
+	bool for_plane;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
 	const struct convention *convention;

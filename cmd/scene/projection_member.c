@@ -163,12 +163,13 @@ const struct ways projection_ways[] = {
 	    .kinds = PERSP, .offset = OFFSET(extent) },
 	{ { "width height", "width aspect?", "height aspect?",
 	      "left right bottom top" },
-	    true,
-	    { "width? height?", "width? aspect?", "height? aspect?",
+	    .own_fit = true,
+	    .fit_way = { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
-	    PARALLEL, OFFSET(extent), EXTENT_SIZE },
+	    .kinds = PARALLEL, .offset = OFFSET(extent), .way_0 = EXTENT_SIZE },
 	{ { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .kinds = PARALLEL },
+	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .own_plane = true,
+	    .kinds = PARALLEL },
 	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .offset = OFFSET(eye_given_by) },
@@ -250,15 +251,18 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* Refuses a perspective that lacks near or far. Intrinsics need neither; far is then
- * infinity. The command fit finds both, but needs near for a cross-section at near. */
+/* Refuses a perspective that lacks near or far. Intrinsics and --plane need neither;
+ * far is then infinity. The command fit finds both. But a cross-section at near needs
+ * near. */
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
-	bool open = p->extent == EXTENT_INTRINSICS && !v->source->for_fit;
+	bool at_near = projection_is_given_at_near(p);
+	bool open = !v->source->for_fit && !at_near &&
+	    (p->extent == EXTENT_INTRINSICS || v->source->for_plane);
 	int way = 0;
 
-	if (!v->source->for_fit || !projection_is_given_at_near(p))
+	if (!at_near || !(v->source->for_fit || v->source->for_plane))
 		way = object_way(v, projection_members, 0, seen,
 		    open ? &optional_planes : &projection_ways[WAYS_PLANES]);
 	else if (!is_given(p, seen, "near"))
@@ -266,7 +270,7 @@ static void check_planes(const struct value *v, uint64_t seen,
 		    "missing; the section is on the near plane, unless "
 		    "\"edges_at\" says where");
 	p->reverse_z |= way == 1;
-	if (open && !is_given(p, seen, "far"))
+	if ((open || v->source->for_plane) && !is_given(p, seen, "far"))
 		p->far = HUGE_VAL;
 }
 
@@ -292,6 +296,8 @@ static void read_projection(const struct value *v, const struct member *row,
 		p->direction_unit = p->unit;
 	if (p->type == PROJECTION_PERSP)
 		check_planes(v, seen, p);
+	else if (v->source->for_plane && p->far == p->near)
+		p->far = p->near + 1; /* neither is given */
 	if (p->extent == EXTENT_ANGLES)
 		check_angles(v, p);
 	if (is_given(p, seen, "size")) {

@@ -244,7 +244,8 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	t->reciprocal = false;
 	t->kind = KERNEL_PROJECTIVE;
 	transform_prepare(t);
-	return map_is_finite(r) ? NULL :
-				  "the plane is too near to the eye, or the "
-				  "scene too large, for the range of doubles";
+	return map_is_finite(r) && !ex_has_overflowed() ?
+	    NULL :
+	    "the plane is too near to the eye, or the "
+	    "scene too large, for the range of doubles";
 }
