@@ -16,8 +16,10 @@
 static const struct synonym {
 	const char *words, *hint;
 } synonyms[] = {
-	{ "unproject backproject inverse invert",
-	    "project --from device --to world" },
+	{ "unproject backproject", "project --from device --to world" },
+	{ "inverse invert",
+	    ": the way back is project --from device --to world; of lookat "
+	    "project -m --from view --to world; in 2D d2w, n2w or d2n" },
 	{ "ray raycast", "project --ray" },
 	{ "transform points", "project" },
 	{ "mvp matrix", "project -m --to clip" },

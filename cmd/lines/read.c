@@ -133,10 +133,9 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
 	choose(l, cut, &c);
-	if (cut.members && choose_clashes(l, &c, true, reason))
-		return;
 	line->kind = LINE_POINT;
-	if (longer || !read_coordinates(l, cut, &c, v, reason) ||
+	if (longer || (cut.members && choose_clashes(l, &c, true, reason)) ||
+	    !read_coordinates(l, cut, &c, v, reason) ||
 	    !is_right(l, cut, &c, reason))
 		line->kind = LINE_BAD;
 	if (c.mixed) {

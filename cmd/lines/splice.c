@@ -125,15 +125,17 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 }
 
 /* Returns the value that takes the place of the field, or -1. This is the coordinate in
- * the field. If outer, the field is one of the line and not of a value inside: in an
- * object it may also be the added value with the name of the field. */
+ * the field, unless --append keeps that. If outer, the field is one of the line and not
+ * of a value inside: in an object it may also be the added value with the name of the
+ * field. */
 static int value_of(const struct splice *w, const struct field *f, bool outer)
 {
-	int i = coordinate_in(w, f->whole.s, f->value.s);
+	const bool keeps = w->l->append;
+	int i = keeps ? -1 : coordinate_in(w, f->whole.s, f->value.s);
 
 	if (f->name.s == NULL || !outer)
 		return i;
-	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
+	for (int k = keeps ? 0 : w->l->reads; k <= FLAGS && i < 0; k++) {
 		const char *name = w->l->name[k];
 		struct span added = { name, name + strlen(name) };
 
@@ -195,8 +197,9 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			w->separator = separator_at(w->l, &f);
 		w->due -= 1u << k;
 		if (w->numbers != NULL) {
-			struct span at = k < w->l->reads ? line_at(w->line, k) :
-							   f.value;
+			struct span at = k < w->l->reads && !w->l->append ?
+			    line_at(w->line, k) :
+			    f.value;
 
 			splice_to(w, at.s);
 			w->out = put_value(w, k, w->out);
@@ -427,8 +430,11 @@ char *line_write(const struct layout *l, const struct line *line,
 	if (line->kind == LINE_LOST || (!same && line->kind != LINE_COPY)) {
 		convert(&w);
 	} else {
+		/* a bad object may have members with the added names */
+		bool replaces = line->object && line->kind == LINE_BAD;
+
 		if (line->kind != LINE_COPY)
-			(l->append ? append : splice)(&w);
+			(l->append && !replaces ? append : splice)(&w);
 		splice_to(&w, line->s + line->size);
 	}
 	*w.out = '\n';

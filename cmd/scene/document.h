@@ -38,8 +38,7 @@ struct pick {
 
 struct document {
 	struct scene scene;
-	bool
-	    flat; /* the document has two dimensions: see document_wants.flat */
+	bool flat;            /* has two dimensions: see document_wants.flat */
 	enum angle_unit unit; /* of all angles */
 	struct pick pick;
 	/* bounds, the eye of the camera, and pick are given */

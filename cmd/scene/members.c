@@ -50,18 +50,16 @@ static const struct member camera_members[] = {
 
 /* in the order of enum camera_by */
 static const struct ways camera_ways[] = {
-	{
-	    .way = { "eye at up? roll?", "eye gaze up? roll?",
-		"eye orientation roll?", "eye rvec roll?",
-		"translation orientation roll?", "translation rvec roll?",
-		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .own_fit = true,
-	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
+	{ { "eye at up? roll?", "eye gaze up? roll?", "eye orientation roll?",
+	      "eye rvec roll?", "translation orientation roll?",
+	      "translation rvec roll?", "pose orthonormalize?",
+	      "matrix orthonormalize?" },
+	    true,
+	    { "eye at up? roll?", "eye? gaze up? roll?",
 		"eye? orientation roll?", "eye? rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .offset = offsetof(struct camera, kind),
-	},
+	    .offset = offsetof(struct camera, kind) },
 	{ .way = { NULL } },
 };
 
@@ -142,12 +140,8 @@ static const struct member device_members[] = {
 	{ .name = NULL },
 };
 
-static const struct ways rectangle_ways[] = {
-	{
-	    .way = { "width height" },
-	},
-	{ .way = { NULL } },
-};
+static const struct ways rectangle_ways[] = { { .way = { "width height" } },
+	{ .way = { NULL } } };
 
 static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
@@ -180,13 +174,9 @@ static const struct member window_members[] = {
 };
 
 static const struct ways window_ways[] = {
-	{
-	    .way = { "center width height", "left right bottom top" },
-	    .own_fit = true,
-	    .fit_way = { "center? width? height?",
-		"left? right? bottom? top?" },
-	    .offset = offsetof(struct window, by_edges),
-	},
+	{ { "center width height", "left right bottom top" }, true,
+	    { "center? width? height?", "left? right? bottom? top?" },
+	    .offset = offsetof(struct window, by_edges) },
 	{ .way = { NULL } },
 };
 
@@ -223,10 +213,8 @@ static const struct member bounds_members[] = {
 };
 
 static const struct ways bounds_ways[] = {
-	{
-	    .way = { "min max", "center radius" },
-	    .offset = offsetof(struct bounds, sphere),
-	},
+	{ { "min max", "center radius" },
+	    .offset = offsetof(struct bounds, sphere) },
 	{ .way = { NULL } },
 };
 

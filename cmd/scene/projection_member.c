@@ -55,6 +55,8 @@ enum {
 #define SIZE(types, label, field, ...) \
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
 
+#define GLTF "for glTF and NeRF with \"angle_unit\": \"radians\""
+
 /* in the order in which they are printed */
 const struct member projection_members[] = {
 	MEMBER(0, "type", type_word, type, .words = projection_types,
@@ -72,9 +74,10 @@ const struct member projection_members[] = {
 	    .about = "depth at which points do not move"),
 	ANGLE(PERSP, "fovy", angle, .range = &opening,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
+	    .note = GLTF,
 	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", angle, .range = &opening,
-	    .aliases = "xfov horizontalfov hfov cameraanglex",
+	    .aliases = "xfov horizontalfov hfov cameraanglex", .note = GLTF,
 	    .about = "angle between the left and the right plane"),
 	ANGLE(PERSP, "view_angle", angle, .range = &opening, .aliases = "angle",
 	    .about = "angle across the smaller side of the picture"),
@@ -101,13 +104,15 @@ const struct member projection_members[] = {
 	LENGTH(SECTIONED, "top", top, .about = "top edge, other than bottom"),
 	ANGLE(PERSP, "angles", left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
-	    .note = "[left, right, bottom, top] from the gaze",
+	    .note = "[left, right, bottom, top] from the gaze; for OpenXR "
+		    "with \"angle_unit\": \"radians\"",
 	    .about = "angles of left, right, bottom, top from the gaze"),
 	MEMBER(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
-		       "cameramatrix projectionmatrix intrinsic p "
+		       "cameramatrix projectionmatrix matrix intrinsic p "
 		       "principalpoint skew",
-	    .note = "[fx, fy, cx, cy], K or P, in pixels",
+	    .note = "[fx, fy, cx, cy], K or P, in pixels; 16 numbers are "
+		    "\"matrix\" of type \"matrix\"",
 	    .unit = "device units",
 	    .about = "[fx, fy, cx, cy], K or P, nested or row after row"),
 	SIZE(PERSP, "edges_at", edges_at, .aliases = "distance",
@@ -301,20 +306,18 @@ static void find_image_size(const struct value *v,
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
-	if (viewport == NULL) {
+	if (viewport == NULL)
 		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
-	} else if (viewport->scale != SCALE_FILL) {
+	if (viewport->scale != SCALE_FILL)
 		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	} else {
-		check_axes(v, "intrinsics");
-		p->width = viewport->width;
-		p->height = viewport->height;
-	}
+	check_axes(v, "intrinsics");
+	p->width = viewport->width;
+	p->height = viewport->height;
 }
 
 /* Returns whether the projection depends on an aspect. fit widens a parallel projection
@@ -344,10 +347,10 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
 		return;
-	if (viewport == NULL) {
+	if (viewport == NULL)
 		value_refuse(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
-	} else if (viewport->scale == SCALE_UNIFORM) {
+	if (viewport->scale == SCALE_UNIFORM) {
 		p->aspect[0] = 1;
 	} else {
 		p->aspect[0] = viewport->width;

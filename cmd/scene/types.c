@@ -305,6 +305,11 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	if (nested ? n != 3 : n != 9 && n != 12)
 		value_refuse(v, "is none of " FORMS);
 	read_rows(v, 3, columns, e);
+	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 &&
+	    e[5] == 0 && e[8] == 1 && !v->unused)
+		value_refuse(v,
+		    "looks like a P column after column; write it row after "
+		    "row, or as 3 rows of 4 if its rows are right");
 	for (size_t i = 0; i < 3; i++)
 		memcpy(k[i], e + i * columns, columns * sizeof *e);
 	if (columns == 3 && !v->unused)

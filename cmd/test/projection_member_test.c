@@ -204,6 +204,10 @@ static const struct refusal projections[] = {
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
 	    "/projection/intrinsics/2/0: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
+	{ &project, SEEN("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
+	    "/projection/intrinsics: looks like a P column after column; "
+	    "write it row after row, or as 3 rows of 4 if its rows are "
+	    "right" },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/0: under the diagonal of K there is 0; "
 	    "is "
@@ -244,19 +248,28 @@ static const struct refusal projections[] = {
 		&persp, "{\"" name "\":1}",                            \
 		    "/" name ": unknown member; did you mean \"" right \
 	}
-#define PIXELS "intrinsics\" ([fx, fy, cx, cy], K or P, in pixels)?"
+#define PIXELS                                                            \
+	"intrinsics\" ([fx, fy, cx, cy], K or P, in pixels; 16 numbers are " \
+	"\"matrix\" of type \"matrix\")?"
+#define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")?"
 	MEANS("K", PIXELS),
 	MEANS("fx", PIXELS),
 	MEANS("focal", PIXELS),
 	MEANS("focal_length", PIXELS),
 	MEANS("fl_x", PIXELS),
 	MEANS("camera_matrix", PIXELS),
-	MEANS("fov", "fovy\"?"),
-	MEANS("yfov", "fovy\"?"),
-	MEANS("camera_angle_x", "fovx\"?"),
+	MEANS("projectionMatrix", PIXELS),
+	MEANS("matrix", PIXELS),
+	MEANS("fov", "fovy\"" GLTF),
+	MEANS("fovY", "fovy\"" GLTF),
+	MEANS("fov_y", "fovy\"" GLTF),
+	MEANS("fov_x", "fovx\"" GLTF),
+	MEANS("yfov", "fovy\"" GLTF),
+	MEANS("camera_angle_x", "fovx\"" GLTF),
 	MEANS("znear", "near\"?"),
 	MEANS("angleLeft",
-	    "angles\" ([left, right, bottom, top] from the gaze)?"),
+	    "angles\" ([left, right, bottom, top] from the gaze; for OpenXR "
+	    "with \"angle_unit\": \"radians\")?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
 	    "/K: unknown member; it belongs in \"projection\"" },
 	{ &project, "{\"transform_matrix\":1}",

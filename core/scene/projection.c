@@ -138,8 +138,8 @@ static const char *persp_matrix(const struct projection *p,
 	if (why != NULL)
 		return why;
 	if (!(p->near < p->far))
-		return "/projection/near: not less than far; for reversed "
-		       "depth say \"reverse_z\": true";
+		return "/projection/near: not less than far; near is the plane "
+		       "nearer to the eye, also with \"reverse_z\": true";
 	f->d = sum_of_double(1);
 	depth_column(p, f);
 	f->zx = sum_neg(sums[0]);
