@@ -122,7 +122,6 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (in->check != NULL && !in->check(l->in, text, reason))
 		return;
 	struct cut cut = cut_line(l->in, text);
-
 	const bool longer = in->header &&
 	    header_is_short(l, cut, first, reason);
 

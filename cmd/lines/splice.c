@@ -408,6 +408,8 @@ char *line_write(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
+	/* a bad object may have members of the added names, which values replace */
+	bool appends = l->append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->append)
 		return convert_point(l, line, *numbers, l->flags ? flags : NULL,
@@ -430,11 +432,8 @@ char *line_write(const struct layout *l, const struct line *line,
 	if (line->kind == LINE_LOST || (!same && line->kind != LINE_COPY)) {
 		convert(&w);
 	} else {
-		/* a bad object may have members with the added names */
-		bool replaces = line->object && line->kind == LINE_BAD;
-
 		if (line->kind != LINE_COPY)
-			(l->append && !replaces ? append : splice)(&w);
+			(appends ? append : splice)(&w);
 		splice_to(&w, line->s + line->size);
 	}
 	*w.out = '\n';

@@ -54,7 +54,6 @@ enum {
 	NUMBER(types, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(types, label, field, ...) \
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
-
 #define GLTF "for glTF and NeRF with \"angle_unit\": \"radians\""
 
 /* in the order in which they are printed */
@@ -306,18 +305,20 @@ static void find_image_size(const struct value *v,
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
-	if (viewport->scale != SCALE_FILL)
+	} else if (viewport->scale != SCALE_FILL) {
 		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	check_axes(v, "intrinsics");
-	p->width = viewport->width;
-	p->height = viewport->height;
+	} else {
+		check_axes(v, "intrinsics");
+		p->width = viewport->width;
+		p->height = viewport->height;
+	}
 }
 
 /* Returns whether the projection depends on an aspect. fit widens a parallel projection
@@ -347,10 +348,10 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
 		return;
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
-	if (viewport->scale == SCALE_UNIFORM) {
+	} else if (viewport->scale == SCALE_UNIFORM) {
 		p->aspect[0] = 1;
 	} else {
 		p->aspect[0] = viewport->width;

@@ -65,6 +65,9 @@ static const struct refusal names[] = {
 		&persp, "{\"" name "\":1}",                                  \
 		    "/" name ": unknown member; did you mean \"" right "\"?" \
 	}
+	MEANT("fovY", "fovy"),
+	MEANT("fov_y", "fovy"),
+	MEANT("fov_x", "fovx"),
 	MEANT("aspectRatio", "aspect"),
 	MEANT("aspect_ratio", "aspect"),
 	MEANT("ratio", "aspect"),

@@ -248,7 +248,7 @@ static const struct refusal projections[] = {
 		&persp, "{\"" name "\":1}",                            \
 		    "/" name ": unknown member; did you mean \"" right \
 	}
-#define PIXELS                                                            \
+#define PIXELS                                                               \
 	"intrinsics\" ([fx, fy, cx, cy], K or P, in pixels; 16 numbers are " \
 	"\"matrix\" of type \"matrix\")?"
 #define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")?"
@@ -261,9 +261,6 @@ static const struct refusal projections[] = {
 	MEANS("projectionMatrix", PIXELS),
 	MEANS("matrix", PIXELS),
 	MEANS("fov", "fovy\"" GLTF),
-	MEANS("fovY", "fovy\"" GLTF),
-	MEANS("fov_y", "fovy\"" GLTF),
-	MEANS("fov_x", "fovx\"" GLTF),
 	MEANS("yfov", "fovy\"" GLTF),
 	MEANS("camera_angle_x", "fovx\"" GLTF),
 	MEANS("znear", "near\"?"),
