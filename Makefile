@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# make builds build/projcalc. make help lists the other targets: those below that have
-# ## after them. GNU make skips this condition; other makes read the line in it.
+# make builds build/projcalc. make help lists the other targets, whose rules below have
+# ## after them. GNU make skips the line of this condition; other makes read it, and
+# stop.
 ifeq 'GNU:' 'other'
 .error projcalc is built by GNU make, which may be called gmake here
 endif
@@ -21,13 +22,14 @@ CXXFLAGS = $(CFLAGS)
 LDFLAGS =
 
 # FLAGS are needed in every build, so they are not in CFLAGS, which the command line
-# replaces. They make every compiler give the same bytes: no multiply-add is fused
-# unless it is written so, sums keep their order, and -0 differs from 0.
+# replaces. They make every compiler give the same bytes: no product and sum are fused
+# to an fma unless the source calls fma, sums keep their order, and -0 differs from 0.
 # -fno-tree-slp-vectorize and -fno-delete-null-pointer-checks avoid two faults of gcc
 # 12, for which core/test/compiler_test.c has examples. When gcc makes a vector of two
-# doubles, it drops their rounding to float (and stores the halves of a span that it
-# loads as one, which stalls). And it addresses some loops from a literal 0, whose
-# accesses it takes for unreachable (PR 110702) unless null pointers may be valid.
+# doubles, it drops their rounding to float; and it stores the two halves of a span of
+# bytes that it then loads as a whole, which stalls. It addresses some loops from a
+# literal 0, and takes their accesses for unreachable (PR 110702) unless null pointers
+# may be valid.
 FLAGS = -ffp-contract=off -fno-fast-math -fno-unsafe-math-optimizations \
 	-fno-reciprocal-math -fsigned-zeros -fno-tree-slp-vectorize \
 	-fno-delete-null-pointer-checks -pthread -MMD -MP -Wall \
@@ -38,10 +40,10 @@ C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64 \
 # Debian's directory of dragonbox has the version in its name.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
 	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
-# HARDENING is that of Debian's packages. The user's flags come later and win, and
-# HARDENING= leaves it out. _FORTIFY_SOURCE is left out without optimization, where
-# glibc warns of it; with sanitizers, which see less of fortified code; and if the
-# user's flags define it, as two definitions draw a warning.
+# HARDENING has the flags of Debian's packages; HARDENING= leaves them out. The user's
+# flags come later and win. _FORTIFY_SOURCE is not defined without optimization, where
+# glibc warns of it; with sanitizers, which find fewer faults in fortified code; and if
+# the user's flags define it, as the compiler warns of two definitions.
 fortify = $(if $(filter-out -O0,$(filter -O%,$1)),$(if $(findstring \
 	_FORTIFY_SOURCE,$1 $(CPPFLAGS))$(findstring -fsanitize,$1),, \
 	-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
@@ -54,8 +56,8 @@ LINK = $(CC) -pthread $(hardening_link) $(LDFLAGS)
 LIBS = -lcjson -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
-# The program is all files in the folders of CORE and PROGRAM. The other folders test,
-# study, measure and show it.
+# The program consists of all files in the folders of CORE and PROGRAM. The other
+# folders test, study, measure and show the program.
 objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
@@ -78,19 +80,19 @@ JOBS = $(shell nproc 2>/dev/null || echo 2)
 PARALLEL = $(MAKE) -s --no-print-directory \
 	$(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
-# Several goals run one after another: their jobs would write the same files.
+# Several targets run one after another, as their jobs would write the same files.
 ifneq ($(word 2,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-# `make deps demo` installs before it builds.
+# If deps is among the targets, as in `make deps demo`, it is made first.
 FIRST = $(filter deps,$(MAKECMDGOALS))
 
 all: $(BUILD)/projcalc ## the program, build/projcalc
 $(BUILD)/projcalc: $(PROGRAM)
 	$(LINK) -o $@ $^ $(LIBS)
 
-# Names a compiler or a header that is missing, and the target that installs it.
+# Fails if a compiler or a header is missing, and names the target that installs it.
 $(BUILD)/has/%: | $(FIRST)
 	@mkdir -p $(@D)
 	@for tool in $(firstword $(CC)) $(firstword $(CXX)); do \
@@ -111,11 +113,12 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $(call HARDENING,$(CXXFLAGS)) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
-# The compiler is asked once, and not before it compiles: `make deps` may install it.
+# The compiler is asked for its machine once, and only when a rule needs it, as `make
+# deps` may install the compiler first.
 MACHINE = $(eval MACHINE := $(shell $(CC) -dumpmachine 2>/dev/null))$(MACHINE)
 x86 = $(if $(filter x86_64% amd64%,$(MACHINE)),$1)
 
-# With -std=c11, gcc for s390x would compute floats as doubles.
+# With -std=c11, gcc for s390x computes floats as doubles, unless this flag forbids it.
 FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 	$(findstring clang,$(CC)),,-fexcess-precision=fast))
 
@@ -138,14 +141,14 @@ $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
     cmd/lines cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=$(FRAME)
-# Tuned for any processor, gcc copies numbers of 900 bytes with rep movsq, which takes
-# longer than memcpy.
+# Without -mtune, gcc copies structs of 900 bytes with rep movsq, which is slower than
+# memcpy.
 $(call objects,core/exact core/scene core/points core/derive): \
     FLAGS += $(call x86,-mtune=skylake)
 # core/exact has no buffers of variable length, so the stack protector would find
 # nothing there.
 $(call objects,core/exact): PROTECTOR =
-# Other libraries are compiled for this processor, to be at their best.
+# The libraries of cmd/bench/peer are compiled for this processor, to be at their best.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast -ftree-slp-vectorize
 
 $(STABILITY): $(call objects,core/study)
@@ -157,8 +160,8 @@ $(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(BUT_MAIN)
 $(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(hardening_link) $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
-# A fuzzer replaces the functions of message.c, and the read and poll that source.c
-# calls. The linker takes from an archive only the objects that are called.
+# A fuzzer replaces the functions of message.c, and read and poll, which source.c calls.
+# From this archive the linker takes only the objects that a fuzzer calls.
 $(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
@@ -213,8 +216,8 @@ test: | $(FIRST) ## all tests
 	@+$(PARALLEL) programs
 	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(TESTS) $(SCRIPTS)
 
-# These two are for a change that is meant to change the output. Read the diff before
-# you commit it.
+# Use bits and transcripts after a change that is meant to change the output. Read the
+# diff before you commit it.
 bits: all ## rewrite the digests of what tests compute
 	perl cmd/test/bits_test.t -w
 transcripts: all ## rewrite what testdata/transcripts expect
@@ -223,9 +226,9 @@ transcripts: all ## rewrite what testdata/transcripts expect
 layers: programs ## check includes, calls and the length of functions
 	@perl cmd/test/layers_test.t $(BUILD)
 
-# clang-format is run in version 14 alone, as other versions break lines elsewhere.
-# cppcheck does not check variables, which compilers know better, nor whether memory
-# is out in tests and benches.
+# Only version 14 of clang-format is run, as other versions break lines elsewhere.
+# cppcheck does not check unused variables, which compilers find, nor failed allocations
+# in tests and benches.
 lint: ## the manual, the style, the scripts, the C
 	mandoc -T lint -W warning man/*.[15]
 	! clang-format --version | grep -q 'version 14\.' || \
@@ -239,15 +242,15 @@ lint: ## the manual, the style, the scripts, the C
 	    normalCheckLevelMaxBranches) \
 	    -icore/proof -icmd/bench/peer/cglm.c -UCPU_COUNT
 
-# Runs make with the flags $1 in a folder named after the target, and of the scripts
-# those that test the program of that folder.
+# Runs make with the flags $1 in a folder named after the target. Of the perl tests,
+# only those run that test the program of that folder.
 rebuilt = $(PARALLEL) BUILD=$(BUILD)/$@ CFLAGS='$1' LDFLAGS='$1' \
 	SCRIPTS='$(patsubst %,cmd/test/%_test.t,transcripts recorded bits)'
 THREAD = -O1 -g -fno-sanitize-recover=all -fsanitize=thread
 ADDRESS = -O1 -g -fno-sanitize-recover=all -fsanitize=address,undefined
 FUZZ_SECONDS = 60
 
-# Leaks are not reported: the program does not free memory that it needs to its end.
+# Leaks are not reported, as the program does not free memory that it needs to its end.
 asan: ## the tests under the address and undefined behaviour sanitizers
 	@+ASAN_OPTIONS=detect_leaks=0 $(call rebuilt,$(ADDRESS)) test
 tsan: ## streams of points under the thread sanitizer
@@ -276,7 +279,7 @@ mutants: ## changes of the program that no test finds: N=400 SEED=1
 cluster: all ## GNU parallel and Slurm over hosts that are killed midway
 	@sh cmd/test/cluster.sh $(BUILD)
 
-# MADE are the files that are installed, INSTALLED their places.
+# MADE lists the files that are installed, and INSTALLED their places.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
 	$(SCHEMA) .debian/copyright $(COMPLETIONS)
 INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
@@ -285,7 +288,7 @@ INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
 	$(DATADIR)/doc/projcalc/copyright $(BASHDIR)/projcalc \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
 
-# The manual names the place of the schema, so the installed pages are edited.
+# The manual names the place of the schema, so install writes that place into the pages.
 one_word = $(if $(word 2,$1),$(error no blanks in DESTDIR or PREFIX, please: $1))
 install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 	$(call one_word,$(DESTDIR)$(PREFIX))
@@ -311,8 +314,8 @@ uninstall: ## remove the installed files
 VERSION = $(shell sed -n 's/^\#define VERSION "\(.*\)"/\1/p' cmd/*.c)
 DATE = $(shell sed -n 's/^\#\# $(VERSION), //p' NEWS.md)
 DIST = projcalc-$(VERSION)
-# The tarball has the files that git tracks, or in an unpacked tarball all files but
-# the output. The same files give the same bytes.
+# The tarball has the files that git tracks or, if made in an unpacked tarball, all
+# files but BUILD. The same files give a tarball of the same bytes.
 dist: ## a tarball
 	@test -n '$(DATE)' || \
 	    { echo 'NEWS.md has no date for $(VERSION)' >&2; exit 1; }
@@ -341,10 +344,10 @@ help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-# The targets with ##, and fuzzers.
+# The targets that have ## after their rule, and fuzzers, are no files.
 .PHONY: fuzzers $(shell sed -n 's/^\([a-z0-9-]*\):.* \#\# .*/\1/p' \
 	$(firstword $(MAKEFILE_LIST)))
-# Objects of test programs are kept.
+# make keeps the objects of test programs, which are intermediate files.
 .SECONDARY:
 # A file that a failed command has half written is removed.
 .DELETE_ON_ERROR:

@@ -55,7 +55,7 @@ static void fit_read_points(const struct options *o, struct document *d)
 	} else {
 		map_identity(&j.transform.map);
 		transform_init(&j.transform, SPACE_MODEL, SPACE_WORLD, false);
-		document_check(d,
+		document_refuse_if(d,
 		    fit_directions(&d->scene, d->has_eye, &fit.directions));
 	}
 	run_points(o, d, &j);

@@ -88,16 +88,17 @@ static void print_params(const struct command *c)
 	for (int i = 0; scene_members[i].name != NULL; i++) {
 		const struct member *row = &scene_members[i];
 
-		if (w->bare >> i & 1 || strcmp(row->name, c->name) == 0) {
+		if (w->lone_member >> i & 1 ||
+		    strcmp(row->name, c->name) == 0) {
 			print("\n");
 			put_heading(row->name);
 			print(":\n");
-			print_members(row->members, w->projection - 1,
+			print_members(row->members, w->projection_type - 1,
 			    ALL_MEMBERS);
 		}
 	}
 	put_heading("\nscene:\n");
-	print_members(scene_members, ANY_KIND, document_reads(w));
+	print_members(scene_members, ANY_KIND, document_used_members(w));
 	print("projcalc help NAME describes a member that is an object.\n");
 }
 

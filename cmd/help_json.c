@@ -58,11 +58,11 @@ static void put_command(struct printer *p, const struct command *c)
 			put_string(p, r->name);
 	put_close(p, "]");
 	if (c->kind != HELP) {
-		put_words(p, "reads", names, document_reads(&c->wants));
+		put_words(p, "reads", names, document_used_members(&c->wants));
 		/* 2D and 3D documents have no needed member in common */
 		put_words(p, "needs", names,
-		    c->wants.flat != 0 ? 0 : c->wants.needed);
-		put_words(p, "alone", names, c->wants.bare);
+		    c->wants.flat_members != 0 ? 0 : c->wants.needed);
+		put_words(p, "alone", names, c->wants.lone_member);
 	}
 	put_text_member(p, "example", call);
 	put_close(p, "}");

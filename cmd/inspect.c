@@ -212,7 +212,7 @@ static void put_window(struct printer *p, const struct document *d)
 	const struct scene *s = &d->scene;
 	struct window_extent w;
 
-	document_check(d, scene_window_extent(s, &w));
+	document_refuse_if(d, scene_window_extent(s, &w));
 	put_sides(p, "window", 4, w.edge, 0);
 	put_name(p, "device");
 	if (s->has_device)
@@ -228,7 +228,7 @@ static void put_projection(struct printer *p, const struct document *d,
 {
 	static struct picture r;
 
-	document_check(d, picture_of(&d->scene, &r));
+	document_refuse_if(d, picture_of(&d->scene, &r));
 	check_distances(d, o, &r.depth);
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);

@@ -17,13 +17,14 @@
 
 /* The command needs one member, which may be the whole document, and uses others. */
 #define NEEDS_ONE(member, others)                                          \
-	.bare = SCENE_##member, .needed = SCENE_##member,                  \
+	.lone_member = SCENE_##member, .needed = SCENE_##member,           \
 	.used = SCENE_##member | SCENE_POINTS | (others)
 
 /* The command is for one type of projection. A viewport may determine the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX_3D, run_matrix,                                             \
-	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT), .projection = type },\
+	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
+	    .projection_type = type },                                     \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
 /* A window adapts to the device if the document has one. */
@@ -82,8 +83,8 @@ static const struct command commands[] = {
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "print the scene with a camera that holds bounds or points tightly",
 	    FIT, run_fit,
-	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
-		.flat = SCENE_WINDOW | SCENE_DEVICE,
+	    .wants = { .needed = SCENE_PROJECTION, .for_fit = true,
+		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
 		    SCENE_MARGIN },
 	    .example = "'{\"projection\": {\"type\": \"persp\", \"fovy\": 60, "
@@ -91,7 +92,7 @@ static const struct command commands[] = {
 	{ "inspect",
 	    "describe the projection or 2D window: angles, edges, error bounds",
 	    INSPECT, run_inspect,
-	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL },
+	    .wants = { .flat_members = SCENE_WINDOW, .used = SCENE_SPATIAL },
 	    .example = "'" SCENE_EXAMPLE "'" },
 	{ "help", "describe a command, or a member of the scene", HELP,
 	    .example = "camera" },

@@ -102,13 +102,13 @@ static void matrix_prepare(const struct command *c, const struct options *o,
 	const struct scene *s = &d->scene;
 	bool planes = o->flags || o->visible;
 
-	document_check(d,
+	document_refuse_if(d,
 	    c->kind == MATRIX_2D ? flat_transform(s, (enum flat_space)c->from,
 				       (enum flat_space)to, &j->transform) :
 				   scene_transform(s, (enum space)c->from,
 				       (enum space)to, false, &j->transform));
 	if (planes)
-		document_check(d,
+		document_refuse_if(d,
 		    flat_frustum_of(s, (enum flat_space)c->from, &j->frustum));
 	j->count_imageless = !planes;
 }

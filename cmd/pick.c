@@ -232,12 +232,12 @@ void run_pick(const struct command *c, const struct options *o)
 	hits.n = hits.size = 0;
 	read_document(c, o, &d);
 	hits_set_circle(&d, o, &hits);
-	document_check(&d,
+	document_refuse_if(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
 		&j.transform));
-	document_check(&d,
+	document_refuse_if(&d,
 	    frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
-	document_check(&d, picker_of(&d.scene, &j.transform, &hits.picker));
+	document_refuse_if(&d, picker_of(&d.scene, &j.transform, &hits.picker));
 	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE,

@@ -83,7 +83,7 @@ void run_project(const struct command *c, const struct options *o)
 
 	if (!o->ray && !plane)
 		project_check_alone(o, from, to);
-	document_check(&d, project_prepare(&d.scene, o, from, to, &j));
+	document_refuse_if(&d, project_prepare(&d.scene, o, from, to, &j));
 	if (o->matrix) {
 		print_matrix(o, &d, &j.transform);
 		return;

@@ -98,7 +98,7 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 		at = stpcpy(at, "\"flags\":\"");
 	memcpy(at, word->s, word->size);
 	at += word->size;
-	at = json ? stpcpy(at, "\"}") : line_rest(&j->layout, line, at);
+	at = json ? stpcpy(at, "\"}") : line_put_rest(&j->layout, line, at);
 	*at++ = '\n';
 	c->size = (size_t)(at - c->out);
 }
@@ -152,10 +152,11 @@ void run_trace(const struct command *c, const struct options *o)
 	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
 		trace.n_spaces--;
 	for (int s = 0; s < trace.n_spaces; s++)
-		document_check(&d,
+		document_refuse_if(&d,
 		    scene_transform(&d.scene, o->from, (enum space)s, false,
 			&trace.to[s]));
-	document_check(&d, frustum_of(&d.scene, o->from, false, &j.frustum));
+	document_refuse_if(&d,
+	    frustum_of(&d.scene, o->from, false, &j.frustum));
 	j.transform = trace.to[SPACE_CLIP];
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],

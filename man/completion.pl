@@ -1,7 +1,6 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Prints what completes the command line in a shell: what the program says of itself
-# as JSON.
+# Prints the completions of projcalc for a shell, made from `projcalc help --json`.
 # usage: completion.pl PROJCALC bash|zsh|fish
 use strict;
 use warnings;
@@ -30,7 +29,7 @@ sub options_of {
 	} map { $option{$_} } @options;
 }
 
-# In single quotes.
+# Returns the text in single quotes of the shell.
 sub quote {
 	my ($text) = @_;
 	return "'" . $text =~ s/'/'\\''/gr . "'";
@@ -56,7 +55,7 @@ sub bash {
 		local prev=\${COMP_WORDS[COMP_CWORD-1]} words
 
 		COMPREPLY=()
-		# bash takes --to=device for three words
+		# bash splits --to=device into three words
 		if [ "\$cur" = = ]; then
 			cur=
 		elif [ "\$prev" = = ]; then
@@ -86,7 +85,7 @@ sub bash {
 	}
 	print <<"	END" =~ s/^\t//mgr;
 				esac
-				# what is no option is a file
+				# complete files, unless an option begins
 				[ "\${cur#-}" = "\$cur" ] && words= ;;
 			esac
 		fi

@@ -23,7 +23,7 @@ sub write_file {
 	close $f or die "$folder/$name: $!\n";
 }
 
-# The pages refer to each other, and to those of other programs at Debian's.
+# References lead to our own pages, or to the pages of other programs at Debian.
 my $ours = join '|', map { quotemeta } @pages;
 for my $page (@pages) {
 	my $html = `mandoc -T html -O toc,style=style.css,man=%N.%S.html man/$page`;
@@ -33,7 +33,8 @@ for my $page (@pages) {
 	    s|href="(?!(?:$ours)\.)([\w-]+\.\d)\.html"|href="https://manpages.debian.org/$1"|gr);
 }
 
-# The sections of each page, and below them its examples and recipes.
+# The index lists the sections of each page, and below them its examples and
+# recipes.
 my $index = '';
 for my $page (@pages) {
 	my ($title) = slurp("man/$page") =~ /^\.Nd (.*)/m;

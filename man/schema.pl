@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Prints the JSON Schema of a scene: what the program says of its members as JSON, with
-# the rules that no member's row says laid over it.
+# Prints the JSON Schema of a scene, made from `projcalc help --json` and from RULES,
+# the rules between members, which override it.
 # usage: schema.pl PROJCALC RULES
 use strict;
 use warnings;
@@ -12,10 +12,10 @@ open my $said, '-|', $program, 'help', '--json' or die "$program: $!\n";
 my $all = decode_json(join '', <$said>);
 open my $read, '<', $rules or die "$rules: $!\n";
 my $hand = decode_json(join '', <$read>);
-delete $hand->{'$comment'}; # of that file
+delete $hand->{'$comment'}; # it is about the file RULES
 my @types = map { @{$_->{words}} } grep { ($_->{in} // '') eq 'projection' &&
     $_->{name} eq 'type' } @{$all->{members}};
-# A matrix is a value, too.
+# The definition "matrix" is that of a matrix, so the type matrix is called any.
 my %def = map { $_ => $_ eq 'matrix' ? 'any' : $_ } @types;
 
 sub ref_to { return {'$ref' => "#/\$defs/$_[0]"} }
@@ -25,7 +25,7 @@ sub is_of {
 	return !$type || !$row->{types} || grep { $_ eq $type } @{$row->{types}};
 }
 
-# What a value may be: nothing where the rules say it.
+# Returns the schema of a value of a type, or nothing if RULES has it.
 sub shape {
 	my ($type, $row) = @_;
 	my ($count, $one) = $type =~ /^(\d+) (\w+)s$/;
@@ -53,8 +53,8 @@ sub member {
 	    defined $row->{default} ? (default => $row->{default}) : ()};
 }
 
-# An object takes one way of each set, in whole, and has no member that only another
-# way of the set has. A ? is behind what may be missing.
+# Returns a schema for a set of ways. An object has all members of one way, but for
+# those with ? after them, and no member that only other ways list.
 sub one_of {
 	my (@ways) = @_;
 	my %any = map { $_ => 1 } map { /(\w+)/g } @ways;
@@ -70,8 +70,8 @@ sub one_of {
 	return {anyOf => \@one};
 }
 
-# The sets of ways of an object; of the command fit, which finds what is missing, or
-# where it is not fit, those that fit has otherwise.
+# Returns the sets of ways of an object: with $fit, the sets for the command fit, which
+# finds missing members; without it, the sets that fit replaces.
 sub ways {
 	my ($in, $type, $fit) = @_;
 	my @sets = grep { $_->{in} eq $in && is_of($_, $type) } @{$all->{ways}};
@@ -94,8 +94,8 @@ sub object {
 	    additionalProperties => JSON::PP::false, ways($in, $type, 1)};
 }
 
-# Of a projection the type says which members it has. Without one the command does, and
-# none is called matrix.
+# Returns a schema in which the type of a projection decides which members it has.
+# Without a type the command decides, and no command has the type matrix.
 sub by_type {
 	my ($suffix) = @_;
 	return (if => {required => ['type']},
@@ -130,7 +130,7 @@ for my $row (grep { !$_->{in} } @{$all->{members}}) {
 	$root{$name} = ref_to($name);
 }
 
-# Lays one over the other.
+# Overrides the schema $under, member by member, with $over.
 sub lay {
 	my ($under, $over) = @_;
 	for (keys %$over) {

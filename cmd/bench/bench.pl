@@ -1,9 +1,9 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Measures the program beside what people use instead, and prints a page in
-# markdown: whole programs, which take turns, and points in memory. Errors are
-# those from the truth in MPFR, by worst.c and peers.c. The page begins with what
-# short.pl copies to README; what speed.gp draws is left in BUILD/bench.
+# Measures the program beside what people use instead, and prints a page in markdown.
+# Whole programs run in turn, by turns.c; peers.c measures points in memory. Errors are
+# differences from MPFR, by worst.c and peers.c. short.pl copies the first part of the
+# page to README. The data that speed.gp draws are left in BUILD/bench.
 # usage: [BENCH_SECONDS=N] bench.pl BUILD
 use strict;
 use warnings;
@@ -23,16 +23,15 @@ chdir "$build/bench" or die "$build/bench: $!\n";
 
 my (@rows, %row, @left_out);
 
-# Rows that are compared with ours.
+# The names of rows with which rows of projcalc are compared.
 my $hand = 'hand loop, double';
 my $standard = 'standard loop, double';
 my $glm = 'stdio GLM, double';
 my $loop = 'binary loop, double';
 
-# A whole program. In its command {name} is an input, which is made by make_inputs
-# and of which few points are enough for its error; "from" and "to" are the
-# formats of its points, and none are compared where "to" is missing. It is drawn
-# where it has a label.
+# Adds a whole program to the rows. In its command {name} is an input that make_inputs
+# makes; its error is measured on fewer points. "from" and "to" are the formats of its
+# points; without "to" it has no error. speed.gp draws rows with a label.
 sub row {
 	my ($key, $name, $command, %more) = @_;
 	push @rows, $row{$key} = {
@@ -64,8 +63,8 @@ sub ask {
 
 ### What is measured
 
-# Kinds of lines: the name, the kind that it is compared with, options, and a line
-# of three coordinates.
+# Kinds of lines. Each has a name, the kind with which it is compared, options of
+# project, and a line of three coordinates.
 my $kind_lines = 5e5;
 my @object = ('objects', '-i json');
 my @kinds = (
@@ -118,7 +117,7 @@ my @kinds = (
 	    sub { sprintf '{"id":7,"p":{"x":%s,"y":%s,"z":%s}}', @_ }],
 );
 
-# Their inputs: few lines, many times over.
+# Makes the inputs of the kinds: a few lines, repeated many times.
 sub make_kinds {
 	my ($folder) = @_;
 	my $lines = 2e4;
@@ -132,8 +131,8 @@ sub make_kinds {
 	}
 }
 
-# The scene of view.h, and points in every format; binary ones are quick, so there
-# are more of them.
+# Makes the scene of view.h, and n points in every format. Binary points are read so
+# fast that their file has $copies times as many.
 sub make_inputs {
 	my ($folder, $n, $copies) = @_;
 	my %file;
@@ -162,7 +161,7 @@ sub make_inputs {
 	}
 }
 
-# The view matrix as parameters of PROJ.
+# Returns the view matrix as the parameters of an affine transform in PROJ.
 sub affine {
 	my @m = map { [split] } split /\n/,
 	    ask('projcalc project --matrix --to view scene.json');
@@ -173,7 +172,7 @@ sub affine {
 	} 0 .. 2;
 }
 
-# Ours.
+# Adds the rows of projcalc.
 sub our_rows {
 	my $run = 'projcalc project -j 1';
 	my @f64 = (group => 'binary', from => 'f64', to => 'f64',
@@ -226,9 +225,9 @@ sub our_rows {
 	    if has('jq');
 }
 
-# The other programs. In text the reading and writing decide, not the library: the
-# loop is written by hand and with the fastest functions of C++, GLM as most people
-# write it.
+# Adds the rows of other programs. In text the reading and writing take most of the
+# time, not the library: the hand loop and the standard loop use the fastest functions
+# that there are, and GLM has scanf and printf, as most people write it.
 sub their_rows {
 	my (@peers) = @_;
 	my @text = (group => 'text', to => 'text', kind => 'double');
@@ -314,7 +313,7 @@ print(\"Python\", sys.version.split()[0] + \", numpy\", numpy.__version__)'")
 	return map { "- $_" } @lines;
 }
 
-# Whole programs beside the first of them.
+# Prints a table of whole programs, compared with the first of them.
 sub programs {
 	my ($base, @others) = @_;
 	print "| | ns a point | times $base->{name} | worst error |
@@ -328,7 +327,7 @@ sub group {
 	programs(grep { ($_->{group} // '') eq $group } @rows);
 }
 
-# For README: its table, and its sentences with figures.
+# Prints the table of README, and its sentences with figures.
 sub short {
 	my $avx2 = sub {
 		my $times = ratio(@_, 'avx2');
@@ -355,8 +354,8 @@ sub short {
 	print "\n", fill('', '', "@words"), "\n";
 }
 
-# How many times the CPU time, or another, of the second row the first takes; undef
-# where GLM or AVX2 is missing.
+# Returns the time of row $a as a multiple of that of row $b: CPU time, or that of
+# $clock. Returns undef if a row is missing, as without GLM or AVX2.
 sub ratio {
 	my ($a, $b, $clock) = @_;
 	return unless $row{$a} && $row{$b};
@@ -364,7 +363,7 @@ sub ratio {
 	    $row{$b}{$clock // 'cpu'};
 }
 
-# Ratios of two rows' times, a line each.
+# Prints ratios of the times of two rows, each on a line.
 sub ratios {
 	my @ratios = (
 		['GLM in double with scanf and printf, against exact text',
@@ -394,7 +393,7 @@ sub ratios {
 	}
 }
 
-# Kinds of lines beside those that are usual.
+# Prints a table of the kinds of lines, each compared with its usual kind.
 sub kinds {
 	print "| | ns a line | times | of |\n|---|--:|--:|---|\n";
 	for (grep { ($_->{group} // '') eq 'kinds' } @rows) {
@@ -479,8 +478,8 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 	    if @left_out;
 }
 
-# The data of names.pl and speed.gp: panel, kind, label, time, error, and in memory
-# the error of scenes far away.
+# Writes the data of names.pl and speed.gp: panel, kind, label, time, error and, for
+# points in memory, the error in scenes far away.
 sub draw {
 	my (@memory) = @_;
 	my @points = map { [@$_{qw(group kind label cpu error)}] }

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Prints a table in markdown: how many cores a single process can keep busy. Its
-# threads take turns only to write, and to read a source that is no file. The number
-# of cores is the CPU time of all threads over the longer of these two, in the
-# fastest of many runs.
+# Prints a table in markdown: how many cores one process can keep busy. Its threads take
+# turns only in writing, and in reading a pipe. The number of cores is the CPU time of
+# all threads, divided by that of the writes or of the reads, whichever is longer, in
+# the fastest of seven runs.
 # usage: feed.sh BUILD SCENE TEXT F64
 set -eu
 build=$(cd "$1" && pwd)
@@ -14,7 +14,7 @@ PATH=$build:$PATH
 mkdir -p "$out"
 cc -O1 -shared -fPIC -o "$out/shim.so" "$here/feed/shim.c"
 
-# usage: row FROM TO COMMAND, where p stands for the program
+# usage: row FROM TO COMMAND, in which p is the program
 row() {
 	rm -f "$out/times"
 	for _ in 1 2 3 4 5 6 7; do

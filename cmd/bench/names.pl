@@ -1,27 +1,28 @@
 # SPDX-License-Identifier: MIT
-# For each panel of speed.gp, of points.tsv in DATA: where the points' names stand,
-# each as near to its points as can be, without meeting points, other names and
-# their lines; a name that is not beside its points has a line to them.
+# Places the names of the points of points.tsv in DATA in each panel of speed.gp. Each
+# name is as near to its points as can be, and does not meet points, other names and
+# their lines. A name that is not beside its points has a line to them.
 # usage: names.pl DATA
 use strict;
 use warnings;
 use List::Util qw(first max min shuffle sum0);
 
-# In pixels: the panel inside its axes, a letter, how high a line is, and the
-# distance from which on a name has a line.
+# In pixels: the width and height of a panel inside its axes, the width of a letter, the
+# height of a line of text, and the distance from its points beyond which a name has a
+# line to them.
 my ($width, $height, $letter, $line, $apart) = (690, 260, 6.9, 14, 12);
 my ($low, $high) = (1e-15, 1e-2);
 my $half = 2 ** -44;
 my @steps = map { my $e = $_; map { $_ * 10 ** $e } 1, 2, 5 } -3 .. 5;
 
-# Boxes are [left, bottom, right, top].
+# Returns whether two boxes, [left, bottom, right, top], overlap.
 sub meet {
 	my ($a, $b) = @_;
 	return ($a->[0] < $b->[2] && $a->[2] > $b->[0] &&
 	    $a->[1] < $b->[3] && $a->[3] > $b->[1]) || 0;
 }
 
-# The shortest way between two boxes, as x y x y.
+# Returns the shortest line between two boxes, as x, y, x, y of its ends.
 sub way {
 	my ($a, $b) = @_;
 	my @ends = map {
@@ -48,7 +49,7 @@ sub passes {
 	} 0 .. 16;
 }
 
-# Points of a kind that overlap share a name, from left to right.
+# Returns the points in groups: points of the same kind that overlap share a name.
 sub groups {
 	my @groups;
 	for my $p (sort { $a->{x} <=> $b->{x} } @_) {
@@ -70,8 +71,8 @@ sub groups {
 	} } @groups;
 }
 
-# Returns the cost of a place that is $far from the points of its name: a name is to
-# be nearer to its own points than to others.
+# Returns the cost of a box for a name that is $far from its points. It costs more if
+# the name has a line, or is nearer to other points.
 sub cost {
 	my ($box, $line, $far, @others) = @_;
 	my $cost = $far + ($line ? 20 : 0);
@@ -84,8 +85,8 @@ sub cost {
 	return $cost;
 }
 
-# The places that the name of a group may have above $floor, the best first: boxes,
-# lines from those that are apart, and costs.
+# Returns the places above $floor that the name of a group may have, the best first. A
+# place is a box, a line if the box is apart from the points, and a cost.
 sub places {
 	my ($group, $floor, @boxes) = @_;
 	my @at = @{$group->{at}};
@@ -108,7 +109,7 @@ sub places {
 	return sort { $a->{cost} <=> $b->{cost} } @places;
 }
 
-# Returns the cost of a place that meets other names and their lines.
+# Returns what it costs that a place meets other names and their lines.
 sub trouble {
 	my ($place, @others) = @_;
 	my ($box, $line) = @$place{qw(box line)};
@@ -120,8 +121,8 @@ sub trouble {
 	} @others);
 }
 
-# Places names one after another, and then each again beside all others. Returns
-# what all cost.
+# Places the names one after another, and then each once more, now that the others have
+# a place. Returns the cost of all places.
 sub place {
 	my @groups = @_;
 	delete @$_{qw(box line cost)} for @groups;
@@ -161,7 +162,7 @@ sub panel {
 	}
 	my @groups = groups(@at);
 	$_->{places} = [places($_, $y_of->($half) + 1, @boxes)] for @groups;
-	# In the best of some orders.
+	# Places the names in several orders, and keeps the best.
 	my @orders = sort { $a->[0] <=> $b->[0] } map {
 		my @order = shuffle(@groups);
 		[place(@order), @order]

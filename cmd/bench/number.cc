@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* Nanoseconds per number for each way to read and write that number_read.cc and
- * number_write.cc could stand over, on coordinates with six decimals and on
- * full doubles. */
+/* Prints the nanoseconds per number of each library with which number_read.cc
+ * and number_write.cc could read and write, for coordinates with six decimals
+ * and for doubles with all digits. */
 #include "../number/number.h"
 
 #include <algorithm>
@@ -22,8 +22,8 @@ static double values[COUNT];
 static char input[COUNT * 32], output[COUNT * 32 + 64];
 static const char *input_end;
 
-/* The results of the loops are stored, or the compiler would leave the loops
- * out. */
+/* The results of the loops are stored here, or the compiler would remove the
+ * loops. */
 static volatile double sink;
 
 static uint64_t next_random(void)
@@ -35,7 +35,7 @@ static uint64_t next_random(void)
 	return state ^= state << 17;
 }
 
-/* Coordinates within +-1000, a line for every three. */
+/* Writes random coordinates within +-1000 to input, three on a line. */
 static void fill(const char *format)
 {
 	char *s = input;
@@ -51,7 +51,8 @@ static void fill(const char *format)
 	input_end = s;
 }
 
-/* The numbers that the program writes: the same ones, within +-1. */
+/* Divides the numbers that were read, so that the numbers to write are within
+ * +-1. */
 static void project(void)
 {
 	for (int i = 0; i < COUNT; i++)
@@ -97,7 +98,8 @@ template <class Write> static void measure_write(const char *name, Write write)
 	});
 }
 
-/* The texts have a separator behind each number, as the program writes them. */
+/* Measures number_texts, which puts a separator after each number, as in the
+ * program. */
 static void measure_texts(number_style style)
 {
 	static number_text texts[1024];

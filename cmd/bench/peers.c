@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Our precisions beside other people's libraries, on points in memory:
- * nanoseconds a point, and the worst error in device units against MPFR.
+/* Measures the precisions of projcalc beside other people's libraries, on points in
+ * memory: nanoseconds per point, and the worst error in device units against MPFR.
  *
  * usage: peers                   a row each, with tabs between its fields: name,
  *                                median ns a point, worst error in ordinary
@@ -26,7 +26,7 @@ enum { ORDINARY, FAR, DISTANCES };
 
 struct entry {
 	const char *name;
-	const struct peer *peer; /* NULL: ours, in this precision */
+	const struct peer *peer; /* NULL: projcalc, in this precision */
 	enum precision precision;
 	double times[RUNS];
 	double error[DISTANCES];
@@ -44,8 +44,8 @@ static const struct peer *const peers[] = { peers_plain, peers_glm, peers_cglm,
 
 enum { PEERS = sizeof peers / sizeof *peers };
 
-/* A block of points, all of them floats: in columns for us, and for the others in
- * their layouts. */
+/* A block of points whose coordinates are floats: in columns for projcalc, and in the
+ * layout of each peer. */
 static COLUMN_ALIGNED double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
 static _Alignas(64) double peer_in[4 * PEER_BLOCK], peer_out[4 * PEER_BLOCK];
 
@@ -84,15 +84,15 @@ static double image(const struct entry *e, size_t i, size_t k)
 				 peer_out[at];
 }
 
-/* A random number that is a float: it has ten bits after the point. */
+/* Returns a random number with ten bits after the point, so that it is a float. */
 static double float_between(double a, double b)
 {
 	return rint(0x1p10 * sample_between(a, b)) * 0x1p-10;
 }
 
-/* A camera a few units from what it looks at, and both as far from the origin
- * as far_away; at no distance all numbers are floats. A quarter has no far
- * plane. */
+/* Returns a random view whose camera is a few units from the point at which it looks;
+ * both are far_away from the origin. If far_away is 0, all numbers are floats. A
+ * quarter of the views has no far plane. */
 static struct view random_view(double far_away)
 {
 	struct view v = bench_view;
@@ -188,8 +188,8 @@ static bool measure_errors(int distance, double far_away)
 	return true;
 }
 
-/* Measures the entries in turn, so that what slows the machine down for a while slows a
- * run of each. */
+/* Measures the entries in turn, so that a slow moment of the machine slows a run of
+ * each. */
 static bool measure_times(void)
 {
 	struct scene s = scene_of(&bench_view);

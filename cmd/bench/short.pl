@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Replaces what stands between <!-- speed --> and <!-- --> in FILE by the same of
-# the page PAGE.
+# Replaces the text between <!-- speed --> and <!-- --> in FILE by the text between
+# these marks in PAGE.
 # usage: perl -i short.pl PAGE FILE
 use strict;
 use warnings;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The chart of what bench.pl measured last, to standard output.
+# Draws the chart of the last measurement of bench.pl, to standard output.
 # usage: gnuplot -c speed.gp DATA, a directory
 data = ARG1 . "/"
 array Kind[3] = ["ours", "double", "float"]
@@ -10,7 +10,7 @@ array Title[3] = ["Programs, lines of three numbers", \
     "Programs, binary: libraries with fread and write", \
     "Points in memory; hollow: scenes 1e9 away, where floats have no room"]
 
-# Panels of 690 x 260, in which names.pl has placed the names.
+# Panels have 690 x 260 pixels; names.pl has placed the names in them.
 high = 1120.0
 set terminal svg size 800,high font "Helvetica,13" background "white"
 set datafile separator "\t"

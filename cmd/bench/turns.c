@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Runs commands in turn, so that what slows the machine down for a while slows a
- * run of each. A slow command skips most rounds.
+/* Runs commands in turn, so that a slow moment of the machine slows a run of each. A
+ * slow command skips most rounds.
  *
  * usage: turns SECONDS
  *        a line of standard input is a command for sh; prints a line for each:
@@ -17,7 +17,8 @@
 
 #include "../../core/bench/clock.h"
 
-/* Seconds of a round that a command has, over all rounds. */
+/* The seconds per round that a command may take on average; a slower one skips rounds.
+ */
 #define SHARE 0.3
 
 enum { RUNS_MAX = 999, COMMANDS_MAX = 99, COMMAND_MAX = 4096, ROUNDS_MIN = 3 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The view that the benchmarks measure, and how far an image of a point is from
- * the truth. All its numbers are floats: those who compute in float start from
- * the same scene. */
+/* The view that the benchmarks measure, and the error of an image of a point.
+ * All numbers of the view are floats, so that libraries in float get the same
+ * scene. */
 #ifndef VIEW_BENCH_H
 #define VIEW_BENCH_H
 
@@ -68,8 +68,8 @@ static inline double error_of(const struct truth *t, const double point[3],
 	for (int k = 0; k < 3; k++) {
 		if (!isfinite(image[k]))
 			return HUGE_VAL;
-		real right = over(truth_column(t, k, p).value, w);
-		real error = magnitude(sub(right, number(image[k])));
+		real right = divide(truth_column(t, k, p).value, w);
+		real error = magnitude(sub(right, real_of(image[k])));
 
 		worst = fmax(worst, mpfr_get_d(error, MPFR_RNDU));
 	}

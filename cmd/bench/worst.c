@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The worst error of a program's images of points, against MPFR.
+/* Prints the worst error of a program's images of points, against MPFR.
  *
  * usage: worst SPACE FORMAT POINTS FORMAT IMAGES
  *        of the bench's view, from the world to SPACE, view or device; FORMAT is
@@ -9,7 +9,7 @@
 
 #include "view.h"
 
-/* Reads the next point: of a line its first three numbers. */
+/* Reads the next point; in text, it is the first three numbers of a line. */
 static bool get(FILE *f, const char *format, double p[3])
 {
 	char line[1024];

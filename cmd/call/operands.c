@@ -224,8 +224,8 @@ static void prepare_job(struct job *j, const struct options *o)
 		.keeps = o->in_record > 0 && (!o->has_out || o->out_record > 0),
 		.single = o->precision == PRECISION_SINGLE,
 	};
-	j->layout.columns.by_header = o->columns.n == 0;
-	for (int k = 0; k < 4 && j->layout.columns.by_header; k++)
+	j->layout.columns.by_default = o->columns.n == 0;
+	for (int k = 0; k < 4 && j->layout.columns.by_default; k++)
 		j->layout.columns.name[k] = coordinate_name(k);
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
@@ -254,7 +254,7 @@ static void run_json_points(const struct options *o, struct job *j,
 		    o->in_record > 0 ? "input" : "columns");
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
-	j->layout.fields = 0;
+	j->layout.header_fields = 0;
 	stream(j, source_of_text(name, text, size));
 	j->layout = files_layout;
 }
@@ -271,7 +271,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 		size_t size;
 		struct text t = text_of_operand(operand);
 		const char *points = document_points("POINTS", t.s, t.size,
-		    j->layout.reads, j->layout.two, &size);
+		    j->layout.reads, j->layout.two_hint, &size);
 
 		run_json_points(o, j, "POINTS", points, size);
 		text_free(&t);
@@ -300,7 +300,7 @@ void run_points(const struct options *o, const struct document *d,
 		    "missing, and PARAMS and POINTS are both standard input; "
 		    "name a file for one of them");
 	}
-	j->layout.two = d->source.hint_for_two;
+	j->layout.two_hint = d->source.hint_for_two;
 	if (o->n_points == 0 && d->points != NULL)
 		run_json_points(o, j, d->source.name, d->points,
 		    d->points_size);

@@ -71,7 +71,7 @@ static bool params_skip_blanks(void)
 
 	do {
 		s = next;
-		next = skip_mark(json_skip_blanks(s, end), end);
+		next = skip_bom(json_skip_blanks(s, end), end);
 	} while (next != s);
 	json_count_lines(params.text.s + params.begin, s, &params.line,
 	    &params.column);
@@ -192,9 +192,9 @@ void read_document(const struct command *c, const struct options *o,
 		params.text.s[params.end] = '\0';
 		check_not_points(c, o);
 	}
-	wants.line = (long)params.line - 1;
-	wants.column = params.column - 1;
-	wants.two = two_numbers_hint(c, o);
+	wants.lines_before = (long)params.line - 1;
+	wants.bytes_before = params.column - 1;
+	wants.hint_for_two = two_numbers_hint(c, o);
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
 	/* the document's points are not read if operands replace them */

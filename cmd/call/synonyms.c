@@ -153,13 +153,13 @@ static void check_word(const struct command *c, const char *unknown,
 {
 	static const struct document_wants nothing;
 	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
-	const unsigned reads = c != NULL ? document_reads(w) : 0;
+	const unsigned reads = c != NULL ? document_used_members(w) : 0;
 	const struct option_row *r = option_named(name);
 	/* in project --at, pick's option is more likely meant than camera.at */
-	const unsigned objects[] = { w->bare,
+	const unsigned objects[] = { w->lone_member,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
 	/* for a command with any type of projection, searches the members of persp */
-	const int kind = w->projection > 0 ? w->projection - 1 : 0;
+	const int kind = w->projection_type > 0 ? w->projection_type - 1 : 0;
 	const struct member *m, *object;
 	char option[SHOWN_ROOM];
 

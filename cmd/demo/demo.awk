@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-# Draws a solid in a terminal, as a pen does: its outline, and dots where a lamp
-# shines on it. The first file has points, the second the same points in a device
-# of 160 x 120 dots, the third triangles between them, by the points' numbers from
-# 0. A character is 2 x 4 dots.
+# Draws a solid in a terminal: its outline, and dots where a lamp shines on it. The
+# first file has points, the second the images of the points on a device of 160 x 120
+# dots. The third has triangles, each as the numbers of three points, from 0. A
+# character has 2 x 4 dots.
 
-# Adds the normal of a triangle, as long as its area is large, to one of its
-# corners.
+# Adds the normal of a triangle to one of its corners. Its length is twice the area.
 function add_normal(corner, a, b, c,    i, j, k)
 {
 	for (i = 0; i < 3; i++) {
@@ -17,8 +16,8 @@ function add_normal(corner, a, b, c,    i, j, k)
 	}
 }
 
-# How much of the lamp's light a point gets. The power takes from what is hardly
-# lit, so that the hollows stand out.
+# Returns the light that a point gets from the lamp. The power darkens points with
+# little light, so that hollows stand out.
 function light(v,    i, nn, nl)
 {
 	for (i = 0; i < 3; i++) {
@@ -28,7 +27,8 @@ function light(v,    i, nn, nl)
 	return nl > 0 ? 1.2 * (nl / sqrt(nn)) ^ 2.5 : 0
 }
 
-# Sets low and high to the least and largest of three, in whole dots from 0.
+# Sets low and high to the least and the greatest of three numbers, in whole dots from
+# 0.
 function span(a, b, c)
 {
 	low = a < b ? (a < c ? a : c) : (b < c ? b : c)
@@ -41,7 +41,8 @@ function cross(a, b, x, y)
 	return (X[b] - X[a]) * (y - Y[a]) - (Y[b] - Y[a]) * (x - X[a])
 }
 
-# Keeps depth and light of a triangle where nothing nearer was.
+# Stores the depth and light of a triangle at each of its dots, unless a nearer triangle
+# is stored there.
 function fill(a, b, c,    area, x, y, x1, y1, u, v, z)
 {
 	if ((area = cross(a, b, X[c], Y[c])) == 0)
@@ -65,7 +66,7 @@ function fill(a, b, c,    area, x, y, x1, y1, u, v, z)
 	}
 }
 
-# Whether what is beside a dot is the background, or far behind.
+# Returns whether the dot x, y, beside a dot of depth z, is background or far behind it.
 function beyond(z, x, y)
 {
 	return !((x, y) in depth) || depth[x, y] - z > 0.02

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The vertices of the Stanford bunny through a scene, and a picture of them.
+# Maps the vertices of the Stanford bunny through a scene, and draws them.
 # usage: demo.sh BUILD
 set -eu
 unset CDPATH

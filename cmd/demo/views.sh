@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Four views of the Stanford bunny in one render target, as an SVG: each view with
-# its camera moved back until all vertices and a margin fit, and triangles drawn
-# from the farthest to the nearest, so that those in front hide what is behind.
+# Draws four views of the Stanford bunny in one image, as an SVG. The camera of each
+# view is moved back until all vertices and a margin fit. Triangles are drawn from the
+# farthest to the nearest, so that nearer triangles hide those behind.
 # usage: views.sh BUILD OUTPUT.svg
 set -eu
 unset CDPATH
@@ -13,8 +13,8 @@ case $svg in /*) ;; *) svg=$PWD/$svg ;; esac
 cd "$(dirname "$0")/../../testdata"
 PATH=$build:$PATH
 
-# The triangles of scene $1 that face the eye, that is, whose corners go clockwise
-# where y points down. The units are tenths of a pixel, $2 of which are a device's.
+# Prints the triangles of scene $1 that face the eye: their corners go clockwise, as y
+# points down. The units are tenths of a pixel; a device unit has $2 of them.
 triangles() {
 	sed '1s/$/ "margin": 0.08,/' "$1" | projcalc fit - bunny.xyz |
 	    projcalc project - bunny.xyz |

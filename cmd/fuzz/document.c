@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads any bytes as a document, for libFuzzer; linked without message.c. The first
- * byte chooses what the command needs of the document. */
+/* Reads any bytes as a document, for libFuzzer. The first byte chooses the
+ * document_wants. The functions here replace those of message.c. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <setjmp.h>
@@ -19,7 +19,8 @@ static jmp_buf refused;
 
 struct message_state message_state;
 
-/* Ends the reading of a document that is refused. Any other end is a fault. */
+/* Goes back to the fuzzer when a document is refused. If the program ends in another
+ * way, that is a finding. */
 void die_at(int status, const struct place *place, const char *format, ...)
 {
 	(void)place;
@@ -43,7 +44,7 @@ void output_write(const char *text, size_t n)
 	abort();
 }
 
-/* The memory of cJSON that a refusal leaves, to be freed here. */
+/* The memory that cJSON allocated. A refusal does not free it, so the fuzzer does. */
 static struct block {
 	struct block *next;
 	_Alignas(max_align_t) char bytes[];
@@ -75,7 +76,7 @@ static void drop_all(void)
 	}
 }
 
-/* A copy of a part, which is freed before anything is refused. */
+/* Reallocates; the callers free the memory before they refuse anything. */
 void *xrealloc(void *old, size_t size)
 {
 	void *p = realloc(old, size);
@@ -108,13 +109,13 @@ static void run(char *text, size_t size, int mode)
 	static const enum scene_member bare[] = { 0, SCENE_CAMERA,
 		SCENE_PROJECTION, SCENE_WINDOW };
 	const struct document_wants wants = {
-		.bare = bare[mode & 3],
+		.lone_member = bare[mode & 3],
 		.needed = bare[mode & 3],
 		.used = ~0u,
-		.flat = mode & 7 ? 0 : SCENE_WINDOW | SCENE_DEVICE,
-		.fit = (mode & 15) == 0,
-		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
-						PROJECTION_NONE,
+		.flat_members = mode & 7 ? 0 : SCENE_WINDOW | SCENE_DEVICE,
+		.for_fit = (mode & 15) == 0,
+		.projection_type = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
+						     PROJECTION_NONE,
 		.convention = mode & 16 ? &conventions[CONVENTION_GL] : NULL,
 		.coordinates = mode >> 5 & 3,
 	};
@@ -133,7 +134,8 @@ static void run(char *text, size_t size, int mode)
 		check_camera(&d.scene.camera);
 }
 
-/* Parses the literals of a table's rows, which the program keeps. */
+/* Parses the defaults of a table's rows before the first input, as the program keeps
+ * their values. */
 static void keep_literals(const struct member *row)
 {
 	for (; row != NULL && row->name != NULL; row++) {
@@ -154,8 +156,8 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	if (size > 0 && setjmp(refused) == 0) {
-		/* a text without a byte of room, so that a sanitizer sees a read beyond
-		 * it */
+		/* no byte of room after the text, so that a sanitizer finds a read
+		 * there */
 		char *text = hold(size - 1);
 
 		memcpy(text, data + 1, size - 1);

@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Runs each fuzzer for its share of the time, from what testdata holds and what
-# earlier runs found worth keeping. What one finds stands in BUILD/finding-*:
-# make it a case of a transcript.
+# Runs each fuzzer for its share of the time. It starts from the inputs of testdata and
+# from those that earlier runs have kept. Findings are in BUILD/finding-*; make each a
+# case of a transcript.
 # usage: fuzz.pl BUILD SECONDS FUZZER...
 use strict;
 use warnings;
@@ -21,8 +21,8 @@ sub seed {
 	spew("$build/corpus/$fuzzer/seed-" . $name =~ tr{/}{-}r, $text);
 }
 
-# The numbers of the formats. The first byte of layout.h is the input's number, and as
-# many times the output's as there are formats.
+# The numbers of the formats. The first byte that layout.h reads is the number of the
+# input's format plus that of the output's, times the number of formats.
 my @formats = map { lc } slurp('cmd/lines/formats.h') =~ /^\tFORMAT_(\w+),/mg;
 my %number = map { $formats[$_] => $_ } 0 .. $#formats;
 

@@ -9,9 +9,9 @@
 
 enum { HEADER = 4 };
 
-/* Returns the layout that the HEADER bytes at b choose: the first three choose formats,
- * counts, style, header and columns, the last bit the separator of csv. The other bits
- * are for the caller. */
+/* Returns the layout that the HEADER bytes at b choose. The first three bytes choose
+ * formats, counts, style, header and columns; the last bit of all chooses the separator
+ * of csv. The other bits are for the caller. */
 static inline struct layout layout_of(const uint8_t *b)
 {
 	static const int sizes[][2] = { { 3, 3 }, { 3, 4 }, { 4, 3 }, { 2, 2 },
@@ -26,7 +26,7 @@ static inline struct layout layout_of(const uint8_t *b)
 		.out = dialect_of((enum format)(b[0] / 6 % 6),
 		    separators[b[3] & 1]),
 		.header = (enum header)(b[1] / 72 % 3),
-		.columns = { .by_header = b[1] / 12 % 6 == 0 },
+		.columns = { .by_default = b[1] / 12 % 6 == 0 },
 		.reads = size[0],
 		.writes = size[1],
 		.flags = b[1] / 6 & 1,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads any bytes as lines of points, for libFuzzer. A line that was read is written
- * within its room, is a line, and reads back as the same numbers. */
+/* Reads any bytes as lines of points, for libFuzzer. A line that was read must be
+ * written within its room, as one line, and must read back as the same numbers. */
 #define _GNU_SOURCE /* memmem */
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -13,7 +13,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* A line has no values, which would need memory. */
+/* Must not be called, as reading a line takes no memory. */
 void *xrealloc(void *old, size_t size)
 {
 	(void)old, (void)size;
@@ -31,9 +31,9 @@ static bool same(double a, double b)
 	return a == b || (isnan(a) && isnan(b));
 }
 
-/* Returns whether the output can be read by the same layout. It can't where coordinates
- * are added or left out: the fields after them change their numbers, so that --columns
- * would find others. */
+/* Returns whether the output can be read by the same layout. If coordinates are added
+ * or left out, the fields after them change their numbers, and --columns would find
+ * other fields. */
 static bool can_read_back(const struct layout *l)
 {
 	return !is_binary(l->out.format) &&
@@ -48,21 +48,20 @@ static void check_back(const struct layout *l, const double v[],
 	struct line line = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
-	enum first header = skip_mark(text.s, text.end) > text.s ?
-	    FIRST_LINE :
-	    FIRST_IS_READ;
+	enum first header = skip_bom(text.s, text.end) > text.s ? FIRST_LINE :
+								  FIRST_NONE;
 
 	for (int i = 0; i < back.columns.n && l->in.format == FORMAT_CSV; i++)
 		back.columns.name[i] = NULL;
-	back.columns.by_header = false;
+	back.columns.by_default = false;
 	back.header = HEADER_NONE;
-	back.fields = 0; /* the header of the output has more names */
+	back.header_fields = 0; /* the header of the output has more names */
 	back.in = l->out;
 	back.reads = l->writes > 4 ? 3 : l->writes;
 	if (!same_dialect(l->in, l->out))
 		back.columns.n = 0;
 	line_read(&back, text, &header, &line, read, reason);
-	/* a member that stands twice in an object is refused only where it counts */
+	/* a member that an object has twice is refused only if it is a coordinate */
 	if (line.object && strncmp(reason, "has two", 7) == 0)
 		return;
 	want(line.kind == LINE_POINT);
@@ -71,7 +70,8 @@ static void check_back(const struct layout *l, const double v[],
 		    l->style[i].kind != NUMBER_SHORTEST || same(read[i], v[i]));
 }
 
-/* cJSON refuses half of a surrogate pair and \u0000; lines may hold them. */
+/* Checks that cJSON reads the text, too, unless the text has half of a surrogate pair
+ * or \u0000, which cJSON refuses. */
 static void check_json(struct span text)
 {
 	size_t n = (size_t)(text.end - text.s);
@@ -153,7 +153,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
 	if (is_binary(l.in.format) || is_binary(l.out.format))
 		return 0;
-	/* a text without a byte of room, so that a sanitizer sees a read beyond it */
+	/* no byte of room after the text, so that a sanitizer finds a read there */
 	char *text = malloc(size - HEADER), *end = text + size - HEADER;
 
 	memcpy(text, data + HEADER, size - HEADER);

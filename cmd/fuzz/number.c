@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads any bytes as a number's text and as a double, for libFuzzer. The truth is
- * strtod's and snprintf's, which round correctly in the C library. */
+/* Reads any bytes as the text of a number and as a double, for libFuzzer. The results
+ * are compared with strtod and snprintf, which round correctly in glibc. */
 #include <ctype.h>
 #include <math.h>
 #include <stdbool.h>
@@ -60,7 +60,7 @@ static size_t length_of(const char *s)
 
 static void check_read(const uint8_t *data, size_t size)
 {
-	/* a text without a byte of room, so that a sanitizer sees a read beyond it */
+	/* no byte of room after the text, so that a sanitizer finds a read there */
 	char *text = malloc(size), *copy = malloc(size + 1);
 	double v = 0;
 
@@ -158,7 +158,8 @@ static void check_digits(double v, int n)
 	want(significant(text) == significant(truth));
 }
 
-/* Checks the text of v among those of other numbers, which the vector makes at once. */
+/* Checks the text of v when the vector code makes it together with those of other
+ * numbers. */
 static void check_texts(double v, int n)
 {
 	const double numbers[64] = { v, 1, -v, 0.1, (double)(float)v };

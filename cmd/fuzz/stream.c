@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads any bytes as a source of points that arrives bit by bit, for libFuzzer, with
- * the threads of stream.c, and message.c's functions replaced. Output and messages are
- * those of the same bytes at once, and those of the scalar code are those of the
- * vector. Linked with --wrap=read and --wrap=poll. */
+/* Reads any bytes as a source of points that arrives in small parts, for libFuzzer,
+ * with the threads of stream.c. Output and messages must be those of the same bytes in
+ * one part, and the scalar code must give those of the vector code. The functions here
+ * replace those of message.c and, by --wrap, read and poll. */
 #include <errno.h>
 #include <poll.h>
 #include <stdarg.h>
@@ -23,7 +23,7 @@ ssize_t __wrap_read(int fd, void *to, size_t n);
 int __real_poll(struct pollfd *, nfds_t n, int wait);
 int __wrap_poll(struct pollfd *, nfds_t n, int wait);
 
-/* A descriptor that no file has. */
+/* The descriptor of the source, which no file has. */
 enum { SOURCE = -77 };
 
 static const uint8_t *data_at;
@@ -64,7 +64,7 @@ int __wrap_poll(struct pollfd *p, nfds_t n, int wait)
 	return next_random() % 4 != 0;
 }
 
-/* What was written to standard output, and the messages. */
+/* The bytes that were written to standard output, and the messages. */
 static struct bytes {
 	char *s;
 	size_t n, room;
@@ -159,8 +159,8 @@ static struct scene scene(void)
 	return d.scene;
 }
 
-/* Sets --append where input and output are one format of lines, or records of four
- * numbers in binary. */
+/* Sets --append if input and output have the same format of lines, and records of four
+ * numbers if the input is binary. */
 static void set_more(struct layout *l)
 {
 	const enum format in = l->in.format, out = l->out.format;
@@ -177,7 +177,7 @@ static void set_more(struct layout *l)
 	}
 }
 
-/* Sets a transform for as many coordinates as layout_of chose. */
+/* Sets the transform of a job for as many coordinates as layout_of chose. */
 static void set_job(struct job *j, const struct scene *s, uint8_t b)
 {
 	enum space from = j->layout.reads == 4 ? SPACE_CLIP : SPACE_MODEL;
@@ -203,10 +203,10 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->layout.single = j->precision == PRECISION_SINGLE;
 }
 
-/* Does what stream and answer.c do, on a single chunk. As there, a newline
- * comes before the output if the last line of the source before had none. Returns
- * false where the source is refused, which ends the program: stream, to which this
- * function is the truth, does not get it, and to quit there is a finding. */
+/* Does in one chunk what stream.c and answer.c do, as the truth about them. A newline
+ * comes before the output if the last line of the source before had none. Returns false
+ * if the source is refused; the threads then do not get the source, so that a refusal
+ * by them is a finding. */
 static bool do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;
@@ -253,7 +253,7 @@ static void compare(struct bytes *b, const struct bytes *was)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	static struct scene s;
-	static struct job j; /* the threads know it */
+	static struct job j; /* static, as the threads use it */
 
 	if (size < HEADER)
 		return 0;

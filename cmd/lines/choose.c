@@ -7,55 +7,53 @@
 
 #include "../json/text.h"
 
-struct cut cut_value(struct span value, const char *end)
+struct cursor value_cursor(struct span value, const char *end)
 {
 	const char *s = json_skip_blanks(value.s + 1, end);
 
-	return (struct cut){ .in = { FORMAT_JSON, ',' },
+	return (struct cursor){ .in = { FORMAT_JSON, ',' },
 		.s = *s == ']' || *s == '}' ? NULL : s,
 		.end = end,
 		.bracket = value.s + 1,
 		.members = *value.s == '{' };
 }
 
-struct cut cut_line(struct dialect in, struct span line)
+struct cursor line_cursor(struct dialect in, struct span line)
 {
 	if (*format_of(in)->open != '\0')
-		return cut_value(trimmed(in, line), line.end);
-	return (struct cut){ .in = in, .s = line.s, .end = line.end };
+		return value_cursor(trimmed(in, line), line.end);
+	return (struct cursor){ .in = in, .s = line.s, .end = line.end };
 }
 
-bool cut_next(struct cut *c, struct field *f)
+bool cursor_next(struct cursor *c, struct field *f)
 {
 	if (c->s == NULL)
 		return false;
 	f->name.s = NULL;
-	f->open = false;
-	f->from = c->from;
+	f->unclosed = false;
+	f->previous_end = c->previous_end;
 	f->comma = c->comma;
 	format_of(c->in)->next(c, f);
 	c->s = f->next;
 	return true;
 }
 
-size_t cut_count(struct cut c)
+size_t cursor_count(struct cursor c)
 {
 	struct field f;
 	size_t n = 0;
 
-	while (cut_next(&c, &f))
+	while (cursor_next(&c, &f))
 		n++;
 	return n;
 }
 
-/* The way from a value to a coordinate or name that is sought: a name or pointer; if
- * path is NULL, the number of a field, or -1 if there is no way. */
-struct way {
+/* The route from a value to something that choose looks for: a name or JSON pointer; if
+ * path is NULL, the number of a field, or -1 if there is no route. */
+struct route {
 	const char *path;
-	long place;
+	long index;
 };
-
-static const struct way nowhere = { NULL, -1 };
 
 bool is_index(struct span token, long k)
 {
@@ -65,11 +63,17 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether path, that of i, leads to field k of the cut or into its value; sets
- * *rest to the rest of the path. Without --columns, X is x in a header, too. */
-static bool leads_to(const struct layout *l, const char *path, int i,
-    const struct cut *c, const struct field *f, long k, const char **rest)
+/* Returns whether the route to thing i leads to f, which is field k after the cursor,
+ * or into its value; sets *rest to the rest of the path. The case of the default names
+ * of coordinates does not count in a header: X is x. */
+static bool leads_to(const struct layout *l, const struct route *route, int i,
+    const struct cursor *c, const struct field *f, long k, const char **rest)
 {
+	const char *path = route->path;
+
+	*rest = "";
+	if (path == NULL)
+		return route->index == k;
 	bool pointer = *path == '/' && !c->names;
 
 	path += pointer;
@@ -79,85 +83,88 @@ static bool leads_to(const struct layout *l, const char *path, int i,
 	*rest = token.end;
 	if (c->names)
 		return (size_t)(f->value.end - f->value.s) == n &&
-		    (i < 4 && l->columns.by_header ?
+		    (i < 4 && l->columns.by_default ?
 			    strncasecmp(f->value.s, path, n) :
 			    strncmp(f->value.s, path, n)) == 0;
 	return c->members ? json_is_name(f->name, token, pointer) :
 			    pointer && is_index(token, k);
 }
 
-/* Returns whether the field f, after the last coordinate, may be the decimals of a
- * number with a decimal comma: f is a number, and follows two coordinates, or a comma
- * without a blank. Its separator must then be like those between the coordinates. */
-static bool counts_on(const struct layout *l, const struct field *f)
-{
-	double v;
-
-	return number_read(f->value.s, f->value.end, &v) == f->value.end &&
-	    (l->reads == 2 || (f->value.s == f->from + 1 && *f->from == ','));
-}
-
-/* What is sought on a line, and the fields that matter: those up to last. In text the
- * separators count, and after the last coordinate one that counts_on. */
+/* A search for the first n things of struct chosen. */
 struct search {
 	const struct layout *l;
-	int n; /* things that are sought */
-	bool text;
-	long last;
-	int separators, commas;
+	int n;
+	bool text; /* the fields are separated as in text */
+	long last; /* the number of the last field that is looked at */
+	int separators, commas; /* that separator_counts; with a comma */
 	struct chosen *out;
 };
 
-/* Finds what is sought among the fields of a cut. Enters each value once, for all ways
- * that lead into it, so that the time is linear in the length of the line. */
-static void choose_in(struct search *r, struct cut c,
-    const struct way ways[SOUGHT])
+/* Returns whether the separator before f, field k of text, counts. If only some of the
+ * separators that count have commas, the commas may be decimal. After the last
+ * coordinate, a separator counts if f may be decimals: f is a number after two
+ * coordinates, or after a comma without a blank. */
+static bool separator_counts(const struct search *r, const struct field *f,
+    long k, const char *end)
+{
+	double v;
+
+	if (!r->text || k == 0 || f->value.s == end)
+		return false;
+	return k < r->last ||
+	    (number_read(f->value.s, f->value.end, &v) == f->value.end &&
+		(r->l->reads == 2 ||
+		    (f->value.s == f->previous_end + 1 &&
+			*f->previous_end == ',')));
+}
+
+/* Searches the fields after the cursor. Enters each value once, for all routes that
+ * lead into the value, so that the time is linear in the length of the line. */
+static void search_fields(struct search *r, struct cursor c,
+    const struct route routes[SOUGHT])
 {
 	struct chosen *out = r->out;
-	int seen[SOUGHT] = { 0 };
+	int fields[SOUGHT] = { 0 }; /* the fields that each route leads to */
 	struct field f;
 
-	for (long k = 0; k <= r->last && cut_next(&c, &f); k++) {
-		struct way inside[SOUGHT];
-		bool led = false;
+	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {
+		struct route inside[SOUGHT];
+		bool enter = false;
 
 		for (int i = 0; i < r->n; i++) {
-			const char *path = ways[i].path, *rest = "";
+			const char *rest;
 
-			inside[i] = nowhere;
-			if (path == NULL ?
-				ways[i].place != k :
-				!leads_to(r->l, path, i, &c, &f, k, &rest))
+			inside[i] = (struct route){ .index = -1 };
+			if (!leads_to(r->l, &routes[i], i, &c, &f, k, &rest))
 				continue;
-			seen[i]++;
+			fields[i]++;
 			if (*rest != '\0') {
 				inside[i].path = rest;
-				led = true;
+				enter = true;
 			} else if (out->times[i]++ == 0) {
 				out->field[i] = f;
-				out->place[i] = k;
+				out->index[i] = k;
 			} else if (out->times[i] == 2) {
-				out->again[i] = k;
+				out->second_index[i] = k;
 			}
 		}
-		if (led && (*f.value.s == '{' || *f.value.s == '['))
-			choose_in(r, cut_value(f.value, c.end), inside);
-		if (r->text && k > 0 && f.value.s < c.end &&
-		    (k < r->last || counts_on(r->l, &f))) {
+		if (enter && (*f.value.s == '{' || *f.value.s == '['))
+			search_fields(r, value_cursor(f.value, c.end), inside);
+		if (separator_counts(r, &f, k, c.end)) {
 			r->separators++;
 			r->commas += f.comma;
 		}
 	}
 	for (int i = 0; i < r->n; i++)
-		if (seen[i] > 1 && out->times[i] < 2)
+		if (fields[i] > 1 && out->times[i] < 2)
 			out->times[i] = 2;
 }
 
-void choose(const struct layout *l, struct cut c, struct chosen *out)
+void choose(const struct layout *l, struct cursor c, struct chosen *out)
 {
 	const bool named = c.members || c.names ||
 	    (c.bracket != NULL && l->columns.n > 0);
-	struct way ways[SOUGHT];
+	struct route routes[SOUGHT];
 	struct search r = { .l = l,
 		.n = c.names || (l->append && c.members) ? SOUGHT : l->reads,
 		.text = format_of(c.in)->blanks && !named,
@@ -166,22 +173,22 @@ void choose(const struct layout *l, struct cut c, struct chosen *out)
 
 	memset(out->times, 0, sizeof out->times);
 	for (int i = 0; i < l->reads; i++) {
-		long place = layout_field(l, i);
+		long k = layout_field(l, i);
 
-		ways[i].path = named ? l->columns.name[i] : NULL;
-		ways[i].place = place;
-		r.last = place > r.last ? place : r.last;
+		routes[i].path = named ? l->columns.name[i] : NULL;
+		routes[i].index = k;
+		r.last = k > r.last ? k : r.last;
 	}
 	for (int i = l->reads; i < r.n; i++) {
-		ways[i] = nowhere;
+		routes[i] = (struct route){ .index = -1 };
 		if (i >= 4 && *l->name[i - 4] != '\0' &&
 		    (l->append ||
 			(i - 4 >= l->reads && format_of(l->out)->header)))
-			ways[i].path = l->name[i - 4];
+			routes[i].path = l->name[i - 4];
 	}
 	r.last += r.text;
-	choose_in(&r, c, ways);
-	out->mixed = r.commas != 0 && r.commas != r.separators;
+	search_fields(&r, c, routes);
+	out->mixed_commas = r.commas != 0 && r.commas != r.separators;
 }
 
 int choose_overlap(const struct layout *l, const struct chosen *c)
@@ -195,7 +202,7 @@ int choose_overlap(const struct layout *l, const struct chosen *c)
 	return 0;
 }
 
-void choose_places(const struct layout *l, const struct chosen *c,
+void choose_parts(const struct layout *l, const struct chosen *c,
     struct line *line)
 {
 	bool whole = line->kind != LINE_POINT && format_of(l->in)->header;
@@ -203,7 +210,7 @@ void choose_places(const struct layout *l, const struct chosen *c,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
 
-		/* in csv nan replaces the quotes of a bad number, too */
+		/* nan replaces a bad number of csv with its quotes */
 		line->at[i] = c->times[i] == 0 ? part_missing :
 		    !whole                     ? line_part(line, f->value) :
 			     line_part(line, trimmed(l->in, f->whole));

@@ -11,16 +11,16 @@ struct dialect dialect_of(enum format f, char separator)
 {
 	const struct format_row *row = &format_rows[f];
 
-	return (struct dialect){ row->alike,
+	return (struct dialect){ row->base,
 		row->separator != 0 ? row->separator : separator };
 }
 
-bool format_is_old(struct dialect d, struct span line, char reason[REASON_MAX])
+bool format_cr_only(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	const char *s = line.s;
 	bool fields = format_of(d)->escape == '"' &&
 	    *skip_blanks(d, s, line.end) != '#';
-	/* as in next_of_csv, only a quote at its beginning quotes a field */
+	/* a quote opens a field only at the field's beginning, as in next_of_csv */
 	bool quoted = false, opens = fields;
 
 	for (; s < line.end && (*s != '\r' || quoted); s++) {
@@ -56,7 +56,7 @@ static bool json_line_check(struct dialect d, struct span line,
 		    "'.[]'");
 	else if (json_check(&c))
 		return true;
-	else if (format_is_old(d, line, reason))
+	else if (format_cr_only(d, line, reason))
 		return false;
 	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
@@ -68,35 +68,35 @@ static bool json_line_check(struct dialect d, struct span line,
 	return false;
 }
 
-/* Sets *f to a field of text. It ends at a blank or, unless c->words, at a comma. */
-static void next_of_text(struct cut *c, struct field *f)
+/* Sets *f to a field of text, up to a blank or, unless c->no_commas is set, a comma. */
+static void next_of_text(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *after;
 
 	f->value.s = s;
-	while (s < c->end && !is_blank(*s) && (c->words || *s != ','))
+	while (s < c->end && !is_blank(*s) && (c->no_commas || *s != ','))
 		s++;
 	f->value.end = s;
 	f->whole = f->value;
-	c->from = s;
-	after = c->words ? skip_blanks(c->in, s, c->end) :
-			   skip_separator(s, c->end);
-	c->comma = !c->words && memchr(s, ',', (size_t)(after - s)) != NULL;
+	c->previous_end = s;
+	after = c->no_commas ? skip_blanks(c->in, s, c->end) :
+			       skip_separator(s, c->end);
+	c->comma = !c->no_commas && memchr(s, ',', (size_t)(after - s)) != NULL;
 	f->next = after == c->end && !c->comma ? NULL : after;
 }
 
-/* Sets *f to a field of csv. A field that begins with a quote may contain separators up
- * to the closing quote; "" in it is a quote. In any other field, such as 5" pipe, a
+/* Sets *f to a field of csv. A field that begins with a quote may contain separators,
+ * and "" for a quote, up to the closing quote. In any other field, such as 5" pipe, a
  * quote is an ordinary character. */
-static void next_of_csv(struct cut *c, struct field *f)
+static void next_of_csv(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
 
 	f->whole.s = c->s;
-	f->open = s < end && *s == '"';
-	for (s += f->open; s < end && f->open; s++)
+	f->unclosed = s < end && *s == '"';
+	for (s += f->unclosed; s < end && f->unclosed; s++)
 		if (*s == '"' && (s + 1 == end || *++s != '"')) {
-			f->open = false;
+			f->unclosed = false;
 			break;
 		}
 	if (s == end || *s != c->in.separator)
@@ -107,7 +107,7 @@ static void next_of_csv(struct cut *c, struct field *f)
 	if (s == NULL && end > c->s && end[-1] == '\r')
 		f->whole.end--;
 	f->value = trimmed(c->in, f->whole);
-	c->from = f->value.end;
+	c->previous_end = f->value.end;
 	if (f->value.end - f->value.s >= 2 && *f->value.s == '"' &&
 	    f->value.end[-1] == '"')
 		f->value = trimmed(c->in,
@@ -115,7 +115,7 @@ static void next_of_csv(struct cut *c, struct field *f)
 }
 
 /* Sets *f to an element of an array or a member of an object. */
-static void next_of_json(struct cut *c, struct field *f)
+static void next_of_json(struct cursor *c, struct field *f)
 {
 	const char *s = c->s;
 
@@ -128,7 +128,7 @@ static void next_of_json(struct cut *c, struct field *f)
 	const char *after = json_item_end(s, c->end);
 
 	f->value = trimmed(c->in, (struct span){ s, after });
-	f->whole.end = c->from = f->value.end;
+	f->whole.end = c->previous_end = f->value.end;
 	f->next = *after == ',' ? json_skip_blanks(after + 1, c->end) : NULL;
 }
 
@@ -136,18 +136,18 @@ static void next_of_json(struct cut *c, struct field *f)
 static bool csv_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
-	struct cut c = { .in = d, .s = line.s, .end = line.end };
-	struct field f = { .open = false };
+	struct cursor c = { .in = d, .s = line.s, .end = line.end };
+	struct field f = { .unclosed = false };
 
 	if (memchr(line.s, '"', (size_t)(line.end - line.s)) == NULL)
 		return true;
-	for (; c.s != NULL && !f.open; c.s = f.next)
+	for (; c.s != NULL && !f.unclosed; c.s = f.next)
 		next_of_csv(&c, &f);
-	if (f.open)
+	if (f.unclosed)
 		snprintf(reason, REASON_MAX,
 		    "a quote is not closed on the line; a field with a newline "
 		    "in it can't be read");
-	return !f.open;
+	return !f.unclosed;
 }
 
 const char *format_number(struct dialect d, const char *s, const char *end,
@@ -159,7 +159,7 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 	const char *after = *in->open != '\0' ? json_number(s, end, v) :
 						number_read(s, end, v);
 
-	for (int i = 0; i < in->missing && after == NULL; i++)
+	for (int i = 0; i < in->nan_words && after == NULL; i++)
 		if (strlen(words[i]) == (size_t)(end - s) &&
 		    memcmp(words[i], s, (size_t)(end - s)) == 0) {
 			*v = (double)NAN;
@@ -168,8 +168,8 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 	return after;
 }
 
-/* Returns whether the field f of any format can be copied to a dialect as it is: in
- * JSON a finite number, elsewhere a text that needs no quotes. */
+/* Returns whether the field f of any format can be copied to a dialect unchanged: to
+ * JSON a finite number, to another format a text that needs no quotes. */
 static bool can_copy(struct dialect d, struct span f)
 {
 	const struct format_row *to = format_of(d);
@@ -183,18 +183,18 @@ static bool can_copy(struct dialect d, struct span f)
 		memchr(f.s, d.separator, n) == NULL);
 }
 
-#define LINES .open = "", .close = "", .unknown = "nan"
-#define CSV                                                               \
-	LINES, .quote = '"', .escape = '"', .header = true, .missing = 7, \
+#define LINES .open = "", .close = "", .nan_text = "nan"
+#define CSV                                                                 \
+	LINES, .quote = '"', .escape = '"', .header = true, .nan_words = 7, \
 	       .check = csv_check, .next = next_of_csv
 
 const struct format_row format_rows[] = {
-	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true, .missing = 6,
-	    .next = next_of_text },
+	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
+	    .nan_words = 6, .next = next_of_text },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
-	    .unknown = "null", .quote = '"', .escape = '\\', .missing = 1,
+	    .nan_text = "null", .quote = '"', .escape = '\\', .nan_words = 1,
 	    .check = json_line_check, .next = next_of_json },
 	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
@@ -203,8 +203,8 @@ const struct format_row format_rows[] = {
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
 	NULL };
 
-/* Writes a control character: as an escape in JSON, and elsewhere as a blank, since it
- * could end the line. A tab in quotes stays. */
+/* Writes a control character: in JSON as an escape. In other formats, where the
+ * character could end the line, writes a blank; csv keeps a tab, which is in quotes. */
 static char *put_control(const struct format_row *out, char c, char *at)
 {
 	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";
@@ -226,9 +226,9 @@ static char *put_control(const struct format_row *out, char c, char *at)
 	return at + 5;
 }
 
-/* Decodes the next character of a field to c, and moves *s past it. escape is the
- * escape character of the field, or 0. Returns the size of the character in bytes. If
- * utf8 is set, a byte that is not UTF-8 becomes U+FFFD. */
+/* Decodes the character of a field at *s to c, and moves *s past the character. escape
+ * is the escape character of the field, or 0. If utf8 is set, a byte that is not UTF-8
+ * becomes U+FFFD. Returns the size of c in bytes. */
 static int decode(const char **s, const char *end, char escape, bool utf8,
     char c[4])
 {
@@ -251,7 +251,7 @@ static int decode(const char **s, const char *end, char escape, bool utf8,
 	return n;
 }
 
-/* Writes the text f, whose escape character is escape, with quotes if out has them. */
+/* Writes the text f, whose escape character is escape, in quotes if out has quotes. */
 static char *put_quoted(const struct format_row *out, struct span f,
     char escape, char *at)
 {

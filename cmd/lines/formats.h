@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The formats of points, each a row of a table. */
+/* The formats of points, in a table, and the fields of a line. */
 #ifndef FORMATS_H
 #define FORMATS_H
 
@@ -9,76 +9,76 @@
 
 #include "../message/utf8.h"
 
-/* The last two are binary: sequences of little-endian doubles or floats. All others
- * are formats of lines. */
+/* The formats of lines come before the binary formats. */
 enum format {
 	FORMAT_TEXT,
 	FORMAT_CSV,
 	FORMAT_TSV, /* csv with tabs */
 	FORMAT_JSON,
-	FORMAT_F64,
-	FORMAT_F32,
+	FORMAT_F64, /* little-endian doubles */
+	FORMAT_F32, /* little-endian floats */
 };
 
-/* A format with its separator. FORMAT_TSV is FORMAT_CSV with tabs. */
+/* A format with its separator; tsv is FORMAT_CSV with a tab. */
 struct dialect {
 	enum format format;
-	char separator; /* between fields that are added */
+	char separator; /* between fields; in text between added fields */
 };
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
-	/* without blanks around it, without the quotes of csv, without a name */
+	/* without the name of a member, the quotes of csv, and blanks around it */
 	struct span value;
-	struct span whole; /* the value with quotes or name */
-	struct span name;  /* of a member, with quotes; s is NULL elsewhere */
-	const char *from;  /* where the separator before begins; NULL: none */
-	const char *next;  /* where the next field begins; NULL: none */
-	bool comma;        /* in text: the separator before has a comma */
-	bool open;         /* in csv: the quote of the field is not closed */
+	struct span whole;        /* with name, quotes and blanks of csv */
+	struct span name;         /* of a member, with quotes; else s is NULL */
+	const char *previous_end; /* of the field before; NULL: none */
+	const char *next;         /* where the next field begins; NULL: none */
+	bool comma;    /* in text: the separator before the field has a comma */
+	bool unclosed; /* in csv: the field lacks its second quote */
 };
 
-/* A cursor over the fields of a line, of which there may be any number. */
-struct cut {
+/* A cursor over the fields of a line, a JSON array or a JSON object. */
+struct cursor {
 	struct dialect in;
-	const char *s, *end; /* the next field, or NULL; the line's end */
-	const char *from;    /* the end of the last field, or NULL before any */
-	const char *bracket; /* in JSON: after the opening bracket */
+	const char *s;            /* the next field, or NULL after the last */
+	const char *end;          /* the end of the line */
+	const char *previous_end; /* of the field before s; NULL: none */
+	const char *bracket; /* behind the opening bracket; NULL: not JSON */
 	bool members;        /* the fields are members of a JSON object */
 	bool names;          /* the fields are names of a header */
-	bool words;          /* fields of text end at blanks only */
-	bool comma;          /* the last separator has a comma */
+	bool no_commas;      /* fields of text end at blanks only */
+	bool comma;          /* in text: the separator before s has a comma */
 };
 
 enum { REASON_MAX = 320 };
 
 /* The properties of a format. */
 struct format_row {
-	enum format alike;        /* of its dialect: csv for tsv, else itself */
-	char separator;           /* 0: the one of --separator */
+	enum format base;         /* FORMAT_CSV for tsv, else the format */
+	char separator;           /* 0: the user chooses it by --separator */
 	size_t size;              /* of a binary number; 0: a format of lines */
-	const char *open, *close; /* brackets round the fields, or "" */
-	const char *unknown;      /* the text of a nan */
-	char quote;               /* round a field that needs it; 0: none */
+	const char *open, *close; /* brackets around all fields, or "" */
+	const char *nan_text;     /* how nan is written */
+	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int missing; /* how many words of format_number stand for a nan */
-	bool blanks; /* blanks separate fields, too */
+	int nan_words;            /* how many words of format_number are nan */
+	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 
-	/* Returns whether a line can be cut into fields; writes the reason if
-	 * not. NULL: every line can. */
+	/* Returns whether a line can be divided into fields; if not, writes the
+	 * reason. NULL: every line can. */
 	bool (
 	    *check)(struct dialect, struct span line, char reason[REASON_MAX]);
-	/* Sets the field that begins at c->s, except its members from and comma.
-	 * Sets c->from to the end of the field. */
-	void (*next)(struct cut *c, struct field *);
+	/* Sets the field that begins at c->s, except previous_end and comma, and
+	 * c->previous_end to the end of the field. */
+	void (*next)(struct cursor *c, struct field *);
 };
 
-/* Both are in the order of enum format; NULL ends the names. */
+/* The rows and names of the formats; NULL ends the names. */
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
-/* Returns the dialect of a format; separator is that of --separator. */
+/* Returns the dialect of a format, whose separator may be the one of --separator. */
 struct dialect dialect_of(enum format, char separator);
 
 static inline const struct format_row *format_of(struct dialect d)
@@ -102,21 +102,20 @@ static inline size_t point_size(enum format f, int coordinates)
 	return (size_t)coordinates * format_rows[f].size;
 }
 
-/* Reads the number at s; a word for a missing value, such as NA, is nan. Returns where
- * the number ends, NULL if none begins. */
+/* Reads the number at s. A word for a missing value, such as NA, is nan. Returns the
+ * end of the number or word, or NULL if there is none at s. */
 const char *format_number(struct dialect, const char *s, const char *end,
     double *v);
 
-/* Writes the field f, which is of dialect in, for dialect out: copied if it means the
- * same there, else in quotes. Returns where the text ends. It has at most six bytes for
- * each byte of f, as in \u0001, and two quotes. */
+/* Writes the field f of the dialect in for the dialect out: copies a field that means
+ * the same in out, and quotes another. Returns the end of the output, which has at most
+ * six bytes for each byte of f, as in \u0001, and two quotes. */
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
-/* Returns whether the lines of a source end in carriage returns alone, so that line is
- * all of them: it has a carriage return outside of quotes before other text. If so,
- * writes the reason. */
-bool format_is_old(struct dialect, struct span line, char reason[REASON_MAX]);
+/* Returns whether the lines of a source end in carriage returns alone, and writes the
+ * reason: line has a carriage return outside of quotes, and other text follows. */
+bool format_cr_only(struct dialect, struct span line, char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */
 static inline bool is_blank(char c)
@@ -124,8 +123,8 @@ static inline bool is_blank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
-/* Returns whether c is white space in a dialect: in JSON \v and \f are not, and in csv
- * the separator is not. */
+/* Returns whether c is white space in a dialect. In JSON \v and \f are not white space,
+ * and in csv the separator is not. */
 static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
     char c)
 {
@@ -150,13 +149,13 @@ static inline struct span trimmed(struct dialect d, struct span f)
 	return f;
 }
 
-/* Returns s, after a byte order mark if one is there. */
-static inline const char *skip_mark(const char *s, const char *end)
+/* Returns s or, if a byte order mark is at s, the byte after it. */
+static inline const char *skip_bom(const char *s, const char *end)
 {
 	return end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? s + 3 : s;
 }
 
-/* Returns where the separator of text at s ends: blanks with at most one comma. */
+/* Returns the end of the separator of text at s: blanks with at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
 	while (s < end && is_blank(*s))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes a point into the line it was read from: only its numbers change. */
+/* Writes a line of which only the numbers change: a point in its own format. */
 #ifndef IN_PLACE_H
 #define IN_PLACE_H
 
@@ -22,15 +22,15 @@ static inline char *put_word(const struct layout *l, const struct word *w,
 static inline char *put_coordinate(const struct layout *l, struct numbers n,
     int k, char *out)
 {
-	const struct number_text *text = &n.text[(size_t)k * n.text_step];
-	double v = n.v[(size_t)k * n.step];
+	const struct number_text *text = &n.text[(size_t)k * n.text_stride];
+	double v = n.v[(size_t)k * n.stride];
 
 	if (__builtin_expect(text->layout == 0, 0))
-		return line_put_rare(l, k, v, out);
+		return line_put_rare_number(l, k, v, out);
 	return number_put(out, text, v, l->single, l->style[k]);
 }
 
-/* Returns whether the n coordinates of a line stand in their order. */
+/* Returns whether the n coordinates are on the line in the order x, y, z, w. */
 static inline bool is_in_order(const struct line *line, int n)
 {
 	for (int k = 1; k < n; k++)
@@ -39,7 +39,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts order, numbers of coordinates, by where the coordinates stand on the line. */
+/* Sorts the numbers of coordinates in order by their places on the line. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
@@ -53,9 +53,9 @@ static inline void find_order(const struct line *line, int n, int order[4])
 		}
 }
 
-/* Returns whether added values can follow the last of n coordinates directly: they need
- * no names, the coordinate no quote, and in text the separator before it is one byte.
- * By --append they follow the line, which must not end in blanks. */
+/* Returns whether added values can be written directly after the last of n coordinates:
+ * they have no names, no quote follows the coordinate, and in text the separator before
+ * it is one byte. By --append, they follow a line that does not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
     const struct line *line, int n)
 {
@@ -73,7 +73,6 @@ static inline bool can_add_in_place(const struct layout *l,
 		line->s[last] != '"');
 }
 
-/* Returns the separator before added values. */
 static inline char added_separator(const struct layout *l,
     const struct line *line)
 {
@@ -81,8 +80,8 @@ static inline char added_separator(const struct layout *l,
 					   l->out.separator;
 }
 
-/* Copies the line from done up to next. Most gaps have one byte: it is copied without a
- * branch, even if the gap is empty. */
+/* Copies the line from done up to next. Copies the first byte without a branch, even if
+ * the gap is empty, because most gaps have one byte. */
 static inline char *put_gap(const struct line *line, uint32_t done,
     uint32_t next, char *out)
 {
@@ -92,9 +91,9 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 	return out + (next - done);
 }
 
-/* Writes a point: replaces the coordinates, which stand on the line in this order, by
- * default x, y, z, w, and adds the other values after the last coordinate; or by append
- * adds all values after the line. Returns the end. */
+/* Writes a point. Replaces the coordinates, which are on the line in the given order
+ * (if NULL: x, y, z, w), and adds the other values after the last coordinate. If append
+ * is set, adds all values after the line. Returns the end of the output. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

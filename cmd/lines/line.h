@@ -1,17 +1,15 @@
 /* SPDX-License-Identifier: MIT */
-/* A line with a point: its coordinates are read, and the line is written with other
- * numbers in their place. All other bytes of the line stay.
+/* Reads lines with a point each, and writes them with other numbers in the place of the
+ * coordinates. All other bytes of a line stay.
  *
- * Most lines are simple, and walk.c finds the numbers of many of them at once. Every
- * other line goes to line_read in read.c, which alone decides what a legal line is:
- * struct cut is a cursor over the fields of the line, choose.c finds the coordinates
- * among these fields, and say.c writes what is wrong. The first line of csv
- * may be a header (header.c), which names the fields.
+ * Most lines are simple, and walk.c finds the numbers of many simple lines at once.
+ * line_read in read.c reads every other line, and alone decides what a legal line is:
+ * a cursor goes over the fields of the line, choose.c finds the coordinates among these
+ * fields, and say.c writes what is wrong. The first line of csv may be a header, which
+ * header.c reads.
  *
- * in_place.h writes a line of which numbers alone change. Every other line goes to
- * line_write in splice.c, which cuts it again and copies its fields.
- *
- * A format of lines, such as csv, is a row of functions in formats.c. */
+ * in_place.h writes a line of which only numbers change. line_write in splice.c writes
+ * every other line: it divides the line into fields again and copies them. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -22,28 +20,30 @@
 #include "formats.h"
 #include "../number/plain.h"
 
-/* The most numbers written for a point: a ray's position and direction. */
-enum { COORDINATES_MAX = 6 };
-
-/* The room for the name of a number that is written. */
-enum { NAME_ROOM = 16 };
+enum {
+	COORDINATES_MAX = 6, /* numbers written for a point: a ray's are 6 */
+	NAME_ROOM = 16,      /* bytes for the name of a written number */
+	WORD_MAX = 48,       /* bytes of the word of --flags */
+	PREFIX_ROOM = 64,    /* bytes for separator and name before a value */
+	SOUGHT = 4 + COORDINATES_MAX + 1, /* things in struct chosen */
+};
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
-	int field[4]; /* numbers of fields, from 0 */
-	/* Names of columns in csv; of members in JSON, where a name that begins
-	 * with / is a pointer. NULL: a number is given. Without --columns they
-	 * are x, y, z and w. */
+	int field[4]; /* the number of each coordinate's field, from 0 */
+	/* The name of each coordinate's column of csv or member of JSON, where a
+	 * name that begins with / is a JSON pointer; NULL if its number is
+	 * given. By default the names are x, y, z and w. */
 	const char *name[4];
-	bool by_header; /* there is no --columns */
+	bool by_default; /* --columns is not given */
 };
 
-/* What comes next: the first byte of a source, its first line that is neither blank nor
- * a comment, the first row after a header, or no special line. */
-enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
+/* What is read next of a source: its first byte, its first line that is neither blank
+ * nor a comment, the first row after a header, or NONE of the three. */
+enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
-/* Whether csv has a header: FIRST by --header, NONE by --no-header, else MAYBE. */
+/* HEADER_FIRST: --header, HEADER_NONE: --no-header, else HEADER_MAYBE. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* The formats of points, and the numbers that are read and written. */
@@ -51,21 +51,22 @@ struct layout {
 	struct dialect in, out;
 	enum header header;
 	struct columns columns;
-	int reads, writes; /* the number of coordinates */
+	int reads, writes; /* the numbers read of a point, and written for it */
 	bool flags;  /* the word of --flags is written after the numbers */
-	bool append; /* the line stays, and all is written after it */
-	/* The names of the numbers that are written, and last of the word of --flags;
-	 * "" if the number or the word is not written. */
+	bool append; /* the line stays, and the numbers are written after it */
+	/* The names of the written numbers and, at COORDINATES_MAX, of the word of
+	 * --flags; "" for a number or word that is not written. */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
-	size_t fields; /* of the header; 0: there is none */
-	size_t most;   /* the most fields of a row of csv; 0: any number */
-	bool moved; /* the last header has coordinates elsewhere than first */
-	/* by a comment above the first row; n is the number of its names */
-	struct columns told;
+	size_t header_fields; /* 0: there is no header */
+	size_t
+	    max_fields; /* of the header or a longer first row; 0: not known */
+	bool reordered; /* in the last header field i is not coordinate i */
+	/* by a comment above the first row; n is the number of all its names */
+	struct columns comment_columns;
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps; /* binary records are copied whole, beside the image */
-	const char *two; /* a hint for points of two numbers; or NULL */
-	bool single;     /* numbers are written as floats */
+	bool keeps; /* the output keeps binary records, and adds the images */
+	const char *two_hint; /* for points of two numbers; or NULL */
+	bool single;          /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
 };
 
@@ -74,25 +75,25 @@ enum line_kind {
 	LINE_COPY, /* blank, or a comment */
 	LINE_HEADER,
 	LINE_BAD,     /* a coordinate is wrong; the other fields are kept */
-	LINE_LOST,    /* bad, and the fields are not known */
-	LINE_REFUSED, /* a header, or the row after it: the source is refused */
+	LINE_LOST,    /* wrong, and no field can be kept */
+	LINE_REFUSED, /* a wrong header or first row: the source is refused */
 };
 
-/* A part of a line, in bytes from its beginning. A line has at most 64 MiB with its
- * newline; a line in a document at most 256 MiB, as the document has. */
+/* The bytes [from, to) of a line. 32 bits are enough: a line has at most 64 MiB with
+ * its newline, and a line in a document 256 MiB. */
 struct part {
 	uint32_t from, to;
 };
 
 struct line {
-	const char *s;
+	const char *s;     /* the beginning of the line */
 	uint32_t size;     /* in bytes, without the newline */
-	struct part at[4]; /* the coordinates x, y, z and w, or their names */
+	struct part at[4]; /* where x, y, z and w, or their names, are */
 	enum line_kind kind;
-	bool newline; /* the line ends in a newline */
-	bool object;  /* the line is a JSON object */
-	bool words;   /* fields of text end at blanks only: 1,5 is one field */
-	bool mark;    /* the line begins with a byte order mark */
+	bool newline;   /* the line ends in a newline */
+	bool object;    /* the line is a JSON object */
+	bool no_commas; /* only blanks end a field of text: 1,5 is one */
+	bool has_bom;   /* the line begins with a byte order mark */
 };
 
 /* The part of a coordinate that a line lacks. */
@@ -108,18 +109,13 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The numbers that are written in a line: number k is v[k * step], with the text
- * text[k * text_step]. */
+/* The numbers that are written in a line: number k is v[k * stride], and its digits are
+ * text[k * text_stride]. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
-	size_t step, text_step;
+	size_t stride, text_stride;
 };
-
-/* The most bytes before an added value: a separator, and in an object its name. */
-enum { ADDED_ROOM = 64 };
-
-enum { WORD_MAX = 48 };
 
 /* The word of --flags, such as left+near. */
 struct word {
@@ -133,7 +129,7 @@ static inline struct span line_text(const struct line *line)
 }
 
 /* Returns the text of coordinate i. */
-static inline struct span line_at(const struct line *line, int i)
+static inline struct span line_field(const struct line *line, int i)
 {
 	return (struct span){ line->s + line->at[i].from,
 		line->s + line->at[i].to };
@@ -146,35 +142,33 @@ static inline struct part line_part(const struct line *line, struct span f)
 }
 
 /* Returns the size of a binary record in bytes. */
-static inline size_t layout_record(const struct layout *l)
+static inline size_t record_size(const struct layout *l)
 {
 	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
 }
 
-/* Returns the number, from 0, of the field that holds coordinate i. */
+/* Returns the number of the field that holds coordinate i, from 0. */
 static inline int layout_field(const struct layout *l, int i)
 {
 	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
 /* Returns whether the coordinates are the first fields, in their order. */
-static inline bool layout_is_first(const struct layout *l)
+static inline bool layout_in_order(const struct layout *l)
 {
-	int i = 0;
-
-	while (i < l->reads && layout_field(l, i) == i)
-		i++;
-	return i == l->reads;
+	for (int i = 0; i < l->reads; i++)
+		if (layout_field(l, i) != i)
+			return false;
+	return true;
 }
 
-/* Returns whether any coordinate is found by the name of its column or member. */
-static inline bool layout_is_named(const struct layout *l)
+/* Returns whether any coordinate is looked up by the name of its column or member. */
+static inline bool layout_has_names(const struct layout *l)
 {
-	int i = 0;
-
-	while (i < l->reads && l->columns.name[i] == NULL)
-		i++;
-	return i < l->reads;
+	for (int i = 0; i < l->reads; i++)
+		if (l->columns.name[i] != NULL)
+			return true;
+	return false;
 }
 
 /* Returns the name of coordinate i: x, y, z or w. */
@@ -185,184 +179,184 @@ static inline const char *coordinate_name(int i)
 	return names[i];
 }
 
-/* Reads a line and its coordinates v. Writes to reason what is wrong with a bad line
- * and what would be right. *first says which line this may be, and changes with it:
- * before the first line a byte order mark may stand, and in csv this line may be a
- * header, which sets the columns of the layout. */
+/* Reads a line and its coordinates v. Writes to reason what is wrong with a line and
+ * what would be right. *first says which line this may be, and is set for the next
+ * line. The first line may begin with a byte order mark, and in csv it may be a header,
+ * which sets the columns of the layout. */
 void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
-/* Writes v, number k of a point, for which number_texts made no text. nan becomes the
- * format's word for an unknown number. Returns the end of the text. */
-char *line_put_rare(const struct layout *, int k, double v, char *out);
+/* Writes v, which is number k of a point and has no digits by number_texts. nan becomes
+ * the format's nan_text. Returns the end of the output. */
+char *line_put_rare_number(const struct layout *, int k, double v, char *out);
 
-/* Returns the most bytes that line_write may touch for lines of so many bytes in all. */
+/* Returns the room that line_write needs for lines of so many bytes together. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
- * after the line, and then the word flags unless it is NULL. Returns the end of the
- * line. A LINE_LOST becomes the numbers alone. Blank lines and comments are copied. A
- * header loses the names of coordinates that are not written, and gets the names of
- * added values; in text it becomes a comment. From JSON and to JSON, blank lines,
- * comments and headers are left out. */
+ * after the line. The word of --flags follows the numbers unless flags is NULL. A
+ * LINE_LOST becomes the numbers alone. Blank lines and comments are copied. A header
+ * loses the names of coordinates that are not written, and gets the names of added
+ * values; in text the header becomes a comment. From JSON or to JSON, blank lines,
+ * comments and headers are left out. Returns the end of the output. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
-/* Writes all fields that hold no coordinate, each after a separator of the format out.
- * From text to text without --columns, copies the text after the coordinates. Returns
- * the end of what is written: at most six bytes for each byte of the line, and three
- * for each field. */
-char *line_rest(const struct layout *, const struct line *, char *out);
+/* Writes all fields that hold no coordinate, each after a separator of the output's
+ * format. From text to text without --columns, copies the text after the coordinates.
+ * Returns the end of the output, which has at most six bytes for each byte of the line,
+ * and three more for each field. */
+char *line_put_rest(const struct layout *, const struct line *, char *out);
 
-/* Returns a cut before the first field of a line. JSON must be checked text that begins
- * with an array or object. */
-struct cut cut_line(struct dialect, struct span line);
+/* Returns a cursor before the first field of a line. A line of JSON must be an array or
+ * object that json_check accepts. */
+struct cursor line_cursor(struct dialect, struct span line);
 
-/* Returns a cut before the first element or member of a JSON value; the line has end. */
-struct cut cut_value(struct span value, const char *end);
+/* Returns a cursor over a JSON array or object in a line that ends at end. */
+struct cursor value_cursor(struct span value, const char *end);
 
-/* Sets the next field and moves behind it. Returns false after the last field. */
-bool cut_next(struct cut *, struct field *);
+/* Sets the next field and moves the cursor past it; returns false if there is none. */
+bool cursor_next(struct cursor *, struct field *);
 
-/* Returns the number of fields after the cut. */
-size_t cut_count(struct cut);
+/* Returns the number of fields after the cursor. */
+size_t cursor_count(struct cursor);
 
-enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
-
-/* The coordinates that choose found and, from 4 on, the names of the layout. */
+/* What choose looks for and finds: things 0 to 3 are the coordinates, and thing 4 + k
+ * is a field with the name k of the layout, which the output adds. */
 struct chosen {
-	struct field field[SOUGHT]; /* the first of each that was found */
-	int times[SOUGHT];          /* how often it was found; 0: missing */
-	/* the numbers of the fields where it was found first, and again */
-	long place[SOUGHT], again[SOUGHT];
-	bool mixed; /* only some separators of text have a comma */
+	struct field field[SOUGHT]; /* the first field of each thing */
+	int times[SOUGHT];          /* the number of its fields */
+	/* the numbers of its first and second field, from 0 */
+	long index[SOUGHT], second_index[SOUGHT];
+	bool mixed_commas; /* only some separators of text have a comma */
 };
 
-/* Finds the coordinates and names in one pass over the fields of the cut. */
-void choose(const struct layout *, struct cut, struct chosen *);
+/* Finds all things of struct chosen in one pass over the fields after the cursor. */
+void choose(const struct layout *, struct cursor, struct chosen *);
 
-/* Notes where on the line the coordinates stand. */
-void choose_places(const struct layout *, const struct chosen *, struct line *);
+/* Sets the parts of the line that are its coordinates. */
+void choose_parts(const struct layout *, const struct chosen *, struct line *);
 
-/* Returns a coordinate that lies inside the value of another, as pointers allow, or has
- * the same column; 0 if there is none. */
+/* Returns a coordinate that shares its column with another coordinate or whose JSON
+ * pointer leads into, or around, the value of another; 0 if there is none. */
 int choose_overlap(const struct layout *, const struct chosen *);
 
-/* Returns whether a column of a header or a member of an object has a name that
- * --append adds, and writes the reason. */
+/* Returns whether a column of a header or a member of an object has a name that the
+ * output adds, and writes the reason. */
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Returns whether the token is the decimal number k without leading zeros. */
+/* Returns whether the token is the number k in decimal, without leading zeros. */
 bool is_index(struct span token, long k);
 
-/* Returns whether a line that begins with #, the first line or another, is a comment.
- * If not, it is a header or a row: # is a field alone, the names of all coordinates
- * follow, or a table with a header has a row such as #N/A,2,3. */
-bool header_in_comment(const struct layout *, struct span text, bool first);
+/* Returns whether a line that begins with # is a comment. The first line is a header if
+ * # is a field alone or the names of all coordinates follow #. A later line, such as
+ * #N/A,2,3, is a row if it has as many fields as the header or the first row. */
+bool header_is_comment(const struct layout *, struct span text, bool first);
 
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
- * a row. Else sets its kind to LINE_HEADER, and the layout's columns and fields; or to
- * LINE_REFUSED, with the reason. */
+ * a row. A good header gets the kind LINE_HEADER and sets the layout's columns and
+ * numbers of fields; another header gets LINE_REFUSED and a reason. */
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether a row of csv has more fields than the header has names, or than the
- * first row if no coordinate is found by name; if so, writes the reason. An empty last
- * field does not count. R writes such tables: its column of row names has no name in
- * the header, so that each name is one column too far to the left. */
-bool header_is_short(struct layout *, struct cut row, enum first,
+/* Returns whether a row of csv has more fields than max_fields, and writes the reason.
+ * A longer first row raises max_fields if no coordinate has a name. An empty last field
+ * does not count. R writes such tables: the header lacks a name for the column of row
+ * names, so that each name is one column too far to the left. */
+bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
 
-/* Returns a cut before the first name of a header without a byte order mark. */
-struct cut header_cut(struct dialect, struct span text);
+/* Returns a cursor over the names of a header, whose text has no byte order mark. */
+struct cursor header_cursor(struct dialect, struct span text);
 
-/* Writes why the field f cannot be coordinate i; if f is empty, that it is missing. */
+/* Writes why f is not coordinate i; an empty f is a missing coordinate. */
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field of csv between blanks that separate; writes what
- * to do. */
-bool say_blanks(const struct layout *, const struct field *f,
+/* Returns whether f is an empty field of csv whose separator is a blank, and writes how
+ * to mend the line. */
+bool say_empty_field(const struct layout *, const struct field *f,
     char reason[REASON_MAX]);
 
-/* Writes why coordinate i was not found in the cut, or found twice. */
-void say_missing(const struct layout *, int i, struct cut,
+/* Writes that coordinate i was not found after the cursor, or was found twice. */
+void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets the layout's told if the words of a comment name the coordinates, and these are
- * not its first words. */
-void say_comment(struct layout *, struct span text);
+/* Sets comment_columns of the layout if the words of a comment are names of columns,
+ * and the coordinates are not the first columns. */
+void say_note_columns(struct layout *, struct span text);
 
-/* Returns whether a first row can't be read without a header: the row is lost and the
- * columns have names; or the coordinates do not stand first by the header of a file
- * before, or by a comment above that has as many words as the row has fields and names
- * numbers of the row. Writes the reason; a lost row has one. */
-bool say_headless(const struct layout *, struct span row, bool lost,
+/* Returns whether a first row can't be read without a header, and writes the reason:
+ * the header of a file before reordered the columns, or a comment above names the
+ * columns of coordinates, has as many names as the row has fields, and these columns
+ * are numbers. With --columns by name: the row is lost, and has a reason already. */
+bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that the first line of text looks like a header, if none of its first fields
- * is a number. */
+/* Writes that the first line of text looks like a header, unless a field in the place
+ * of a coordinate begins with a number or a bracket. */
 void say_text_header(const struct layout *, struct span line,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Reads simple lines fast, by an index. The index lists the stops of a stretch of text:
- * the bytes that can end a field. A walk goes from stop to stop and finds the
- * coordinates without a look at the bytes between; vector code then reads many numbers
- * at once. A line that is not simple is left to line_read. */
+/* walk.c reads simple lines fast, by an index of a stretch of text. The index lists the
+ * stops, which are the bytes that can end a field. A walk goes from stop to stop and
+ * finds the coordinates without looking at the bytes between the stops; vector code
+ * then reads many numbers at once. A line that is not simple is left to line_read. */
 
-/* The most bytes of a stretch: so few that they stay in the first-level cache until
- * their numbers are read. A stop has 16 bits. */
+/* The most bytes of a stretch. So few bytes stay in the first-level cache until their
+ * numbers are read, and the place of a stop fits into 16 bits. */
 enum { STRETCH = 1 << 14 };
 
-/* A stretch of text with its index. */
+/* A stretch of text with its index. Places are counted in bytes from text. */
 struct stretch {
-	const char *readable; /* bytes from here on may be read */
-	const char *text;     /* the beginning of the stretch */
-	uint32_t at;          /* the beginning of the next line */
-	uint32_t end;         /* the end of the last line */
-	const uint16_t *next; /* the first stop from the byte at on */
-	uint16_t stop[STRETCH + 128];
+	const char *readable;         /* the bytes from here on may be read */
+	const char *text;             /* the beginning of the stretch */
+	uint32_t at;                  /* the place of the next line */
+	uint32_t end;                 /* the place after the last line */
+	const uint16_t *next;         /* the first stop that is not before at */
+	uint16_t stop[STRETCH + 128]; /* the places of the stops */
 };
 
-/* The path to each coordinate from the value that the walk is in, and the size of the
- * path's first token in bytes; SIZE_MAX if the path does not lead into this value. */
-struct trail {
+/* The path of names or indexes from a JSON value to each coordinate, and the bytes of
+ * the path's first name or index; SIZE_MAX if the coordinate is not in the value. */
+struct paths {
 	const char *path[4];
 	size_t size[4];
 };
 
-/* How the n coordinates of a line are found. */
+/* What simple lines have in common, and how their n coordinates are found. */
 struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
-	int fields;           /* of each line; 0: up to most */
-	int most;             /* fields of csv */
-	bool arrays, objects; /* the lines of JSON that are walked */
-	struct trail trail;   /* paths to members of objects */
-	/* NULL, or names that a line may not have, as --append adds them */
-	const char (*added)[NAME_ROOM];
-	bool columns; /* coordinate i is field[i]; false: field i */
+	int exact_fields;   /* the fields of each line; 0: up to max_fields */
+	int max_fields;     /* the most fields of a row of csv */
+	bool arrays;        /* lines may be JSON arrays */
+	bool objects;       /* lines may be JSON objects */
+	struct paths paths; /* the paths to the coordinates in an object */
+	/* NULL or, by --append, the names that an object may not have yet */
+	const char (*added_names)[NAME_ROOM];
+	bool by_column; /* coordinate i is field[i]; false: field i */
 	int field[4];
 };
 
-/* Makes the walk of a layout. Returns false where every line is left to line_read. */
+/* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Makes the stretch that begins at text, and its index. Returns false where no line
- * ends in the stretch. */
+/* Sets the stretch that begins at text, and its index. Returns false if no line ends in
+ * the stretch. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
-/* Walks up to n <= PLAIN_BATCH lines and sets the places of their numbers, by
- * coordinate. Sets bit i of *left if line i is left to line_read. Returns the number of
- * lines, at least one if at < end. */
+/* Walks up to n <= PLAIN_BATCH lines, and sets the places of coordinate k of all lines
+ * in element k of the plain_places. Sets bit i of *left if line i is left to line_read.
+ * Returns the number of lines, which is at least one if at < end. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 
-/* Reads the numbers of the n lines that walk_lines walked. Lines with a bit in left may
- * get any numbers. Returns left, and the bits of other lines that are left to
+/* Reads the numbers of the n lines that walk_lines walked. A line whose bit is set in
+ * left gets any numbers. Returns left with the bits of further lines that are left to
  * line_read; all other lines are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);

@@ -7,7 +7,7 @@
 
 #include "../message/utf8.h"
 
-/* Appends to the reason; what has no room is cut. */
+/* Appends to the reason as much as it has room for. */
 static void __attribute__((format(printf, 2, 3)))
 say_more(char reason[REASON_MAX], const char *format, ...)
 {
@@ -19,15 +19,14 @@ say_more(char reason[REASON_MAX], const char *format, ...)
 	va_end(arguments);
 }
 
-/* A character that may separate fields, and the options for it. */
+/* A character that may separate fields, and the options to read such fields. */
 struct separator {
 	char c;
 	const char *shown, *option;
 };
 
-/* Returns the first row of separators that is in f and not the layout's; NULL if there
- * is none. A comma and a blank are frequent within fields, so that they count only if f
- * is alone on its line. */
+/* Returns a separator in f that is not the layout's; NULL if there is none. A comma and
+ * a blank are frequent within fields and count only if f is alone on its line. */
 static const struct separator *find_separator(const struct layout *l,
     struct span f, bool alone)
 {
@@ -49,7 +48,7 @@ static const struct separator *find_separator(const struct layout *l,
 static void say_separator(const struct layout *l, const struct separator *other,
     char reason[REASON_MAX])
 {
-	if (l->fields > 1)
+	if (l->header_fields > 1)
 		say_more(reason,
 		    "; is %s the separator? the header has another; make both "
 		    "the same by tr or sed",
@@ -59,9 +58,8 @@ static void say_separator(const struct layout *l, const struct separator *other,
 		    other->option);
 }
 
-/* Adds to the reason how to mend f, coordinate i. If f begins with a number, the text
- * after the number is wrong. */
-static void say_right(const struct layout *l, int i, struct span f,
+/* Adds to the reason how to mend f, which should be a number and coordinate i. */
+static void say_remedy(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
 	const bool json = *format_of(l->in)->open != '\0';
@@ -105,17 +103,17 @@ void say_field(const struct layout *l, int i, struct span f,
 	if (f.s == f.end) {
 		say_more(reason, "%s is missing; %d numbers are wanted%s",
 		    coordinate_name(i), l->reads,
-		    i == 2 && l->two != NULL ? l->two : "");
+		    i == 2 && l->two_hint != NULL ? l->two_hint : "");
 	} else if (!json && (*f.s == '[' || *f.s == '{')) {
 		say_more(reason, "looks like JSON; say -i json");
 	} else {
 		say_more(reason, "%s is '%s'", coordinate_name(i),
 		    escaped(word, f.s, (size_t)(f.end - f.s)));
-		say_right(l, i, f, reason);
+		say_remedy(l, i, f, reason);
 	}
 }
 
-bool say_blanks(const struct layout *l, const struct field *f,
+bool say_empty_field(const struct layout *l, const struct field *f,
     char reason[REASON_MAX])
 {
 	if (l->in.separator != ' ' || !format_of(l->in)->header ||
@@ -130,22 +128,23 @@ bool say_blanks(const struct layout *l, const struct field *f,
 
 enum { NAMES_MAX = 32, COLUMN_ROOM = 64 };
 
-/* The first names of columns or members, without long ones. */
+/* The first NAMES_MAX names of columns or members that are shorter than COLUMN_ROOM. */
 struct names {
 	char name[NAMES_MAX][COLUMN_ROOM];
-	const char *list[NAMES_MAX + 1]; /* NULL ends it */
+	const char *list[NAMES_MAX + 1]; /* NULL ends the list */
 	int n;
-	bool more; /* there are other names */
+	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Copies the names of the fields of a cut; of a comment without units in brackets. */
-static void names_of(struct cut c, struct names *names)
+/* Copies the names of the fields after the cursor. Leaves out the units in brackets of
+ * a comment, which is read as text. */
+static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
 
 	names->n = 0;
-	names->more = false;
-	while (cut_next(&c, &f)) {
+	names->omitted = false;
+	while (cursor_next(&c, &f)) {
 		struct span all = c.members ?
 		    (struct span){ f.name.s + 1, f.name.end - 1 } :
 		    f.value;
@@ -155,7 +154,7 @@ static void names_of(struct cut c, struct names *names)
 		    (strchr("[(", *all.s) || strchr("])", all.end[-1])))
 			continue;
 		if (names->n == NAMES_MAX || size >= COLUMN_ROOM) {
-			names->more = true;
+			names->omitted = true;
 			continue;
 		}
 		names->list[names->n] = memcpy(names->name[names->n], all.s,
@@ -165,9 +164,9 @@ static void names_of(struct cut c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns which name consists of the first n bytes of a and the word, in upper or lower
- * case; -1 if there is none. */
-static int name_beside(const struct names *names, const char *a, size_t n,
+/* Returns the number of the name that consists of the first n bytes of a and of word,
+ * whose case does not count; -1 if there is none. */
+static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
 	for (int i = 0; i < names->n; i++)
@@ -177,7 +176,7 @@ static int name_beside(const struct names *names, const char *a, size_t n,
 	return -1;
 }
 
-/* Returns whether the name can be typed in --columns without quotes of a shell. */
+/* Returns whether a shell needs no quotes around the name in --columns. */
 static bool can_be_typed(const char *name)
 {
 	char shown[ESCAPED_MAX];
@@ -186,10 +185,11 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Finds the next names, from the pair *k of axes on, that begin alike and end in axes,
- * such as gps_lon and gps_lat; -1 for a coordinate without such a name. Leaves out a
- * quaternion, such as qx, qy, qz beside qw; beside a column x, all such names. */
-static bool guess_next(const struct names *names, int reads, int *k,
+/* Finds the next columns, after *k tries, that may be coordinates: sets found to the
+ * numbers of names that begin alike and end in axes, such as gps_lon and gps_lat; -1:
+ * no such name. Returns false if there are no more. Skips quaternions, such as qx, qy,
+ * qz and qw, and skips names such as px if x is a name. */
+static bool guess_columns(const struct names *names, int reads, int *k,
     int found[4])
 {
 	static const char *const axes[][2] = { { "x", "y" },
@@ -198,7 +198,7 @@ static bool guess_next(const struct names *names, int reads, int *k,
 		{ "east", "north" }, { "e", "n" }, { "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "h", "up", "w" };
-	const int many = reads < 4 ? 10 : 9;
+	const int usable = reads < 4 ? 10 : 9; /* w may be a coordinate */
 
 	while (*k < 9 * names->n) {
 		const char *const *axis = axes[*k / names->n];
@@ -207,26 +207,26 @@ static bool guess_next(const struct names *names, int reads, int *k,
 
 		*found = (*k)++ % names->n;
 		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
-		    name_beside(names, a, at, axis[0]) != *found ||
-		    (found[1] = name_beside(names, a, at, axis[1])) < 0 ||
+		    find_name(names, a, at, axis[0]) != *found ||
+		    (found[1] = find_name(names, a, at, axis[1])) < 0 ||
 		    !can_be_typed(a))
 			continue;
-		found[3] = name_beside(names, a, at, "w");
+		found[3] = find_name(names, a, at, "w");
 		if (at > 0 &&
-		    (name_beside(names, a, 0, "x") >= 0 ||
+		    (find_name(names, a, 0, "x") >= 0 ||
 			(axis == axes[0] && reads < 4 && found[3] >= 0)))
 			continue;
 		found[2] = -1;
-		for (int i = 0; i < 2 * many && found[2] < 0; i++)
-			found[2] = name_beside(names, a, i < many ? at : 0,
-			    heights[i % many]);
+		for (int i = 0; i < 2 * usable && found[2] < 0; i++)
+			found[2] = find_name(names, a, i < usable ? at : 0,
+			    heights[i % usable]);
 		return true;
 	}
 	return false;
 }
 
-/* Adds to the reason --columns with the names that guess_next finds: "; say --columns
- * px,py,pz or vx,vy,vz". Returns false if there are none, or more. */
+/* Adds to the reason --columns with all that guess_columns finds: "; say --columns
+ * px,py,pz or vx,vy,vz". Returns false if that is nothing, or more than two. */
 static bool say_guess(const struct names *names, int reads,
     char reason[REASON_MAX])
 {
@@ -234,7 +234,7 @@ static bool say_guess(const struct names *names, int reads,
 	int n = 0, k = 0, found[4];
 	bool all = true;
 
-	while (guess_next(names, reads, &k, found)) {
+	while (guess_columns(names, reads, &k, found)) {
 		say_more(reason, n++ == 0 ? "; say --columns " : " or ");
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, "%s%s", i > 0 ? "," : "",
@@ -249,12 +249,11 @@ static bool say_guess(const struct names *names, int reads,
 	return reason[was] != '\0';
 }
 
-/* Adds to the reason the names of the columns or members of the cut, and if one of them
- * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed
- * is NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h;
- * it has h, lat, lon". */
-static void say_names(const struct layout *l, struct cut c, const char *typed,
-    char reason[REASON_MAX])
+/* Adds to the reason the names of the columns or members after the cursor: "; it has x,
+ * y, z". If a name is near typed, the name in --columns, asks first "; did you mean
+ * 'x'?" If typed is NULL, without --columns, guesses "; say --columns lon,lat,h". */
+static void say_names(const struct layout *l, struct cursor c,
+    const char *typed, char reason[REASON_MAX])
 {
 	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
 	const struct span header = { c.s, c.end };
@@ -262,14 +261,14 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 	struct names names;
 	int i = 0;
 
-	names_of(c, &names);
+	copy_names(c, &names);
 	if (names.n > 0 && strncmp(names.list[0], "sep=", 4) == 0)
 		say_more(reason, "; leave this line out by tail -n +2");
 	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
 	const size_t head = typed != NULL ? strcspn(typed, ".[") : 0;
 
 	if (c.members && typed[head] != '\0' &&
-	    name_beside(&names, typed, head, "") >= 0) {
+	    find_name(&names, typed, head, "") >= 0) {
 		const char *s = escaped(shown, typed, strlen(typed));
 
 		say_more(reason, "; say /");
@@ -291,54 +290,54 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 		say_more(reason,
 		    "; say with --columns which the coordinates are");
 	}
-	if (names.n > 0 || names.more)
+	if (names.n > 0 || names.omitted)
 		say_more(reason, "%s it has ",
 		    reason[strlen(reason) - 1] == '?' ? "" : ";");
 	for (; i < names.n && strlen(reason) < room; i++)
 		say_more(reason, "%s%s", i > 0 ? ", " : "",
 		    escaped(shown, names.list[i], strlen(names.list[i])));
-	if (i < names.n || names.more)
+	if (i < names.n || names.omitted)
 		say_more(reason, i > 0 ? ", ..." : "...");
 }
 
-void say_missing(const struct layout *l, int i, struct cut cut,
-    const struct chosen *c, char reason[REASON_MAX])
+void say_missing(const struct layout *l, int i, struct cursor c,
+    const struct chosen *found, char reason[REASON_MAX])
 {
-	const char *name = cut.members || cut.names ? l->columns.name[i] : NULL;
+	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
 	char shown[ESCAPED_MAX];
 
 	*reason = '\0';
 	if (name == NULL) {
 		if (l->columns.n == 0)
 			say_field(l, i, (struct span){ NULL, NULL }, reason);
-		else if (!say_blanks(l, &(struct field){ .next = NULL },
+		else if (!say_empty_field(l, &(struct field){ .next = NULL },
 			     reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
 		return;
 	}
 	escaped(shown, name, strlen(name));
-	if (c->times[i] == 0) {
+	if (found->times[i] == 0) {
 		say_more(reason, "%s '%s'%s",
-		    cut.names ? "the header has no column" : "has no member",
+		    c.names ? "the header has no column" : "has no member",
 		    shown,
-		    cut.names || l->columns.n > 0 ?
+		    c.names || l->columns.n > 0 ?
 			"" :
 			"; --columns names the coordinates, such as lon "
 			"or /pos/x");
-		say_names(l, cut,
-		    cut.names && l->columns.by_header ? NULL : name, reason);
-	} else if (cut.names) {
+		say_names(l, c, c.names && l->columns.by_default ? NULL : name,
+		    reason);
+	} else if (c.names) {
 		say_more(reason,
 		    "the header has two columns for %s, %ld and %ld; say with "
 		    "--columns, by number, which the coordinates are",
-		    name, c->place[i] + 1, c->again[i] + 1);
+		    name, found->index[i] + 1, found->second_index[i] + 1);
 	} else {
 		say_more(reason, "has two members '%s'", shown);
 	}
 }
 
-void say_comment(struct layout *l, struct span text)
+void say_note_columns(struct layout *l, struct span text)
 {
 	struct columns told = { 0 };
 	struct layout other = *l;
@@ -348,61 +347,62 @@ void say_comment(struct layout *l, struct span text)
 	for (const char *s = text.s; s < text.end; s++)
 		if (strchr("#%!;:=", *s) != NULL)
 			text.s = s + 1;
-	names_of(cut_line((struct dialect){ FORMAT_TEXT, ' ' }, text), &names);
+	copy_names(line_cursor((struct dialect){ FORMAT_TEXT, ' ' }, text),
+	    &names);
 	other.columns.n = names.n;
-	while (!names.more && guess_next(&names, l->reads, &k, field)) {
+	while (!names.omitted && guess_columns(&names, l->reads, &k, field)) {
 		if (field[l->reads - 1] < 0 || (l->reads > 3 && field[2] < 0))
 			continue;
-		if (layout_is_first(&other))
+		if (layout_in_order(&other))
 			return;
 		if (told.n == 0)
 			told = other.columns;
 	}
 	if (told.n > 0)
-		l->told = told;
+		l->comment_columns = told;
 }
 
-bool say_headless(const struct layout *l, struct span row, bool lost,
+bool say_needs_header(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
-	const int *field = l->told.field;
-	struct cut c = cut_line(l->in, row);
-	bool numbers = l->told.n > 0;
+	const int *field = l->comment_columns.field;
+	struct cursor c = line_cursor(l->in, row);
+	bool numbers = l->comment_columns.n > 0;
 	struct field f;
 	int n = 0;
 	double v;
 
-	if (!l->columns.by_header)
-		return lost && layout_is_named(l);
+	if (!l->columns.by_default)
+		return lost && layout_has_names(l);
 	if (l->header != HEADER_MAYBE)
 		return false;
-	for (; cut_next(&c, &f); n++)
+	for (; cursor_next(&c, &f); n++)
 		for (int i = 0; i < l->reads; i++)
 			numbers &= n != field[i] ||
 			    format_number(l->in, f.value.s, f.value.end, &v) ==
 				f.value.end;
-	if (!l->moved && (!numbers || n != l->told.n))
+	if (!l->reordered && (!numbers || n != l->comment_columns.n))
 		return false;
 	strcpy(reason,
-	    l->moved ?
+	    l->reordered ?
 		"lacks the header of a file before; say --columns by number" :
 		"the comment above names other columns");
-	for (int i = 0; i < l->reads && !l->moved; i++)
+	for (int i = 0; i < l->reads && !l->reordered; i++)
 		say_more(reason, "%s%d", i > 0 ? "," : "; say --columns ",
 		    field[i] + 1);
 	return true;
 }
 
 void say_text_header(const struct layout *l, struct span line,
-    const struct chosen *c, char reason[REASON_MAX])
+    const struct chosen *found, char reason[REASON_MAX])
 {
 	const struct separator *other = find_separator(l, line, true);
 
 	for (int i = 0; i < l->reads; i++) {
-		struct span f = c->field[i].value;
+		struct span f = found->field[i].value;
 		double v;
 
-		if (c->times[i] > 0 && f.s < f.end &&
+		if (found->times[i] > 0 && f.s < f.end &&
 		    (*f.s == '[' || *f.s == '{' ||
 			format_number(l->in, f.s, f.end, &v) != NULL))
 			return;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* in the order of the enum */
+/* in the order of the enum that begins with CONVENTION_D3D */
 const char *const convention_names[] = { "d3d", "gl", "vulkan", "webgpu",
 	"opencv", NULL };
 
@@ -21,29 +21,29 @@ const struct convention conventions[] = {
 	    .ndc_y_down = true },
 };
 
-static const char *const hands[] = { "left", "right", NULL };
+static const char *const hand_names[] = { "left", "right", NULL };
 static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
-static const char *const ys[] = { "up", "down", NULL };
-static const char *const origins[] = { "top-left", "bottom-left", NULL };
+static const char *const y_directions[] = { "up", "down", NULL };
+static const char *const origin_names[] = { "top-left", "bottom-left", NULL };
 
-#define CHOICE(label, list, field, first, alias, what)          \
+#define CHOICE(label, list, field, first, alias, text)          \
 	ROW(convention, label, type_flag, field, .words = list, \
-	    .fallback = "\"" first "\"", .aliases = alias, .about = what)
+	    .fallback = "\"" first "\"", .aliases = alias, .about = text)
 
 const struct member convention_members[] = {
-	CHOICE("handedness", hands, right_handed, "left", "hand handed hands",
-	    "handedness of view space"),
-	CHOICE("view_y", ys, view_y_down, "up", "view y",
+	CHOICE("handedness", hand_names, right_handed, "left",
+	    "hand handed hands", "handedness of view space"),
+	CHOICE("view_y", y_directions, view_y_down, "up", "view y",
 	    "direction of y in view space"),
 	CHOICE("depth", depths, depth_minus_one, "zero_to_one",
 	    "clipz ndcz depthrange zrange",
-	    "range of z in ndc, from near to far"),
+	    "range of z in normalised device coordinates (ndc)"),
 	CHOICE("vectors", vector_names, column_vectors, "row",
 	    "vector major order transpose columnmajor rowmajor",
-	    "vectors of matrices, printed or read as nested rows"),
-	CHOICE("ndc_y", ys, ndc_y_down, "up", "ndc clip clipy",
+	    "form of matrices as nested rows: row for p M, column for M p"),
+	CHOICE("ndc_y", y_directions, ndc_y_down, "up", "ndc clip clipy",
 	    "direction of y in clip space and ndc"),
-	CHOICE("origin", origins, origin_bottom_left, "top-left", NULL,
+	CHOICE("origin", origin_names, origin_bottom_left, "top-left", NULL,
 	    "corner of the viewport where x and y are least"),
 	{ .name = NULL },
 };
@@ -58,7 +58,7 @@ static void read_convention_member(const struct value *v,
 		    conventions[value_word(v, row->words)];
 }
 
-/* Prints the name, or an object of the members that differ from d3d. */
+/* Prints a convention by its name or, without one, by the members other than d3d's. */
 static void print_convention_member(struct printer *p, const struct member *row,
     const void *at)
 {
@@ -73,10 +73,10 @@ static void print_convention_member(struct printer *p, const struct member *row,
 const struct type type_convention = { "a name or an object",
 	read_convention_member, print_convention_member, 0 };
 
-void check_axes(const struct value *in, const char *name)
+void require_convention(const struct value *object, const char *name)
 {
-	if (!in->unused && !in->source->has_axes)
-		value_refuse(VALUE_MISSING(in, name),
+	if (!object->unused && !object->source->has_axes)
+		value_refuse(VALUE_MISSING(object, name),
 		    "needs a \"convention\"; of x, y and z in view space, "
 		    "opencv is right, down, forward and webgpu right, up, "
 		    "backward");

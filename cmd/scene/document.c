@@ -10,7 +10,7 @@
 #include "types.h"
 #include "../message/message.h"
 
-/* The row of a member in scene_members: row i has bit i in enum scene_member. */
+/* The index of a member's row in scene_members; row i has bit i in scene_member. */
 #define ROW_OF(member) __builtin_ctz(SCENE_##member)
 
 enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
@@ -18,8 +18,8 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Returns the end of element e of a point, whose text is at s. Refuses a coordinate
- * other than a number or null, and another element that is an array or object. */
+/* Returns the end of e, an element of a point, whose text begins at s. Refuses e if it
+ * is an array or object or, as a coordinate, neither a number nor null. */
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {
@@ -32,10 +32,10 @@ static const char *element_end(struct value *e, const char *s, const char *end,
 	return stop;
 }
 
-/* Moves the point v, whose text begins at s, to *out as a line without blanks. Sets
- * *out to the end of the line, and returns the end of the point in the text. Refuses a
- * value that is not a point. The text was checked. */
-static const char *move_point(struct value *v, const char *s, const char *end,
+/* Writes the point v, whose text begins at s, to *out as a line without blanks. Moves
+ * *out to the end of the line, and returns the end of the point's text, which is known
+ * to be JSON. Refuses a value that is not a point. */
+static const char *write_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
 	struct value e = { v->source, .parent = v, .unused = v->unused };
@@ -68,11 +68,11 @@ static const char *move_point(struct value *v, const char *s, const char *end,
 	return s + 1;
 }
 
-/* Replaces the text of an array of points, or of one point, by a line for each point.
- * Returns the size of the lines. Refuses a value that is not an array. The lines are
- * not longer: a newline takes the place of the comma or bracket before the point; that
- * of a single point may take the byte after the text. */
-static size_t take_points(const struct value *v, const struct span *array,
+/* Replaces the text of an array of points, or of one point, by a line for each point,
+ * and returns the size of the lines. Refuses a value that is not an array. The lines
+ * have room: a newline after a point replaces the comma or bracket before the point.
+ * The newline after a single point may take the byte after the text. */
+static size_t write_points(const struct value *v, const struct span *array,
     int coordinates)
 {
 	struct value e = { v->source, .parent = v, .unused = v->unused };
@@ -87,15 +87,15 @@ static size_t take_points(const struct value *v, const struct span *array,
 		s = array->s;
 	}
 	for (; s < end && *s != ']'; e.index++) {
-		s = move_point(&e, s, end, coordinates, &out);
+		s = write_point(&e, s, end, coordinates, &out);
 		s = json_skip_blanks(s, end);
 		s = s < end && *s == ',' ? json_skip_blanks(s + 1, end) : s;
 	}
 	return (size_t)(out - array->s);
 }
 
-/* Sets m to the members of a document, and returns as bits those that it has. An object
- * with no member of a scene but angle_unit is the member w->bare itself. */
+/* Sets m[i] to the member with bit i, and returns the members of the document as bits.
+ * A document that has none, or only angle_unit, is itself the member w->lone_member. */
 static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
@@ -106,23 +106,23 @@ static unsigned find_members(struct document *d, const struct value *root,
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		if (value_member(root, scene_members[i].name, &m[i]))
 			seen |= 1u << i;
-	if (w->bare == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
+	if (w->lone_member == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
 		object_read(root, &scene_row, 0, NULL);
 		return seen;
 	}
-	const int bare = __builtin_ctz(w->bare);
+	const int lone = __builtin_ctz(w->lone_member);
 
-	d->bare = scene_members[bare].name;
-	m[bare] = *root;
-	return seen | w->bare;
+	d->lone_member = scene_members[lone].name;
+	m[lone] = *root;
+	return seen | w->lone_member;
 }
 
-unsigned document_reads(const struct document_wants *w)
+unsigned document_used_members(const struct document_wants *w)
 {
 	bool angles = (w->used & (SCENE_CAMERA | SCENE_PROJECTION)) != 0;
 
 	return w->used | SCENE_CONVENTION | (angles ? SCENE_ANGLE_UNIT : 0) |
-	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
+	    (w->flat_members != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
 static void check_needed(const struct value *root,
@@ -136,16 +136,18 @@ static void check_needed(const struct value *root,
 
 	value_refuse(VALUE_MISSING(root, row->name),
 	    "missing; add \"%s\": %s%s", row->name, row->example,
-	    w->flat == 0 ? "" : ", or for two dimensions \"window\": {}");
+	    w->flat_members == 0 ? "" :
+				   ", or for two dimensions \"window\": {}");
 }
 
-/* Refuses a flat document if the command takes documents of three dimensions only. */
+/* Refuses a document of two dimensions if the command takes only three dimensions. */
 static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
 	const char *name = seen & SCENE_WINDOW ? "window" : "device";
 
-	if (w->flat == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
+	if (w->flat_members == 0 &&
+	    (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 &&
 	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
 		value_refuse(VALUE_MISSING(root, name),
@@ -162,18 +164,17 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns as bits the members that a convention gives: all if it is a name, none if
- * there is no convention. */
-static uint64_t convention_gives(const struct value *v)
+/* Returns, as bits, the members that v, the value of "convention", gives: all if v is a
+ * name, none if v is missing. */
+static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))
 		return v->item != NULL ? ALL_MEMBERS : 0;
 	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL);
 }
 
-/* Completes members that depend on others. A device without the member origin has the
- * origin of the answer's convention or, if there is none, of the document's convention
- * if that gives one. */
+/* Sets what depends on several members. The default origin of a device is that of the
+ * convention of -c or, without -c, the one that the document's convention gives. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
@@ -188,12 +189,12 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
 	if (s->camera.kind == CAMERA_RVEC ||
 	    s->camera.kind == CAMERA_RVEC_TRANSLATION)
-		check_axes(&m[ROW_OF(CAMERA)], "rvec");
+		require_convention(&m[ROW_OF(CAMERA)], "rvec");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_device && answer == NULL &&
-	    (convention_gives(&m[ROW_OF(CONVENTION)]) &
+	    (given_by_convention(&m[ROW_OF(CONVENTION)]) &
 		member_bits(convention_members, 0, "origin", false)) != 0)
 		answer = &s->convention;
 	if (s->has_device && answer != NULL &&
@@ -207,9 +208,9 @@ void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants)
 {
 	struct source source = { .name = name,
-		.lines_before = wants->line,
-		.bytes_before = wants->column,
-		.hint_for_two = wants->two,
+		.lines_before = wants->lines_before,
+		.bytes_before = wants->bytes_before,
+		.hint_for_two = wants->hint_for_two,
 		.scene_members = scene_members };
 	struct document_wants w = *wants;
 	struct span points;
@@ -218,17 +219,19 @@ void document_read(struct document *d, const char *name, char *text,
 	struct value m[SCENE_MEMBERS];
 	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
-	source.for_fit = w.fit;
-	source.implied_type = (unsigned)w.projection;
+	source.for_fit = w.for_fit;
+	source.implied_type = (unsigned)w.projection_type;
 	*d = (struct document){ .source = source };
 	unsigned seen = find_members(d, &root, wants, m);
 
 	refuse_flat(&root, wants, seen);
-	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat) != 0;
+	d->flat = (seen & SCENE_PROJECTION) == 0 &&
+	    (seen & w.flat_members) != 0;
 	source.flat = d->flat;
 	if (d->flat) {
 		w.needed = 0;
-		w.used = document_reads(wants) & ~(unsigned)SCENE_SPATIAL;
+		w.used = document_used_members(wants) &
+		    ~(unsigned)SCENE_SPATIAL;
 		w.coordinates = w.coordinates > 0 ? 2 : 0;
 	}
 	for (int i = 0; i < SCENE_MEMBERS; i++)
@@ -238,7 +241,7 @@ void document_read(struct document *d, const char *name, char *text,
 	    conventions[CONVENTION_D3D];
 	read_members(d, m, seen & first);
 	source.has_axes = w.convention != NULL ||
-	    convention_gives(&m[ROW_OF(CONVENTION)]) != 0;
+	    given_by_convention(&m[ROW_OF(CONVENTION)]) != 0;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention,
 		sizeof d->scene.convention) != 0)
@@ -249,7 +252,7 @@ void document_read(struct document *d, const char *name, char *text,
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
 	if (seen & SCENE_POINTS)
-		size = take_points(&m[ROW_OF(POINTS)], &points, w.coordinates);
+		size = write_points(&m[ROW_OF(POINTS)], &points, w.coordinates);
 	if (seen & SCENE_POINTS && w.coordinates > 0) {
 		d->points = points.s;
 		d->points_size = size;
@@ -257,32 +260,32 @@ void document_read(struct document *d, const char *name, char *text,
 }
 
 char *document_points(const char *name, char *text, size_t size,
-    int coordinates, const char *two, size_t *points_size)
+    int coordinates, const char *hint_for_two, size_t *points_size)
 {
 	struct source source = { .name = name,
-		.hint_for_two = two,
+		.hint_for_two = hint_for_two,
 		.is_operand = true,
 		.scene_members = scene_members };
 	struct span points;
 	struct value root = value_parse_document(&source, "", text, size,
 	    &points);
 
-	*points_size = take_points(&root, &points, coordinates);
+	*points_size = write_points(&root, &points, coordinates);
 	return (char *)points.s;
 }
 
 void document_refuse(const struct document *d, const char *why)
 {
-	size_t bare = d->bare != NULL ? strlen(d->bare) : 0;
+	size_t lone = d->lone_member != NULL ? strlen(d->lone_member) : 0;
 	size_t n = *why == '/' ? strcspn(why, ":") : 0;
 	const char *what = n > 0 ? why + n + 2 : why;
 	char pointer[64];
 
-	/* "/camera/up" to "/up" */
-	if (bare > 0 && strncmp(why + 1, d->bare, bare) == 0 &&
-	    (why[bare + 1] == '/' || why[bare + 1] == ':')) {
-		why += bare + 1;
-		n -= bare + 1;
+	/* "/camera/up" becomes "/up" */
+	if (lone > 0 && strncmp(why + 1, d->lone_member, lone) == 0 &&
+	    (why[lone + 1] == '/' || why[lone + 1] == ':')) {
+		why += lone + 1;
+		n -= lone + 1;
 	}
 	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
 	const struct place place = source_place(&d->source, pointer);
@@ -290,13 +293,13 @@ void document_refuse(const struct document *d, const char *why)
 	die_at(EXIT_INPUT, &place, "%s", what);
 }
 
-void document_check(const struct document *d, const char *why)
+void document_refuse_if(const struct document *d, const char *why)
 {
 	if (why != NULL)
 		document_refuse(d, why);
 }
 
-/* Prints the members of a document whose bits are set. */
+/* Prints those members of a document whose bits are set. */
 static void put_document(struct printer *p, const struct document *d,
     unsigned bits)
 {

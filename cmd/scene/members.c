@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "types.h"
 
-static const char *const origins[] = { "bottom-left", "top-left", NULL };
-static const char *const scales[] = { "fill", "uniform", NULL };
+static const char *const device_origins[] = { "bottom-left", "top-left", NULL };
+static const char *const scale_names[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
@@ -11,32 +11,34 @@ static const struct member camera_members[] = {
 	    .about = "position of the camera in world space"),
 	ROW(camera, "at", type_numbers, at, .n = 3,
 	    .aliases = "target center centre lookat", .unit = "world units",
-	    .about = "point at which the camera looks"),
+	    .about = "point in world space at which the camera looks"),
 	ROW(camera, "gaze", type_numbers, at, .n = 3,
 	    .aliases = "direction dir forward",
-	    .about = "direction in which the camera looks"),
+	    .about = "direction in which the camera looks, of any length"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation quaternion quat qvec",
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w",
-	    .about = "quaternion x, y, z, w from view to world axes"),
+	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
-	    .note = "world to view about it, by its length", .unit = "radians",
-	    .about = "rotation vector from world to view axes"),
+	    .note = "world to view; its length is the angle", .unit = "radians",
+	    .about = "rotation vector that turns world axes into view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t",
 	    .note = "where the world's origin is in view space",
-	    .unit = "view units", .about = "origin of the world in view space"),
+	    .unit = "view units",
+	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w",
-	    .note = "view to world", .about = "matrix from view to world"),
+	    .note = "view to world",
+	    .about = "affine matrix from view to world space"),
 	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
 		       "rotationmatrix worldtocamera worldtocam w2c",
 	    .note = "world to view, [R|t]",
-	    .about = "matrix from world to view, such as [R|t]"),
+	    .about = "affine matrix from world to view space, such as [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .shown = true, .about = "direction that points up in the image"),
 	ROW(camera, "roll", type_numbers, roll, .range = &range_any,
@@ -44,18 +46,18 @@ static const struct member camera_members[] = {
 	    .about = "angle by which the image is turned counterclockwise"),
 	ROW(camera, "orthonormalize", type_flag, orthonormalize,
 	    .fallback = "false",
-	    .about = "replace the 3x3 part by the nearest rotation"),
+	    .about = "replace the matrix's 3x3 part by the nearest rotation"),
 	{ .name = NULL },
 };
 
-/* in the order of enum camera_by */
+/* in the order of the enum of kind in struct camera */
 static const struct ways camera_ways[] = {
-	{ { "eye at up? roll?", "eye gaze up? roll?", "eye orientation roll?",
-	      "eye rvec roll?", "translation orientation roll?",
-	      "translation rvec roll?", "pose orthonormalize?",
-	      "matrix orthonormalize?" },
-	    true,
-	    { "eye at up? roll?", "eye? gaze up? roll?",
+	{ .way = { "eye at up? roll?", "eye gaze up? roll?",
+	      "eye orientation roll?", "eye rvec roll?",
+	      "translation orientation roll?", "translation rvec roll?",
+	      "pose orthonormalize?", "matrix orthonormalize?" },
+	    .own_fit = true,
+	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
 		"eye? orientation roll?", "eye? rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
@@ -63,31 +65,31 @@ static const struct ways camera_ways[] = {
 	{ .way = { NULL } },
 };
 
-#define SIZE(in, label, field, ...)                                   \
-	ROW(in, label, type_numbers, field, .range = &range_positive, \
+#define SIZE(object, label, field, ...)                                   \
+	ROW(object, label, type_numbers, field, .range = &range_positive, \
 	    __VA_ARGS__)
 
-#define RECTANGLE(in)                                                   \
-	ROW(in, "x", type_numbers, x, .aliases = "left",                \
+#define RECTANGLE(object)                                               \
+	ROW(object, "x", type_numbers, x, .aliases = "left",            \
 	    .unit = "device units", .fallback = "0", .shown = true,     \
-	    .about = "least device x"),                                 \
-	    ROW(in, "y", type_numbers, y, .aliases = "top",             \
+	    .about = "least device x of the rectangle"),                \
+	    ROW(object, "y", type_numbers, y, .aliases = "top",         \
 		.unit = "device units", .fallback = "0", .shown = true, \
-		.about = "least device y"),                             \
-	    SIZE(in, "width", width, .unit = "device units",            \
-		.about = "width, required"),                            \
-	    SIZE(in, "height", height, .unit = "device units",          \
-		.about = "height, required")
+		.about = "least device y of the rectangle"),            \
+	    SIZE(object, "width", width, .unit = "device units",        \
+		.about = "width of the rectangle, required"),           \
+	    SIZE(object, "height", height, .unit = "device units",      \
+		.about = "height of the rectangle, required")
 
-/* the fields scale and scales of struct viewport */
+/* The fields scale and scales of struct viewport, which the member scale sets. */
 struct scale {
 	unsigned kind;
-	double by[2];
+	double units[2];
 };
 
 _Static_assert(offsetof(struct viewport, scales) ==
-	offsetof(struct viewport, scale) + offsetof(struct scale, by),
-    "scales stand behind scale");
+	offsetof(struct viewport, scale) + offsetof(struct scale, units),
+    "scales is next to scale");
 
 static void read_scale(const struct value *v, const struct member *row,
     void *out)
@@ -96,7 +98,7 @@ static void read_scale(const struct value *v, const struct member *row,
 
 	s->kind = SCALE_GIVEN;
 	if (value_is(v, JSON_ARRAY))
-		value_numbers(v, &range_positive, 2, s->by);
+		value_numbers(v, &range_positive, 2, s->units);
 	else if (value_string(v) == NULL)
 		value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
 	else
@@ -109,7 +111,7 @@ static void print_scale(struct printer *p, const struct member *row,
 	const struct scale *s = at;
 
 	if (s->kind == SCALE_GIVEN)
-		put_numbers(p, s->by, 2);
+		put_numbers(p, s->units, 2);
 	else
 		put_string(p, row->words[s->kind]);
 }
@@ -125,23 +127,25 @@ static const struct member viewport_members[] = {
 	ROW(viewport, "max_z", type_numbers, max_z,
 	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
 	    .fallback = "1", .about = "device z of the far plane"),
-	ROW(viewport, "scale", type_scale, scale, .words = scales,
+	ROW(viewport, "scale", type_scale, scale, .words = scale_names,
 	    .fallback = "\"fill\"",
-	    .about = "device units for one unit of ndc x and y"),
+	    .about = "device units (pixels) for one unit of ndc x and y"),
 	{ .name = NULL },
 };
 
 static const struct member device_members[] = {
 	RECTANGLE(device),
-	ROW(device, "origin", type_flag, top_left, .words = origins,
+	ROW(device, "origin", type_flag, top_left, .words = device_origins,
 	    .fallback = "\"bottom-left\"", .shown = true,
 	    .default_from = "-c's or the convention's",
-	    .about = "corner where x and y are least"),
+	    .about = "corner of the device where x and y are least"),
 	{ .name = NULL },
 };
 
-static const struct ways rectangle_ways[] = { { .way = { "width height" } },
-	{ .way = { NULL } } };
+static const struct ways rectangle_ways[] = {
+	{ .way = { "width height" } },
+	{ .way = { NULL } },
+};
 
 static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
@@ -152,13 +156,13 @@ static const struct member window_members[] = {
 	SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
 	ROW(window, "left", type_numbers, left, .unit = "window units",
-	    .about = "left edge, with right, bottom and top"),
+	    .about = "left edge of the window, with right, bottom and top"),
 	ROW(window, "right", type_numbers, right, .unit = "window units",
-	    .about = "right edge, greater than left"),
+	    .about = "right edge of the window, greater than left"),
 	ROW(window, "bottom", type_numbers, bottom, .unit = "window units",
-	    .about = "bottom edge"),
+	    .about = "bottom edge of the window"),
 	ROW(window, "top", type_numbers, top, .unit = "window units",
-	    .about = "top edge, greater than bottom"),
+	    .about = "top edge of the window, greater than bottom"),
 	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
 	    .fallback = "[0, 0]",
 	    .about = "distance that the window moves along x and y"),
@@ -166,23 +170,25 @@ static const struct member window_members[] = {
 	    .about = "factor of magnification; 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
 	    .flag = offsetof(struct window, has_about), .unit = "window units",
-	    .about = "point that zoom does not move; if absent, centre"),
+	    .about = "point that zoom does not move; if absent, the centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
 	    .fallback = "\"stretch\"",
-	    .about = "adaptation to a device of another shape"),
+	    .about = "on a device of other shape: stretch, show more or less"),
 	{ .name = NULL },
 };
 
 static const struct ways window_ways[] = {
-	{ { "center width height", "left right bottom top" }, true,
-	    { "center? width? height?", "left? right? bottom? top?" },
+	{ .way = { "center width height", "left right bottom top" },
+	    .own_fit = true,
+	    .fit_way = { "center? width? height?",
+		"left? right? bottom? top?" },
 	    .offset = offsetof(struct window, by_edges) },
 	{ .way = { NULL } },
 };
 
-/* Reads a corner of bounds: three numbers, or two in a flat document; two or three if
- * the command does not use bounds. */
-static void read_corner(const struct value *v, const struct member *row,
+/* Reads a point of bounds: three numbers or, in a flat document, two. If the command
+ * does not use the bounds, the point may have two or three numbers. */
+static void read_bounds_point(const struct value *v, const struct member *row,
     void *out)
 {
 	bool pair = value_is(v, JSON_ARRAY) && value_count(v) == 2;
@@ -196,24 +202,24 @@ static void read_corner(const struct value *v, const struct member *row,
 	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
 }
 
-static const struct type type_corner = { "3 numbers, or 2 of a window",
-	read_corner, NULL, 0 };
+static const struct type type_bounds_point = { "3 numbers, or 2 of a window",
+	read_bounds_point, NULL, 0 };
 
-#define CORNER(label, field, alias, what)                        \
-	ROW(bounds, label, type_corner, field, .aliases = alias, \
-	    .unit = "model units", .about = what)
+#define POINT(label, field, alias, text)                               \
+	ROW(bounds, label, type_bounds_point, field, .aliases = alias, \
+	    .unit = "model units", .about = text)
 
 static const struct member bounds_members[] = {
-	CORNER("center", center, "centre position", "centre of a sphere"),
+	POINT("center", center, "centre position", "centre of the sphere"),
 	SIZE(bounds, "radius", radius, .unit = "model units",
-	    .about = "radius of a sphere"),
-	CORNER("min", min, "lower from", "least coordinates of a box"),
-	CORNER("max", max, "upper to", "greatest coordinates of a box"),
+	    .about = "radius of the sphere"),
+	POINT("min", min, "lower from", "least x, y and z of the box"),
+	POINT("max", max, "upper to", "greatest x, y and z of the box"),
 	{ .name = NULL },
 };
 
 static const struct ways bounds_ways[] = {
-	{ { "min max", "center radius" },
+	{ .way = { "min max", "center radius" },
 	    .offset = offsetof(struct bounds, sphere) },
 	{ .way = { NULL } },
 };
@@ -221,9 +227,9 @@ static const struct ways bounds_ways[] = {
 static const struct member pick_members[] = {
 	ROW(pick, "at", type_numbers, at, .n = 2,
 	    .flag = offsetof(struct pick, has_at), .aliases = "position center",
-	    .unit = "device units", .about = "centre of the circle"),
+	    .unit = "device units", .about = "centre of the circle to search"),
 	SIZE(pick, "radius", radius, .unit = "device units",
-	    .about = "radius of the circle"),
+	    .about = "radius of the circle to search"),
 	{ .name = NULL },
 };
 
@@ -231,16 +237,16 @@ static const struct member pick_members[] = {
 #define BOUNDS_EXAMPLE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
 #define PICK_EXAMPLE "{\"at\": [320,240], \"radius\": 3}"
 
-static const struct value_range margins = { .min = 0,
+static const struct value_range margin_range = { .min = 0,
 	.max = 0.5,
 	.wanted = "a number from 0 to below 0.5 is wanted",
 	.max_excluded = true };
 
-/* The row of a member that is an object and a field of struct scene, which has a bool
- * has_... for it. */
-#define PART(label, field, table, like, ...)                            \
-	ROW(document, label, type_object, scene.field, .example = like, \
-	    .flag = offsetof(struct document, scene.has_##field),       \
+/* The row of a member that is an object. Struct scene has it in field, and in has_field
+ * whether the document gave it. */
+#define SCENE_OBJECT(label, field, table, sample, ...)                    \
+	ROW(document, label, type_object, scene.field, .example = sample, \
+	    .flag = offsetof(struct document, scene.has_##field),         \
 	    .members = table, __VA_ARGS__)
 
 const struct member scene_members[] = {
@@ -248,7 +254,7 @@ const struct member scene_members[] = {
 	    .members = convention_members, .example = "\"d3d\"",
 	    .words = convention_names, .fallback = "\"d3d\"", .shown = true,
 	    .default_from = "-c's",
-	    .about = "convention in which the scene is read",
+	    .about = "convention of the scene's axes, depths and matrices",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "angle_unit", type_word, unit,
@@ -261,55 +267,56 @@ const struct member scene_members[] = {
 	ROW(document, "world", type_affine, scene.world, .aliases = "model",
 	    .flag = offsetof(struct document, scene.has_world),
 	    .example = WORLD_EXAMPLE, .fallback = WORLD_EXAMPLE,
-	    .about = "matrix from model to world, affine",
+	    .about = "affine matrix from model to world space",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
-	PART("camera", camera, camera_members, CAMERA_EXAMPLE,
+	SCENE_OBJECT("camera", camera, camera_members, CAMERA_EXAMPLE,
 	    .ways = camera_ways, .aliases = "view",
-	    .about = "map from world to view space",
+	    .about = "where the camera stands (map from world to view space)",
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "projection", type_projection, scene.projection,
 	    .members = projection_members, .aliases = "lens perspective",
 	    .ways = projection_ways, .example = PERSP_EXAMPLE,
-	    .about = "map from view to clip space",
+	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
-	PART("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
+	SCENE_OBJECT("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways, .aliases = "screen",
-	    .about = "map from ndc to the device, in 3D",
+	    .about = "rectangle on the screen that shows the camera's image",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
-	PART("window", window, window_members, WINDOW_EXAMPLE,
-	    .ways = window_ways, .about = "rectangle of a 2D world",
+	SCENE_OBJECT("window", window, window_members, WINDOW_EXAMPLE,
+	    .ways = window_ways,
+	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
-	PART("device", device, device_members, RECTANGLE_EXAMPLE,
+	SCENE_OBJECT("device", device, device_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways,
-	    .about = "rectangle on the screen that shows a window",
+	    .about = "rectangle on the screen that shows a 2D window",
 	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
 	ROW(document, "points", type_points, points, .aliases = "point",
 	    .example = "[[0,0,0], [1,1,1]]",
-	    .about = "points, unless there are operands POINTS",
+	    .about = "points to read if the command line has no POINTS",
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
 	    .flag = offsetof(struct document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .ways = bounds_ways,
 	    .example = BOUNDS_EXAMPLE, .unit = "model units",
-	    .about = "volume that fit holds, in place of the points",
+	    .about = "volume that the picture of fit holds, in place of points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
 	ROW(document, "pick", type_object, pick,
 	    .flag = offsetof(struct document, has_pick),
 	    .members = pick_members, .example = PICK_EXAMPLE,
-	    .about = "circle on the device; or use --at, --radius",
+	    .about = "circle in which pick finds points; or --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"projection\": " PERSP_EXAMPLE
 		       ", \"viewport\": " RECTANGLE_EXAMPLE
 		       ", \"pick\": " PICK_EXAMPLE "}' '[[0,0,0], [1,1,1]]'"),
 	ROW(document, "margin", type_numbers, scene.margin,
-	    .aliases = "padding border", .example = "0.1", .range = &margins,
-	    .fallback = "0",
-	    .about = "fraction of the picture left free at each side",
+	    .aliases = "padding border", .example = "0.1",
+	    .range = &margin_range, .fallback = "0",
+	    .about = "share of the picture that fit leaves free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE ", \"margin\": 0.1}'"),
 	{ .name = NULL },

@@ -6,7 +6,7 @@
 
 #include "../message/utf8.h"
 
-/* The range of an angle, with the words for it in degrees and in radians. */
+/* A range of angles from least to most degrees, and its words in messages. */
 #define ANGLE_RANGE(label, least, most, degrees, radians, ...)              \
 	static const struct value_range label = { .min = least,             \
 		.max = most,                                                \
@@ -14,16 +14,16 @@
 		.wanted_radians = "an angle " radians " radians is wanted", \
 		__VA_ARGS__ }
 
-ANGLE_RANGE(opening, SIZE_MIN, 180, "above 0 and below 180",
+ANGLE_RANGE(fov_range, SIZE_MIN, 180, "above 0 and below 180",
     "above 0 and below pi", .max_excluded = true);
-ANGLE_RANGE(taper, 0, 180, "from 0 to below 180", "from 0 to below pi",
-    .max_excluded = true);
-ANGLE_RANGE(slope, SIZE_MIN, 90, "above 0 and up to 90",
+ANGLE_RANGE(volume_angle_range, 0, 180, "from 0 to below 180",
+    "from 0 to below pi", .max_excluded = true);
+ANGLE_RANGE(projector_angle_range, SIZE_MIN, 90, "above 0 and up to 90",
     "above 0 and up to pi/2", .max_excluded = false);
-ANGLE_RANGE(acute, -90, 90, "above -90 and below 90",
+ANGLE_RANGE(edge_angle_range, -90, 90, "above -90 and below 90",
     "above -pi/2 and below pi/2", .min_excluded = true, .max_excluded = true);
 
-static const struct value_range fraction = { .min = SIZE_MIN,
+static const struct value_range near_ratio_range = { .min = SIZE_MIN,
 	.max = 1,
 	.wanted = "a number above 0 and below 1 is wanted",
 	.max_excluded = true };
@@ -32,7 +32,7 @@ const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
 static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
-/* types as bits, in the order of projection_types */
+/* The types as bits, in the order of projection_types. */
 enum {
 	PERSP = 1,
 	ORTHO = 2,
@@ -40,10 +40,10 @@ enum {
 	VOLUME = 8,
 	MATRIX = 16,
 	PARALLEL = ORTHO | OBLIQUE,
-	SECTIONED = PERSP | PARALLEL, /* have a cross-section */
+	SECTIONED = PERSP | PARALLEL, /* types with a cross-section */
 };
 
-#define AT(m) offsetof(struct projection, m)
+#define OFFSET(m) offsetof(struct projection, m)
 #define MEMBER(types, label, value, field, ...) \
 	ROW(projection, label, value, field, .kinds = types, __VA_ARGS__)
 #define NUMBER(types, label, field, ...) \
@@ -56,56 +56,61 @@ enum {
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
 #define GLTF "for glTF and NeRF with \"angle_unit\": \"radians\""
 
-/* in the order in which they are printed */
+/* The rows are in the order in which members are printed. */
 const struct member projection_members[] = {
 	MEMBER(0, "type", type_word, type, .words = projection_types,
 	    .word_0 = PROJECTION_PERSP,
-	    .about = "type; implied by the commands of these names"),
+	    .about = "type; commands persp, ortho, oblique, volume imply it"),
 	MEMBER(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
 	    .word_0 = OBLIQUE_CAVALIER,
-	    .about = "length of lines along the gaze: kept or halved"),
-	ANGLE(OBLIQUE, "angle", projector_angle, .range = &slope,
+	    .about = "cavalier keeps the length of lines along the gaze, "
+		     "cabinet halves it"),
+	ANGLE(OBLIQUE, "angle", projector_angle,
+	    .range = &projector_angle_range,
 	    .about = "angle between projectors and picture, in place of kind"),
 	ANGLE(OBLIQUE, "direction", direction, .range = &range_any,
 	    .fallback = "45", .shown = true,
-	    .about = "direction of lines along the gaze in the picture"),
+	    .about = "direction in the picture of lines along the gaze"),
 	LENGTH(OBLIQUE, "plane", plane, .fallback = "0",
-	    .about = "depth at which points do not move"),
-	ANGLE(PERSP, "fovy", angle, .range = &opening,
+	    .about = "depth at which the slant moves no point"),
+	ANGLE(PERSP, "fovy", angle, .range = &fov_range,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
 	    .note = GLTF,
 	    .about = "angle between the bottom and the top plane"),
-	ANGLE(PERSP, "fovx", angle, .range = &opening,
+	ANGLE(PERSP, "fovx", angle, .range = &fov_range,
 	    .aliases = "xfov horizontalfov hfov cameraanglex", .note = GLTF,
 	    .about = "angle between the left and the right plane"),
-	ANGLE(PERSP, "view_angle", angle, .range = &opening, .aliases = "angle",
+	ANGLE(PERSP, "view_angle", angle, .range = &fov_range,
+	    .aliases = "angle",
 	    .about = "angle across the smaller side of the picture"),
 	NUMBER(PERSP, "field", angle, .range = &range_positive,
 	    .about = "half the larger side of the picture at distance 1"),
 	SIZE(VOLUME, "half_width", half_width,
-	    .about = "half the width of the rectangle at z = 0"),
+	    .about = "half the width of the view volume at view z = 0"),
 	SIZE(VOLUME, "half_height", half_height,
-	    .about = "half the height of the rectangle at z = 0"),
+	    .about = "half the height of the view volume at view z = 0"),
 	SIZE(VOLUME, "size", half_width,
-	    .about = "smaller side of the rectangle at z = 0, with aspect"),
+	    .about = "smaller side of the view volume at view z = 0"),
 	SIZE(SECTIONED, "width", width,
 	    .about = "width of the view volume; persp: at near or edges_at"),
 	SIZE(SECTIONED, "height", height,
 	    .about = "height of the view volume; persp: at near or edges_at"),
 	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
 	    .aliases = "ratio aspectratio",
-	    .about = "width over height; if absent, the viewport's"),
+	    .about = "width over height; if absent, from the viewport"),
 	LENGTH(SECTIONED, "left", left,
-	    .about = "left edge, with right, bottom and top"),
+	    .about = "left edge of the view volume, in place of width"),
 	LENGTH(SECTIONED, "right", right,
-	    .about = "right edge, other than left"),
-	LENGTH(SECTIONED, "bottom", bottom, .about = "bottom edge"),
-	LENGTH(SECTIONED, "top", top, .about = "top edge, other than bottom"),
-	ANGLE(PERSP, "angles", left, .n = 4, .range = &acute,
+	    .about = "right edge of the view volume, other than left"),
+	LENGTH(SECTIONED, "bottom", bottom,
+	    .about = "bottom edge of the view volume, in place of height"),
+	LENGTH(SECTIONED, "top", top,
+	    .about = "top edge of the view volume, other than bottom"),
+	ANGLE(PERSP, "angles", left, .n = 4, .range = &edge_angle_range,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze; for OpenXR "
 		    "with \"angle_unit\": \"radians\"",
-	    .about = "angles of left, right, bottom, top from the gaze"),
+	    .about = "angles from the gaze: left, right, bottom, top plane"),
 	MEMBER(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix matrix intrinsic p "
@@ -113,9 +118,9 @@ const struct member projection_members[] = {
 	    .note = "[fx, fy, cx, cy], K or P, in pixels; 16 numbers are "
 		    "\"matrix\" of type \"matrix\"",
 	    .unit = "device units",
-	    .about = "[fx, fy, cx, cy], K or P, nested or row after row"),
+	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
 	SIZE(PERSP, "edges_at", edges_at, .aliases = "distance",
-	    .about = "distance where edges are measured; if absent, near"),
+	    .about = "distance from the eye where edges are; if absent, near"),
 	SIZE(PERSP, "near", near, .aliases = "znear nearplane nearfar",
 	    .about = "distance of the near plane from the eye"),
 	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane",
@@ -127,56 +132,58 @@ const struct member projection_members[] = {
 	    .about = "distance of the far plane from the eye"),
 	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
 	    .aliases = "reversed", .fallback = "false",
-	    .about = "make depth greater at near than at far"),
+	    .about = "make depth greater at the near than at the far plane"),
 	LENGTH(VOLUME, "z_near", z_near, .aliases = "near znear nearplane",
 	    .about = "z of the near plane in view space"),
 	LENGTH(VOLUME, "z_far", z_far, .aliases = "far zfar farplane",
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
-	ANGLE(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
-	    .about = "angle across the smaller side; 0: parallel rays"),
+	ANGLE(VOLUME, "view_angle", angle, .range = &volume_angle_range,
+	    .aliases = "angle",
+	    .about = "angle across the smaller side; 0: parallel projection"),
 	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .fallback = "0",
-	    .about = "1/z of the eye; 0: parallel rays"),
+	    .about = "1/z of the eye in view space; 0: parallel projection"),
 	NUMBER(VOLUME, "tan_skew", tan_skew, .n = 2, .aliases = "skew",
-	    .fallback = "[0, 0]", .about = "x/z and y/z of the axis"),
+	    .fallback = "[0, 0]",
+	    .about = "x/z and y/z of the axis of the view volume"),
 	MEMBER(MATRIX, "matrix", type_matrix, matrix,
-	    .about = "matrix from view to clip"),
-	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio, .range = &fraction,
-	    .fallback = "0.0005",
+	    .about = "matrix from view to clip space"),
+	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio,
+	    .range = &near_ratio_range, .fallback = "0.0005",
 	    .about = "least near that fit finds, as a fraction of far"),
 	{ .name = NULL },
 };
 
-/* an index of projection_ways */
-enum { WAYS_DEPTH = 3 };
+/* the index in projection_ways of the ways to give near and far */
+enum { WAYS_PLANES = 3 };
 
-/* fit finds the width and height of a parallel projection, and keeps an aspect. */
+/* The command fit finds the width and height of parallel projections that lack them. */
 const struct ways projection_ways[] = {
 	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 	      "field aspect?", "width height edges_at?",
 	      "width aspect? edges_at?", "height aspect? edges_at?",
 	      "left right bottom top edges_at?", "angles", "intrinsics" },
-	    .kinds = PERSP, .offset = AT(extent) },
+	    .kinds = PERSP, .offset = OFFSET(extent) },
 	{ { "width height", "width aspect?", "height aspect?",
 	      "left right bottom top" },
 	    true,
 	    { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
-	    PARALLEL, AT(extent), EXTENT_SIZE },
+	    PARALLEL, OFFSET(extent), EXTENT_SIZE },
 	{ { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_DEPTH] = { { "near far" }, .own_fit = true, .kinds = PARALLEL },
+	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .kinds = PARALLEL },
 	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
-	    .kinds = VOLUME, .offset = AT(eye_given_by) },
+	    .kinds = VOLUME, .offset = OFFSET(eye_given_by) },
 	{ { "z_near z_far" }, .own_fit = true, .kinds = VOLUME },
-	/* no fit_way: fit_scene refuses the type */
+	/* no fit_way, as fit_scene refuses a matrix with any members */
 	{ { "matrix" }, .own_fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
 
-/* The ways for near and far of intrinsics: both may be missing, or far alone. */
-static const struct ways open_ways = {
+/* The ways to give near and far with intrinsics, which need neither. */
+static const struct ways optional_planes = {
 	.way = { "near far? reverse_z?", "" },
 };
 
@@ -189,8 +196,8 @@ static bool is_given(const struct projection *p, uint64_t seen,
 	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
-/* Refuses a projection without a type; says which types have all its members. */
-static _Noreturn void refuse_typeless(const struct value *v)
+/* Refuses a projection without a type; lists the types that have all its members. */
+static _Noreturn void refuse_missing_type(const struct value *v)
 {
 	const struct value *type = VALUE_MISSING(v, "type");
 	struct value m = value_child(v);
@@ -219,7 +226,7 @@ static _Noreturn void refuse_typeless(const struct value *v)
 }
 
 /* Reads the type, on which the other members depend. */
-static void find_type(const struct value *v, struct projection *p)
+static void read_type(const struct value *v, struct projection *p)
 {
 	unsigned implied = v->source->implied_type;
 	struct value m;
@@ -228,7 +235,7 @@ static void find_type(const struct value *v, struct projection *p)
 	if (value_member(v, "type", &m))
 		type_word.read(&m, projection_members, &p->type);
 	else if (implied == PROJECTION_NONE)
-		refuse_typeless(v);
+		refuse_missing_type(v);
 	if (implied != PROJECTION_NONE && p->type != implied)
 		value_refuse(&m, "is \"%s\", but the command is %s",
 		    projection_types[p->type - 1],
@@ -247,8 +254,8 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* Refuses a perspective that lacks near or far. Intrinsics need neither; of them far is
- * infinity if it is missing. fit finds both, but needs near to place the edges. */
+/* Refuses a perspective that lacks near or far. Intrinsics need neither; far is then
+ * infinity. The command fit finds both, but needs near for a cross-section at near. */
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
@@ -257,7 +264,7 @@ static void check_planes(const struct value *v, uint64_t seen,
 
 	if (!v->source->for_fit || !projection_is_given_at_near(p))
 		way = object_way(v, projection_members, 0, seen,
-		    open ? &open_ways : &projection_ways[WAYS_DEPTH]);
+		    open ? &optional_planes : &projection_ways[WAYS_PLANES]);
 	else if (!is_given(p, seen, "near"))
 		value_refuse(VALUE_MISSING(v, "near"),
 		    "missing; the section is on the near plane, unless "
@@ -278,13 +285,13 @@ static void read_projection(const struct value *v, const struct member *row,
 		    "\"matrix\": [...]}");
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
-	find_type(v, p);
+	read_type(v, p);
 	/* kinds are in the order of projection_types */
 	int kind = (int)p->type - 1;
 	uint64_t seen = object_read(v, row, kind, p);
 
 	p->unit = (enum angle_unit)v->source->unit;
-	/* the default direction stays in degrees: 45 */
+	/* the default direction, 45, is in degrees in every document */
 	if (is_given(p, seen, "direction"))
 		p->direction_unit = p->unit;
 	if (p->type == PROJECTION_PERSP)
@@ -298,31 +305,29 @@ static void read_projection(const struct value *v, const struct member *row,
 	}
 }
 
-/* Sets the size of the image that intrinsics are for, from the viewport; refuses
- * intrinsics without a viewport. */
-static void find_image_size(const struct value *v,
+/* Sets the image size of intrinsics to the size of the viewport. Refuses intrinsics
+ * without a viewport, or with a viewport whose scale is not fill. */
+static void set_image_size(const struct value *v,
     const struct viewport *viewport, struct projection *p)
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
-	if (viewport == NULL) {
+	if (viewport == NULL)
 		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
-	} else if (viewport->scale != SCALE_FILL) {
+	if (viewport->scale != SCALE_FILL)
 		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	} else {
-		check_axes(v, "intrinsics");
-		p->width = viewport->width;
-		p->height = viewport->height;
-	}
+	require_convention(v, "intrinsics");
+	p->width = viewport->width;
+	p->height = viewport->height;
 }
 
-/* Returns whether the projection depends on an aspect. fit widens a parallel projection
- * to the aspect. */
+/* Returns whether the projection depends on an aspect. A parallel projection does in
+ * the command fit, which widens it to the aspect that it has or the viewport has. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
@@ -342,21 +347,19 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	if (v->unused)
 		return;
 	if (projection_has_intrinsics(p))
-		find_image_size(v, viewport, p);
+		set_image_size(v, viewport, p);
 	if (!needs_aspect(v, viewport, p))
 		return;
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
 		return;
-	if (viewport == NULL) {
+	if (viewport == NULL)
 		value_refuse(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
-	} else if (viewport->scale == SCALE_UNIFORM) {
-		p->aspect[0] = 1;
-	} else {
-		p->aspect[0] = viewport->width;
-		p->aspect[1] = viewport->height;
-	}
+	bool uniform = viewport->scale == SCALE_UNIFORM;
+
+	p->aspect[0] = uniform ? 1 : viewport->width;
+	p->aspect[1] = uniform ? 1 : viewport->height;
 }
 
 static void print_projection(struct printer *printer, const struct member *row,
@@ -366,12 +369,12 @@ static void print_projection(struct printer *printer, const struct member *row,
 	int kind = (int)p.type - 1;
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = ALL_MEMBERS;
-	/* an aspect from the viewport, the default direction, and members of other ways
-	 * are left out */
+	/* members that are not printed: an aspect that the viewport gave, the default
+	 * direction, and members that the document cannot have given */
 	const struct {
-		bool is;
+		bool is_hidden;
 		const char *names;
-	} hidden[] = {
+	} groups[] = {
 		{ p.aspect[1] != 1, "aspect" },
 		{ p.direction == 45 && p.direction_unit == DEGREES,
 		    "direction" },
@@ -380,10 +383,10 @@ static void print_projection(struct printer *printer, const struct member *row,
 		{ true, sized ? "half_width half_height" : "size" },
 	};
 
-	for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++)
-		if (hidden[i].is)
+	for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
+		if (groups[i].is_hidden)
 			bits &= ~member_bits(row->members, kind,
-			    hidden[i].names, false);
+			    groups[i].names, false);
 	if (sized)
 		p.half_width *= 2; /* the size */
 	object_print(printer, row, kind, bits, &p);

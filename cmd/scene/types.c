@@ -35,7 +35,7 @@ static void print_numbers(struct printer *p, const struct member *row,
 const struct type type_numbers = { NULL, read_numbers, print_numbers,
 	sizeof(double) };
 
-static void read_bool(const struct value *v, const struct member *row,
+static void read_flag(const struct value *v, const struct member *row,
     void *out)
 {
 	const bool flag = value_is(v, JSON_TRUE);
@@ -46,7 +46,7 @@ static void read_bool(const struct value *v, const struct member *row,
 					    flag;
 }
 
-static void print_bool(struct printer *p, const struct member *row,
+static void print_flag(struct printer *p, const struct member *row,
     const void *at)
 {
 	const bool is = *(const bool *)at;
@@ -57,7 +57,7 @@ static void print_bool(struct printer *p, const struct member *row,
 		put_literal(p, is ? "true" : "false");
 }
 
-const struct type type_flag = { NULL, read_bool, print_bool, sizeof(bool) };
+const struct type type_flag = { NULL, read_flag, print_flag, sizeof(bool) };
 
 static void read_word(const struct value *v, const struct member *row,
     void *out)
@@ -89,7 +89,7 @@ static void print_object(struct printer *p, const struct member *row,
 
 const struct type type_object = { NULL, read_object, print_object, 0 };
 
-#define FAR "a number or \"infinity\""
+#define FAR_FORMS "a number or \"infinity\""
 
 static void read_far(const struct value *v, const struct member *row, void *out)
 {
@@ -99,10 +99,10 @@ static void read_far(const struct value *v, const struct member *row, void *out)
 	if (s != NULL && strcmp(s, "infinity") == 0)
 		*(double *)out = HUGE_VAL;
 	else if (s != NULL)
-		value_refuse(v, "is \"%s\"; " FAR " is wanted",
+		value_refuse(v, "is \"%s\"; " FAR_FORMS " is wanted",
 		    escaped(shown, s, strlen(s)));
 	else if (value_is(v, JSON_NULL))
-		value_refuse_type(v, FAR);
+		value_refuse_type(v, FAR_FORMS);
 	else
 		read_numbers(v, row, out);
 }
@@ -127,21 +127,21 @@ const struct type type_far = { "size or \"infinity\"", read_far, print_far,
 
 const char *const vector_names[] = { "row", "column", NULL };
 
-/* The object of a matrix that -o json prints. */
+/* The object that -o json prints for a matrix. */
 static const struct member matrix_members[] = { { .name = "matrix" },
 	{ .name = "vectors" }, { .name = NULL } };
 
-#define ANY "16 numbers or 4 rows of 4"
-#define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
+#define MATRIX_FORMS "16 numbers or 4 rows of 4"
+#define AFFINE_FORMS "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
 static const struct ways matrix_ways[] = { { .way = { "matrix vectors?" } },
 	{ .way = { NULL } } };
 static const struct member matrix_row = { .members = matrix_members,
 	.ways = matrix_ways };
 
-/* Returns whether rows of a matrix are for column vectors, by the member "vectors" of
- * its object, by their shape, or by the document. */
-static bool is_column(const struct value *v, size_t rows, size_t columns)
+/* Returns whether rows of a matrix are for column vectors, as the member "vectors" of v
+ * says or, without it, their shape or, if they are square, the document. */
+static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, square = rows == columns;
 	struct value vectors;
@@ -157,9 +157,9 @@ static bool is_column(const struct value *v, size_t rows, size_t columns)
 	return given;
 }
 
-/* Refuses rows of 4 that were read for row vectors, but are affine for column
+/* Refuses a matrix m that was read for row vectors, but is affine only for column
  * vectors. */
-static void check_rows(const struct value *v, const double m[4][4])
+static void check_transposed(const struct value *v, const double m[4][4])
 {
 	bool last = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
 	    m[3][3] == 1;
@@ -172,7 +172,7 @@ static void check_rows(const struct value *v, const double m[4][4])
 		    "{\"matrix\": [...], \"vectors\": \"column\"}");
 }
 
-/* Reads rows of numbers, or the same numbers one row after the other. */
+/* Reads an array of rows of numbers, or an array of the numbers row after row. */
 static void read_rows(const struct value *v, size_t rows, size_t columns,
     double *out)
 {
@@ -185,8 +185,8 @@ static void read_rows(const struct value *v, size_t rows, size_t columns,
 			value_numbers(&row, &range_any, columns, out);
 }
 
-/* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row
- * by row, and for column vectors, stored column by column; nested rows differ. */
+/* Reads a matrix. Rows for column vectors are transposed. 16 numbers are not, as their
+ * order is row by row for row vectors, and column by column for column vectors. */
 static void read_matrix(const struct value *v, const struct member *member,
     void *out)
 {
@@ -200,19 +200,20 @@ static void read_matrix(const struct value *v, const struct member *member,
 	}
 	if (!value_is(&all, JSON_ARRAY))
 		value_refuse_type(&all,
-		    affine ? "an array of " AFFINE : "an array of " ANY);
+		    affine ? "an array of " AFFINE_FORMS :
+			     "an array of " MATRIX_FORMS);
 	struct value row = value_child(&all);
 	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
-	size_t columns = affine && n == 4 && value_is(&row, JSON_ARRAY) &&
-		value_count(&row) == 3 ?
-	    3 :
-	    4;
-	bool column = is_column(v, rows, columns), swap = column && n == rows;
+	bool narrow = affine && n == 4 && value_is(&row, JSON_ARRAY) &&
+	    value_count(&row) == 3;
+	size_t columns = narrow ? 3 : 4;
+	bool column = is_for_columns(v, rows, columns),
+	     swap = column && n == rows;
 	double e[16];
 
 	if (n != rows && n != 16)
 		value_refuse(&all, "has %zu element%s; %s are wanted", n,
-		    n == 1 ? "" : "s", affine ? AFFINE : ANY);
+		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS);
 	read_rows(&all, rows, columns, e);
 	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)
@@ -220,14 +221,14 @@ static void read_matrix(const struct value *v, const struct member *member,
 				j < columns ?
 			    e[i * columns + j] :
 			    i == j;
-	/* An inverse that was computed in doubles may end in 1 - 2^-53. */
+	/* The last element of an inverse by doubles may be 1 - 2^-53. */
 	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
 		m[3][3] = 1;
 	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
-		check_rows(v, m);
+		check_transposed(v, m);
 }
 
-static void print_rows(struct printer *p, const struct member *row,
+static void print_affine(struct printer *p, const struct member *row,
     const void *at)
 {
 	const double(*m)[4] = at;
@@ -245,9 +246,9 @@ static void print_rows(struct printer *p, const struct member *row,
 }
 
 const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
+const struct type type_affine = { "matrix", read_matrix, print_affine, 0 };
 
-#define FORMS                                                         \
+#define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
@@ -287,7 +288,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 
 	(void)row;
 	if (!value_is(v, JSON_ARRAY))
-		value_refuse_type(v, FORMS ",");
+		value_refuse_type(v, INTRINSICS_FORMS ",");
 	size_t n = value_count(v), columns = n / 3;
 
 	if (nested)
@@ -303,7 +304,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		return;
 	}
 	if (nested ? n != 3 : n != 9 && n != 12)
-		value_refuse(v, "is none of " FORMS);
+		value_refuse(v, "is none of " INTRINSICS_FORMS);
 	read_rows(v, 3, columns, e);
 	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 &&
 	    e[5] == 0 && e[8] == 1 && !v->unused)
@@ -321,7 +322,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		    "by more than one number");
 }
 
-/* Prints the shortest form that says all: fx, fy, cx, cy, else K, else P. */
+/* Prints fx, fy, cx and cy, if P has no other numbers, else K if P is K, else P. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

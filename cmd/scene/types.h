@@ -1,31 +1,31 @@
 /* SPDX-License-Identifier: MIT */
-/* The types of members, for the tables of object.h. A comment says what such a member
- * is in JSON and, after "in the struct", what its field is. */
+/* The types of members, for the tables of object.h. The comment on a type says what its
+ * members are in JSON and, after "in the struct", what their fields are. */
 #ifndef TYPES_H
 #define TYPES_H
 
 #include "../json/object.h"
 #include "document.h"
 
-/* A number, or an array of n numbers; in the struct doubles. */
+/* A number or, if the row has n, an array of n numbers; in the struct doubles. */
 extern const struct type type_numbers;
 
-/* true or false; or, if the row has words, one of two. In the struct a bool: true for
- * the second word. */
+/* true or false or, if the row has words, one of its two words; in the struct a bool,
+ * which is true for the second word. */
 extern const struct type type_flag;
 
 /* One of the row's words; in the struct an enum: row.word_0 plus the word's index. */
 extern const struct type type_word;
 
-/* In the order of enum angle_unit; NULL ends them. */
+/* The names of enum angle_unit, in its order; NULL ends them. */
 extern const char *const angle_units[];
 
-/* "row" and "column", the vectors of a matrix; NULL ends them. */
+/* "row" and "column", the vectors that a matrix may be for; NULL ends them. */
 extern const char *const vector_names[];
 
-/* A matrix: 16 numbers in memory order; or 4 rows, which are for row vectors unless
- * source->column_vectors is set; or the object that -o json prints, which says its
- * vectors. An affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3
+/* A matrix: 16 numbers in memory order; or 4 rows, for row vectors unless
+ * source->column_vectors is set; or the object of matrix and vectors that -o json
+ * prints. An affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3
  * for row vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
@@ -33,17 +33,15 @@ extern const struct type type_matrix, type_affine;
  * P; in the struct P, a double[3][4]. */
 extern const struct type type_intrinsics;
 
-/* A number, or "infinity"; in the struct a double. */
+/* A number, or "infinity"; in the struct a double. put_distance prints it. */
 extern const struct type type_far;
 void put_distance(struct printer *, double);
 
 /* An object with the members and ways of the row. */
 extern const struct type type_object;
 
-/* Points. They are read as lines of text, not through a table. */
+/* Points, which document.c reads as lines of text. */
 extern const struct type type_points;
-
-/* The tables of the members of a scene, and of the objects among them. */
 
 /* The members of struct document; row i has bit i in enum scene_member. */
 extern const struct member scene_members[];
@@ -56,12 +54,12 @@ extern const struct type type_projection;
 /* The names of the types from PROJECTION_PERSP on; NULL ends them. */
 extern const char *const projection_types[];
 
-/* Sets what a projection takes from the viewport, which may be NULL: a missing aspect
- * and, for intrinsics, the size of the image. The value is the projection's. */
+/* Sets what a projection, which was read from the value, takes from the viewport, which
+ * may be NULL: a missing aspect and, for intrinsics, the size of the image. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
 
-/* Examples of members. The aspect of SCENE_EXAMPLE is that of its viewport. */
+/* Examples for the help. SCENE_EXAMPLE takes its aspect from the viewport. */
 #define CAMERA_EXAMPLE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
 #define PERSP_EXAMPLE                                           \
 	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
@@ -75,8 +73,7 @@ void projection_complete(const struct value *, const struct viewport *,
 	" \"fovy\": 60, \"near\": 1, \"far\": 10}, " \
 	"\"viewport\": " RECTANGLE_EXAMPLE "}"
 
-/* The member "convention", and the conventions that have a name. */
-
+/* The conventions that have a name, in the order of convention_names. */
 enum {
 	CONVENTION_D3D, /* the default */
 	CONVENTION_GL,
@@ -87,17 +84,17 @@ enum {
 };
 
 extern const struct convention conventions[CONVENTIONS];
-extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
+extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends them */
 
-/* The members of a convention that is an object. Each is a bool of struct convention
- * and has two words: the first, the property of d3d, is false, the second true. */
+/* The members of a convention that is an object. Each has two words and is a bool of
+ * struct convention: false for the first word, which d3d has, true for the second. */
 extern const struct member convention_members[];
 
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
-/* Refuses the member name of in, which depends on the view axes, if neither the
- * document nor the command line has a convention. */
-void check_axes(const struct value *in, const char *name);
+/* Refuses the member name of the object, whose numbers depend on the view axes, if
+ * neither the document nor the command line has a convention. */
+void require_convention(const struct value *object, const char *name);
 
 #endif

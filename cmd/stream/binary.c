@@ -16,8 +16,7 @@ bool binary_by_blocks(const struct job *j)
 
 size_t binary_size(const struct layout *l)
 {
-	return l->keeps ? layout_record(l) :
-			  point_size(l->out.format, l->writes);
+	return l->keeps ? record_size(l) : point_size(l->out.format, l->writes);
 }
 
 /* Copies the coordinates, numbers of size bytes, of n points from records to rows or,
@@ -25,7 +24,7 @@ size_t binary_size(const struct layout *l)
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool to_records, size_t n)
 {
-	size_t record = layout_record(l), row = size * (size_t)l->reads;
+	size_t record = record_size(l), row = size * (size_t)l->reads;
 	size_t from_size = to_records ? row : record,
 	       to_size = to_records ? record : row;
 
@@ -53,7 +52,7 @@ static void copy_coordinates(const struct layout *l, char *records, char *rows,
 /* Returns the number of points of the next block. */
 static size_t count_points(const struct job *j, const struct chunk *c)
 {
-	size_t n = (size_t)(c->end - c->text) / layout_record(&j->layout);
+	size_t n = (size_t)(c->end - c->text) / record_size(&j->layout);
 
 	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
@@ -114,7 +113,7 @@ void binary_read(const struct job *j, struct chunk *c)
 {
 	const struct layout *l = &j->layout;
 	const bool wide = l->in.format == FORMAT_F64;
-	size_t size = layout_record(l), n = count_points(j, c);
+	size_t size = record_size(l), n = count_points(j, c);
 	const char *text = c->text;
 	char reason[REASON_MAX];
 
@@ -150,7 +149,7 @@ bool binary_map_floats(const struct job *j, struct chunk *c)
 	    !points_map_floats(&j->transform, next_rows(l, c, n), images, n))
 		return false;
 	c->size += n * binary_size(l);
-	c->text += n * layout_record(l);
+	c->text += n * record_size(l);
 	c->block_lines = n;
 	return true;
 }
@@ -164,7 +163,7 @@ bool binary_write(const struct job *j, struct chunk *c, const char *text)
 	char *images = out + (l->keeps ? size : 0);
 
 	if (!kernels_chosen()->to_rows[wide][l->writes](c->image, images, n)) {
-		set_lines(c, text, layout_record(l), n);
+		set_lines(c, text, record_size(l), n);
 		return false;
 	}
 	if (l->keeps) {

@@ -333,7 +333,7 @@ void job_do(struct job *j, struct chunk *c)
 	c->block_lines = 0;
 	if (c->first == FIRST_BYTE) {
 		refuse_foreign(j, c);
-		c->first = binary ? FIRST_IS_READ : FIRST_LINE;
+		c->first = binary ? FIRST_NONE : FIRST_LINE;
 	}
 	for (; c->text < c->end; c->n_lines += c->block_lines) {
 		const char *text = c->text;

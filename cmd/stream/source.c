@@ -80,7 +80,7 @@ static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 	size_t end = p->size + n, whole = end;
 
 	if (is_binary(l->in.format))
-		whole -= end % layout_record(l);
+		whole -= end % record_size(l);
 	else
 		while (whole > p->size && p->text[whole - 1] != '\n')
 			whole--;

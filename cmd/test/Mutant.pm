@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Changes of the program's source as a tired programmer might make them, one at a
-# time: mutants, which tests are to find. One is
+# Makes mutants. A mutant is a change of the program's source, as by a tired programmer,
+# which a test should find. It is kept as
 #
 #	{file => 'core/x.c', line => 12, from => "\tlines as they stand\n",
 #	    to => "\tand as they are changed\n"}
@@ -11,8 +11,8 @@ use Exporter 'import';
 
 our @EXPORT = qw(mutants mutated hunk hunks same_change);
 
-# Comments, strings and what the preprocessor reads but for macros' bodies, as
-# blanks of the same length.
+# Returns the text with blanks in place of comments, strings and the preprocessor's
+# lines, except for the bodies of macros.
 sub code {
 	my ($text) = @_;
 	my $blank = sub { $_[0] =~ tr/\n/ /cr };
@@ -30,8 +30,8 @@ my %operator = ('+' => '-', '-' => '+', '*' => '/', '/' => '*', '%' => '*',
     '|=' => '&=', '&=' => '|=');
 my %step = ('++' => '--', '--' => '++');
 
-# Changes a literal: an integer by one, up and down; other numbers to twice and
-# half.
+# Returns the changes of a literal: an integer plus and minus one; the double and the
+# half of other numbers.
 sub neighbours {
 	my ($n) = @_;
 	return map { $_ . $2 } $1 + 1, $1 > 0 ? $1 - 1 : ()
@@ -58,11 +58,11 @@ sub closing {
 
 my $words = qr/(?:if|else|for|while|do|switch|case|default|struct|enum|union|
     static|const|typedef|using|template|namespace|extern|goto)\b/x;
-# A declaration: a type, a name, and the end of both.
+# A declaration: a type, a name, and the character after them.
 my $declaration = qr/(?!return\b)\w[\w:<>]*(?:\s+\w+)*\s+\**\w+
     (?:\[[^\]]*\])*\s*(?:[=;,]|\z)/x;
 
-# [kind, offset, number of characters, their replacement]
+# Returns the changes of a text, each as [kind, offset, length, replacement].
 sub changes {
 	my ($code) = @_;
 	my @found;
@@ -89,7 +89,7 @@ sub changes {
 		my ($at, $statement) = ($+[0], $1);
 		next if $statement =~ /\A$words|\A$declaration/ ||
 		    $statement =~ tr/(// != $statement =~ tr/)//;
-		# the end of a function is to return something
+		# a function must end with its return
 		next if $statement =~ /\Areturn\b./ &&
 		    substr($code, 0, $at) !~ /\)\s*\z/;
 		push @found, ['statement', $at, length $statement, ';'];
@@ -119,8 +119,8 @@ sub mutants {
 
 sub trimmed { $_[0] =~ s/^\s+|\s+$//gmr }
 
-# Returns the text with a mutant in it, at the place of its lines that is nearest to its
-# line number; undef if the text does not have the lines.
+# Returns the text with the change of a mutant. If the text has the mutant's lines at
+# several places, changes those nearest to its line number; if nowhere, returns undef.
 sub mutated {
 	my ($text, $mutant) = @_;
 	my $pattern = join '\n\s*', map { quotemeta }
@@ -148,9 +148,8 @@ sub hunk {
 	    $lines->('-', $mutant->{from}) . $lines->('+', $mutant->{to});
 }
 
-# Returns the mutants of a file of hunks. The number of the line may be absent.
-# Lines that begin with # are the reason of the hunks below them, up to an empty
-# line.
+# Returns the mutants of a file of hunks. The number of a line may be absent. Lines that
+# begin with # give the reason for the hunks below them, up to an empty line.
 sub hunks {
 	my ($text) = @_;
 	my @found;
@@ -168,7 +167,8 @@ sub hunks {
 }
 
 # Returns whether two mutants change the text of a file in the same way, except for
-# blanks. Lines around them may tell which of several like places is meant.
+# blanks. A mutant may quote lines around its change, if the text has it at several
+# places.
 sub same_change {
 	my ($text, @two) = @_;
 	my ($a, $b) = map { trimmed(mutated($text, $_) // '') } @two;

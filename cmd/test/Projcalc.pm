@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-# What every test here needs. A test that uses it stands at the top of the
-# project, has a directory for what it writes, and Test::More.
-# usage of a test: x_test.t [-w] [BUILD] [FILE...]; BUILD, or else the variable
-# of that name, or else build, is the directory of projcalc. -w is for tests
-# that can rewrite what they expect.
+# What the tests share. Using it changes to the top of the project, makes a directory
+# $tmp for output, and loads Test::More. usage of a test: x_test.t [-w] [BUILD]
+# [FILE...]; BUILD, or else the variable of that name, or else build, is the directory
+# of projcalc. -w is for tests that can rewrite what they expect.
 package Projcalc;
 use strict;
 use warnings;
@@ -25,7 +24,7 @@ our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted
 
 $ENV{LC_ALL} = 'C';
 delete @ENV{qw(NO_COLOR POSIXLY_CORRECT CDPATH)};
-# A make that a test starts is not a part of `make test`, as for a reader who types it.
+# A make that a test starts must not take part in `make test`, but run as if typed.
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
 chdir $top or die "$top: $!\n";
 
@@ -42,7 +41,7 @@ sub spew {
 	close $file or die "$name: $!\n";
 }
 
-# Park and Miller's, so that any perl makes the same numbers.
+# Random numbers by Park and Miller, which are the same in any perl.
 my $state = 1;
 
 sub below {
@@ -52,7 +51,7 @@ sub below {
 
 sub pick { $_[below(scalar @_)] }
 
-# Returns the first of these commands that is not installed, if any.
+# Returns the first of the commands that is not installed, or undef.
 sub missing {
 	for my $tool (@_) {
 		return $tool if system("command -v $tool >/dev/null") != 0;
@@ -60,7 +59,7 @@ sub missing {
 	return;
 }
 
-# Ends a test. If a case has failed, says how what it expects is rewritten.
+# Ends a test. If a case has failed, says how its expected output is rewritten.
 sub done_or {
 	my ($how) = @_;
 	diag("If the change is meant: $how; then read the diff.")

@@ -51,8 +51,8 @@ sub unescape {
 	    {defined $2 ? chr oct $2 : $escaped{$1} // $1}ger;
 }
 
-# Lines of output, escaped if they would be taken for something else or hold
-# more than printable ASCII, or blanks at their end.
+# Returns lines of output as a transcript has them. A line is escaped if it begins with
+# a mark, ends in blanks, or has bytes other than printable ASCII.
 sub shown {
 	my ($text, $mark) = @_;
 	my ($shown, $above) = ('', '');
@@ -66,14 +66,15 @@ sub shown {
 	return $shown;
 }
 
-# The inverse for one line, without the mark of standard error.
+# Returns the output that a line of a transcript stands for, without the mark of
+# standard error.
 sub meant {
 	my ($line) = @_;
 	return $line =~ /\A% (.*)\n/ ? unescape($1) : $line;
 }
 
-# The parts of a transcript: cases, and comments that stand alone, which have
-# no command.
+# Returns the parts of a transcript: cases, and comments without a case, which have no
+# command.
 sub transcript {
 	my ($file, $text) = @_;
 	my ($line, @parts) = (1);
@@ -142,7 +143,7 @@ sub examples {
 	return @cases;
 }
 
-# The case with what its command says now.
+# Runs the command of a case, and returns the case with its output now.
 sub said {
 	my ($case) = @_;
 	my %said = %$case;

@@ -1,9 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The same bits: what the program prints for one fixed list of scenes, points
-# and options has the digests of testdata/bits.sha256, whatever compiled it,
-# with the loops of each processor that this one can run, and with any number
-# of threads.
+# Checks that the output of the program for a fixed list of scenes, points and options
+# has the digests of testdata/bits.sha256: with any compiler, with every copy of the
+# loops that this processor runs, and with any number of threads.
 # usage: bits_test.t [-w] [BUILD]; -w rewrites the digests: read the diff of
 # the transcripts first.
 use strict;
@@ -15,8 +14,8 @@ use Projcalc;
 
 my $digests = 'testdata/bits.sha256';
 
-# Returns a number: whole, with decimals, far away, near a power of two, or beyond
-# every limit.
+# Returns a number: an integer, with decimals, large, near a power of two, or beyond the
+# limits of scenes.
 sub number {
 	my $n = below(1000) - 1000;
 	$n = -$n if below(2);
@@ -115,7 +114,7 @@ sub flat {
 	    ',"x":' . near() . pick('', ',"origin":"top-left"') . '}}';
 }
 
-# Returns n points of a size, a few of them anywhere.
+# Returns n points of $size coordinates, a few of which may be any numbers.
 sub points {
 	my ($n, $size) = @_;
 	return map { join(' ', map { below(8) ? near() : number() }
@@ -132,7 +131,7 @@ sub any_bits {
 	} 1 .. $n;
 }
 
-# Returns the commands by group, which are made once.
+# The commands by group.
 my (%runs, @groups);
 
 sub add {

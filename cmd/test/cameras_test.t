@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The manual's recipes for cameras of other programs: from the file as it was
-# written to pixels, which are the doubles nearest to what that program's own
-# formula gives at 60 digits.
+# Checks the manual's recipes for cameras of other programs: the pixels that they print
+# for a file of such a program are the doubles nearest to the results of the program's
+# own formula in 60 digits.
 use strict;
 use warnings;
 use FindBin;
@@ -17,7 +17,7 @@ use Transcript;
 plan skip_all => 'no jq' if missing('jq');
 Math::BigFloat->accuracy(90);
 
-# Returns the exact value of the double nearest to a text: doubles of these sizes have
+# Returns the exact value of the double nearest to a text. Doubles of these sizes have
 # at most 86 digits.
 sub number {
 	my ($double) = strtod("$_[0]");
@@ -74,7 +74,7 @@ sub document {
 	return JSON::PP->new->allow_bignum->decode(slurp("testdata/cameras/$_[0]"));
 }
 
-# Recipes by the file that they read: the command without the points.
+# The recipes by the file that they read: the command without its points.
 my %recipe;
 for my $case (examples('man/projcalc-scene.5')) {
 	my ($jq, $file) = $case->{command} =~
@@ -116,7 +116,8 @@ sub grid {
 	    0 .. $#$z } 0 .. $#$y } 0 .. $#$x;
 }
 
-# OpenCV: K (R p + t). Each camera of the file, the object's corners and more.
+# OpenCV: K (R p + t), for some cameras of the file, and a grid of points around the
+# object.
 my @corners = grid([-0.041897, 0, 0.030897], [0.001126, 0.05, 0.088227],
     [-0.037845, 0.035495]);
 for my $name (qw(dino0001.png dino0059.png dino0120.png dino0299.png)) {
@@ -131,8 +132,8 @@ for my $name (qw(dino0001.png dino0059.png dino0120.png dino0299.png)) {
 	} @corners);
 }
 
-# COLMAP: q and t from the world to the camera. The observed corners are off by what
-# COLMAP could not explain, and by the distortion, which is not modelled.
+# COLMAP: q and t map the world to the camera. The observed corners differ from the
+# images by COLMAP's residuals, and by the distortion, which the program lacks.
 my %point = map { my @f = split / /; ($f[0] => [@f[1 .. 3]]) }
     grep { !/^#/ } lines('points3D.txt');
 my ($f, $cx, $cy) = numbers(@{fields('cameras.txt', 0, 1)}[4 .. 6]);
@@ -189,7 +190,7 @@ for my $i (1, 2) {
 	} @things);
 }
 
-# KITTI: P2 R0_rect Tr_velo_to_cam.
+# KITTI: the product P2 R0_rect Tr_velo_to_cam.
 my %calib = map { my ($name, $n) = split /: /; ($name => [numbers(split / /, $n)]) }
     grep { /: / } lines('calib.txt');
 my @lidar = grid([6.3, 10, 44.7], [-3.2, 0, 2.9], [-1.6, 0.4]);
@@ -220,7 +221,7 @@ compare('OpenCV, rvec', [printed($recipe{'pnp.json'}[0], \@board)], map {
 	divided(through(\@c, rows(3, @$k9)))
 } @board);
 
-# ROS and DTU: P.
+# ROS and DTU: the matrix P.
 my @p12 = ([camera_info => 'json', numbers(@{document('camera_info.json')->{p}})],
     [pos_001 => 'txt', numbers(map { split } lines('pos_001.txt'))]);
 for my $p (@p12) {
@@ -230,7 +231,7 @@ for my $p (@p12) {
 	    map { divided(through([numbers(@$_, 1)], rows(4, @p))) } @points);
 }
 
-# RealSense: ppx + fx x / z.
+# RealSense: the pixel is ppx + fx x / z.
 my ($ppx, $ppy, $fx, $fy) = numbers((lines('realsense.txt'))[0] =~ /(\d+\.\d+)/g);
 my @near = grid([-0.3, 0, 0.4], [-0.2, 0.1], [0.5, 3]);
 compare('RealSense', [printed($recipe{'realsense.txt'}[0], \@near)], map {
@@ -249,7 +250,8 @@ compare('ARKit', [printed($recipe{'arkit.json'}[0], \@room)], map {
 	divided(through([$c[0], -$c[1], -$c[2]], transposed(@lens)))
 } @room);
 
-# Blender: millimetres of a sensor as wide as the larger side, which the shift moves.
+# Blender: millimetres of a sensor, which is as wide as the larger side of the picture,
+# and which the shift moves.
 my $blender = document('blender.json');
 my @world = map { [numbers(@$_)] } @{$blender->{matrix_world}};
 my @object = inverse(map { [@$_[0 .. 2]] } @world[0 .. 2]);
@@ -262,7 +264,8 @@ compare('Blender', [printed($recipe{'blender.json'}[0], \@cube)], map {
 	    540 - 1920 * ($y - number($blender->{shift_y}))]
 } @cube);
 
-# Unity: its two matrices, e with row and column; pixels from the bottom left.
+# Unity: its two matrices, whose elements are named e, row, column; pixels count from
+# the bottom left.
 my $unity = document('unity.json');
 my @crowd = grid([-1, 2.5], [0, 1.75], [0, 4]);
 compare('Unity', [printed($recipe{'unity.json'}[0], \@crowd)], map {
@@ -274,7 +277,7 @@ compare('Unity', [printed($recipe{'unity.json'}[0], \@crowd)], map {
 	[640 + 640 * $c->[0] / $c->[3], 360 + 360 * $c->[1] / $c->[3]]
 } @crowd);
 
-# OpenXR: from tangent to tangent ndc goes from -1 to 1, in Vulkan y downward.
+# OpenXR: ndc is -1 at one tangent and 1 at the other; in Vulkan y points down.
 my $fov = document('fov.json');
 my ($left, $right, $up, $down) = map { tangent(number($fov->{$_})) }
     qw(angleLeft angleRight angleUp angleDown);
@@ -285,7 +288,7 @@ compare('OpenXR', [printed($recipe{'fov.json'}[0], \@ahead)], map {
 	    -(-2 * $c[1] / $c[2] - $down - $up) / ($up - $down)]
 } @ahead);
 
-# GLM: as its matrices lie in memory.
+# GLM: its matrices in the order of memory.
 my @glm = numbers(map { split } lines('glm.txt'));
 my @about = grid([-1, 0.25], [0.5, 2], [0, 1.5]);
 compare('GLM', [printed($recipe{'glm.txt'}[0], \@about)], map {
@@ -323,8 +326,8 @@ END
 	is($out, slurp('testdata/cameras/glm.txt'), 'what GLM prints') or diag($err);
 }
 
-# The dumps of other projects' tests: a view matrix goes around all conventions and
-# comes home, and a point is seen in one place by all of them.
+# The view matrices of other projects' tests: converted through all conventions they
+# become the same matrices again, and a point has the same pixel in each convention.
 my @names = qw(d3d gl vulkan webgpu opencv);
 
 sub projcalc {

@@ -8,7 +8,7 @@
 struct text {
 	const char *s;
 	size_t size;
-	const char *line; /* of the refusal, after "projcalc: s.json:" */
+	const char *line; /* the expected message, after "projcalc: s.json:" */
 };
 
 #define TEXT(s, line)                  \
@@ -16,8 +16,9 @@ struct text {
 		s, sizeof(s) - 1, line \
 	}
 
-/* Parses by value_parse_document, which prints what json_check refuses. */
-static void check(const void *argument)
+/* Parses a text by value_parse_document, which prints the reason if json_check refuses
+ * it. */
+static void parse(const void *argument)
 {
 	struct source source = { .name = "s.json" };
 	const struct text *t = argument;
@@ -183,7 +184,7 @@ static const struct text refused[] = {
 	    "text"),
 	TEXT("[\"\xc0\x80\"]",
 	    "1: expected text or '\"' in a string, not '\\xc0\\x80'; JSON is "
-	    "UTF-8 text"), /* an overlong NUL */
+	    "UTF-8 text"), /* NUL in two bytes instead of one */
 	TEXT("[\"\xc3\"]",
 	    "1: expected text or '\"' in a string, not '\\xc3'; JSON is UTF-8 "
 	    "text"),
@@ -192,7 +193,7 @@ static const struct text refused[] = {
 	    "is UTF-8 text"),
 	TEXT("[\"\xed\xa0\x80\"]",
 	    "1: expected text or '\"' in a string, not '\\xed\\xa0\\x80'; JSON "
-	    "is UTF-8 text"), /* a surrogate */
+	    "is UTF-8 text"), /* U+D800, a surrogate */
 	TEXT("[\"\xf0\x8f\xbf\xbf\"]",
 	    "1: expected text or '\"' in a string, not '\\xf0\\x8f\\xbf\\xbf'; "
 	    "JSON is UTF-8 text"),
@@ -214,7 +215,7 @@ static void test_refused(void **state)
 		char line[512];
 
 		snprintf(line, sizeof line, "s.json:%s", refused[i].line);
-		assert_refused(check, &refused[i], line);
+		assert_refused(parse, &refused[i], refused[i].s, line);
 	}
 }
 
@@ -237,8 +238,8 @@ static void test_accepted(void **state)
 	for (size_t i = 0; i < sizeof accepted / sizeof *accepted; i++) {
 		int status;
 
-		assert_string_equal(output_of(check, &accepted[i], &status),
-		    "");
+		assert_text(output_of(parse, &accepted[i], &status), "",
+		    accepted[i].s);
 		assert_int_equal(status, 0);
 	}
 }
@@ -252,17 +253,17 @@ static void test_depth(void **state)
 	(void)state;
 	memset(text, '[', 100);
 	memset(text + 100, ']', 100);
-	assert_string_equal(output_of(check, &t, &status), "");
+	assert_string_equal(output_of(parse, &t, &status), "");
 	memset(text, '[', 101);
 	memset(text + 101, ']', 101);
 	t.size = 202;
-	assert_refused(check, &t,
+	assert_refused(parse, &t, "101 brackets",
 	    "s.json:1: expected at most 100 levels of brackets, not '['");
 }
 
-/* A line of points, and the rest of the line from its first error; NULL: no error. */
+/* A line of points, and its rest from the first error on, or NULL if it is JSON. */
 struct line {
-	const char *text, *left;
+	const char *text, *rest;
 };
 
 static void test_lines(void **state)
@@ -312,11 +313,8 @@ static void test_lines(void **state)
 		struct json_check c = { .kind = JSON_LINE,
 			.text = s,
 			.end = end };
-		bool ok = json_check(&c);
 
-		assert_int_equal(ok, lines[i].left == NULL);
-		if (!ok)
-			assert_string_equal(c.at, lines[i].left);
+		assert_text(json_check(&c) ? NULL : c.at, lines[i].rest, s);
 	}
 }
 

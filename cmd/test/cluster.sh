@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# A cluster on one machine: a head and three hosts. Each host is a set of
-# namespaces, with a network, a process table, a name and a home of its own, and
-# runs sshd; one directory is shared. GNU parallel and Slurm spread points over
-# the hosts as the manual's SCALE section says, and hosts are killed half-way.
-# What comes back must be what one process prints. Nothing is left when the
-# script ends. Wants root, and what `make deps-all` installs.
+# Runs a cluster on one machine: a head and three hosts. Each host is a set of
+# namespaces, with its own network, process table, name and home, and runs sshd; the
+# hosts share one directory. GNU parallel and Slurm spread points over the hosts as
+# SCALE in projcalc(1) says, and hosts are killed half-way. The output must be that of
+# one process. Nothing is left when the script ends. Needs root, and the packages of
+# `make deps-all`.
 # usage: cluster.sh BUILD
 set -eu
 build=$(cd "$1" && pwd)
@@ -28,7 +28,7 @@ PATH=$build:$PATH
 LC_ALL=C
 export PATH LC_ALL
 
-# Tries a command for half a minute.
+# Repeats a command until it succeeds, for at most half a minute.
 soon() {
 	tries=0
 	until "$@" >"$tmp/soon" 2>&1; do
@@ -89,7 +89,7 @@ system() {
 	ip link set switch up
 }
 
-# usage: host N: starts it. All its processes are children of one, which
+# usage: host N: starts host N. All its processes are children of one process, which
 # kill_host kills.
 host() {
 	cp -r "$HOME/.ssh" "$tmp/$1"
@@ -109,15 +109,14 @@ host() {
 	soon ssh "host$1" true
 }
 
-# Kills a host as if its plug were pulled: processes and network end without a
-# message.
+# Kills a host as a power cut does: its processes and network end without a message.
 kill_host() {
 	eval "kill -9 \$host$1"
 	echo "	host$1 is killed" >&3
 }
 
-# usage: until_written BYTES: waits until the image, or all images together, of
-# the job in the background have as many.
+# usage: until_written BYTES: waits until the output of the job in the background, in
+# one file image or in several, has that many bytes.
 until_written() {
 	until [ "$(cat image* 2>/dev/null | wc -c)" -gt "$1" ]; do
 		kill -0 $! || die 'done before a host could be killed'
@@ -125,7 +124,8 @@ until_written() {
 	done
 }
 
-# usage: is_whole NAME [ONE]: the image is that of one process, and says so.
+# usage: is_whole NAME [ONE]: checks that the image is that of one process, and reports
+# it.
 is_whole() {
 	cmp "${2-one}" image || die "$1: not the image of one process"
 	rm -f image*
@@ -134,7 +134,7 @@ is_whole() {
 
 three=host1,host2,host3
 
-# A host that was killed is started again where the next run needs it.
+# A host that was killed is started again if the next run needs it.
 parallel_runs() {
 	parallel --pipe --block 1M -k -q -S $three --basefile scene.json \
 	    projcalc project -j1 scene.json - <points >image
@@ -161,8 +161,8 @@ parallel_runs() {
 	host 3
 }
 
-# A table, whose first piece alone has the header, and JSON. parallel and the script
-# of Slurm replace the single quotes' {#}, {} and $n.
+# Inputs as a table, whose header is in the first piece only, and as JSON. parallel
+# replaces {#} and {} in single quotes, and the script of Slurm $n.
 by_number='projcalc project -j1 -i csv --columns 2,3,4'
 make_tables() {
 	awk 'BEGIN { print "t,x,y,z" } !/^#/ { print $4 "," $1 "," $2 "," $3 }' \
@@ -278,7 +278,7 @@ slurm_run() {
 	is_whole 'a Slurm array, a host less'
 }
 
-# Runs the same as a Slurm array, on all hosts that are left.
+# Runs the tables as a Slurm array, on all hosts that are left.
 slurm_tables() {
 	cat >job <<-END
 		#!/bin/sh

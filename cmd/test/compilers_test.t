@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# gcc and clang build everything without a warning, and the program that clang
-# builds prints the same bytes as the transcripts. Both builds are hardened, and
-# print subnormals also when linked with -ffast-math.
+# Checks that gcc and clang build everything without a warning, and that the
+# program of clang passes the transcripts. Both programs are hardened, and print
+# subnormals also if linked with -ffast-math.
 use strict;
 use warnings;
 use FindBin;
@@ -27,7 +27,8 @@ sub hardened {
 	    ['FORTIFY', qr/__memcpy_chk/];
 }
 
-# Linked so, a program begins with a processor that takes subnormals for 0.
+# A program that is linked with -ffast-math starts in a mode of the processor in
+# which subnormals are 0.
 sub keeps_subnormals {
 	my ($make, $build) = @_;
 	unlink "$build/projcalc" or die "$build/projcalc: $!\n";

@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# What the shells complete is what the program's help lists. bash is asked as
-# readline asks it, fish by itself; zsh reads its file for syntax.
+# Checks that shells complete what the program's help lists. bash is asked as by
+# readline, fish by its command complete; zsh only checks the syntax of its file.
 use strict;
 use warnings;
 use FindBin;

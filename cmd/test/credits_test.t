@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Each source says its license in its first line, or below #!, as SPDX has it; and
-# .debian/copyright names files that there are, with licenses that it has.
+# Checks that each source has an SPDX line with its license at the top or below #!, and
+# that .debian/copyright names only existing files, and licenses whose text it has.
 # usage: credits_test.t [-w]; with -w the line is added where it is missing
 use strict;
 use warnings;

@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The drawing that README.md shows is the one that views.sh draws, and no corner
-# of a triangle comes within 10 pixels of the edge of its view. `make demo` prints what
-# testdata/views/demo.txt has.
+# Checks that the drawing in README.md is the one that views.sh draws, that no corner of
+# a triangle is within 10 pixels of the edge of its view, and that `make demo` prints
+# testdata/views/demo.txt.
 use strict;
 use warnings;
 use FindBin;

@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Proves that the digits by the vector are right: the table and the constants of
-# cmd/number/vector computed anew in exact arithmetic, the errors of its operations
-# added up for each exponent of two, and what its comments claim of them. Then
+# Proves that the digits of cmd/number/vector are right: computes its table and
+# constants anew in exact arithmetic, adds up the errors of its operations for each
+# binary exponent, and compares the sums with the bounds in its comments. Then checks
 # that changed constants are refused.
 # usage: digits_test.t, at the top of the project
 use strict;
@@ -23,7 +23,7 @@ sub slurp {
 
 sub rat { Math::BigRat->new(@_) }
 
-# Returns b^e, exactly.
+# Returns b^e exactly.
 my %powers;
 
 sub power {
@@ -56,13 +56,13 @@ sub half_unit {
 	return 2 ** ($e - 54);
 }
 
-# A constant of C: decimal, or 0x1p-44.
+# Returns the value of a constant of C, which is decimal or like 0x1p-44.
 sub constant {
 	my ($text) = @_;
 	return $text =~ /^0x1p([-+]?\d+)$/ ? 2 ** $1 : $text + 0;
 }
 
-# The constants of the headers.
+# Returns the constants of the headers.
 sub claims {
 	my ($text) = @_;
 	my %says = (
@@ -124,7 +124,8 @@ sub check_table {
 	}
 }
 
-# 10^scale, so that the last place 2^q is less than its inverse, by at most ten.
+# Checks that 2^q, the last place of a double, is less than 10^-scale, by a factor of at
+# most ten.
 sub check_scale {
 	my ($c, $q, $scale) = @_;
 	check("scale for 2^$q", two_to($q) < ten_to(-$scale) &&
@@ -133,9 +134,9 @@ sub check_scale {
 	    $scale >= $c->{least} && $scale <= $c->{most});
 }
 
-# Here nothing is rounded: x is a multiple of 2^unit, the ends of the interval that
-# reads back are multiples of a quarter of that, ten times x is one of twice as
-# much, and 10 is below 2^4.
+# Checks the exponents for which nothing is rounded: x is a multiple of 2^unit, and the
+# ends of the interval that reads back as x are multiples of 2^unit / 4; 10 x is a
+# multiple of twice 2^unit, and 10 is below 2^4.
 sub check_exact {
 	my ($q, $scale) = @_;
 	my $unit = $q + $scale;
@@ -146,8 +147,8 @@ sub check_exact {
 	return $unit;
 }
 
-# The sum of errors where there are some: how far apart two sides must be. These
-# sums of a few terms are doubles themselves, which is accurate enough.
+# Returns the sum of errors: the least distance at which two sides compare with
+# certainty. The sum of a few terms is computed in doubles, which is accurate enough.
 sub needed {
 	my ($c, $q, $scale, $digits) = @_;
 	my $pair = $c->{powers}[$scale - $c->{least}] or return 1;
@@ -193,7 +194,8 @@ sub check_search {
 	return $worst;
 }
 
-# A quotient does not decrease, so the ends of each stretch tell of all of it.
+# Checks a division by multiplication. The quotient never decreases, so the ends of each
+# range with one quotient suffice.
 sub check_quotient {
 	my ($name, $most, $by, $factor, $shift) = @_;
 	my $well = 1;
@@ -204,8 +206,9 @@ sub check_quotient {
 	check($name, $well);
 }
 
-# For whole numbers below 2^53, those that end in 99999999 are the nearest to a
-# quotient too large: less than n by 10^-8, and more by what 1e-8 is too large.
+# Checks the division of integers below 2^53 by 10^8. An integer that ends in 99999999
+# comes nearest to a quotient that is too large: its exact quotient is below the next
+# integer by 10^-8, and the double 1e-8 is a little too large.
 sub check_eight {
 	my ($c) = @_;
 	my ($factor) = exactly($c->{eight});
@@ -215,8 +218,9 @@ sub check_eight {
 	    ten_to(-8) - $over > half_unit(2 ** 53 / 1e8 + 1));
 }
 
-# A reader's integer has at most so many in front of 16 digits, and is two doubles. A
-# correction c has two roundings, and each end one: they must be farther off.
+# Checks the reader, whose integer has two doubles: 16 digits, and the digits before
+# them, which are limited. A correction c has two roundings, and each end has one; a
+# number must be farther from an end than their sum.
 sub check_reader {
 	my ($text) = @_;
 	my ($most) = $text =~ /low > ALL_BITS\((\d+)\)/;

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# What the tarball of a release holds builds, tests, installs, uninstalls and
-# packs itself, also for those whose files nobody else may read.
+# Checks that the sources in a release's tarball build, test, install, uninstall
+# and pack themselves, also under umask 077.
 # usage: dist.sh BUILD NAME
 set -eu
 unset CDPATH

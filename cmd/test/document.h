@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* For tests of documents. */
+/* Reads documents for tests, and asserts numbers and refusals. Includes cmocka. */
 #ifndef DOCUMENT_TEST_H
 #define DOCUMENT_TEST_H
 
@@ -7,9 +7,10 @@
 #include "refusal.h"
 
 struct refusal {
-	const struct document_wants *wants; /* NULL: points */
+	const struct document_wants *
+	    wants; /* given to document_read; if NULL, document_points reads the text */
 	const char *text;
-	const char *line; /* after "projcalc: s.json: " */
+	const char *line; /* the expected message after "projcalc: s.json: " */
 };
 
 static inline void read_text(const void *argument)
@@ -33,7 +34,7 @@ static inline void assert_all_refused(const struct refusal *r, size_t n)
 		char line[1024];
 
 		snprintf(line, sizeof line, "s.json: %s", r->line);
-		assert_refused(read_text, r, line);
+		assert_refused(read_text, r, r->text, line);
 	}
 }
 
@@ -44,7 +45,8 @@ static inline struct document read_as(const struct document_wants *wants,
 {
 	struct document d;
 	size_t size = strlen(text);
-	char *copy = malloc(size); /* its end is where a sanitizer looks */
+	char *copy = malloc(
+	    size); /* not ended by a NUL, so that a sanitizer finds reads beyond the end */
 
 	memcpy(copy, text, size);
 	document_read(&d, "s.json", copy, size, wants);
@@ -57,14 +59,22 @@ static inline struct scene scene_of(const char *text)
 	return read_as(&(struct document_wants){ WANTS }, text).scene;
 }
 
-static inline void assert_numbers(const double *got, int n, ...)
-{
-	va_list wanted;
+/* Fails unless the first n numbers of got are the doubles that follow n. */
+#define assert_numbers(...) assert_numbers_at(__FILE__, __LINE__, __VA_ARGS__)
 
-	va_start(wanted, n);
-	for (int i = 0; i < n; i++)
-		assert_true(got[i] == va_arg(wanted, double));
-	va_end(wanted);
+static inline void assert_numbers_at(const char *file, int line,
+    const double *got, int n, ...)
+{
+	va_list expected;
+	char name[40];
+
+	va_start(expected, n);
+	for (int i = 0; i < n; i++) {
+		snprintf(name, sizeof name, "number %d of %d", i, n);
+		assert_number_at(got[i], va_arg(expected, double), name, file,
+		    line);
+	}
+	va_end(expected);
 }
 
 #define REFUSES(table)                                                   \

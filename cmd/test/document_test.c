@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
 #include "../scene/types.h"
-#include "../../core/test/numbers.h"
 
 static const struct document_wants w2d = { .needed = SCENE_WINDOW |
 	    SCENE_DEVICE,
@@ -70,23 +69,23 @@ REFUSES(scenes)
 
 static void test_bare(void **state)
 {
-	const struct document_wants lookat = { WANTS, .bare = SCENE_CAMERA,
-		.needed = SCENE_CAMERA };
+	const struct document_wants lookat = { WANTS,
+		.lone_member = SCENE_CAMERA, .needed = SCENE_CAMERA };
 	struct document d = read_as(&lookat,
 	    "{\"$schema\":1,\"_a\":[{\"\":1e999}],\"_a\":2,\"eye\":[1,2,3],"
 	    "\"gaze\":[4,5,6]}");
 
 	(void)state;
-	assert_string_equal(d.bare, "camera");
+	assert_string_equal(d.lone_member, "camera");
 	assert_string_equal(d.source.name, "s.json");
 	assert_true(d.scene.has_camera);
 	assert_false(d.scene.has_world);
 	assert_null(d.points);
 	d = read_as(&lookat, "{\"camera\":{\"eye\":[1,2,3],\"at\":[4,5,6]}}");
-	assert_null(d.bare);
+	assert_null(d.lone_member);
 	assert_true(d.scene.has_camera);
 	d = read_as(&(struct document_wants){ WANTS }, "{}");
-	assert_null(d.bare);
+	assert_null(d.lone_member);
 	assert_false(d.scene.has_camera);
 	assert_int_equal(d.scene.projection.type, PROJECTION_NONE);
 }
@@ -115,15 +114,18 @@ static void test_numbers(void **state)
 
 static void assert_convention(const struct convention *c, const char *bits)
 {
-	assert_int_equal(c->right_handed, bits[0] == '1');
-	assert_int_equal(c->depth_minus_one, bits[1] == '1');
-	assert_int_equal(c->column_vectors, bits[2] == '1');
-	assert_int_equal(c->ndc_y_down, bits[3] == '1');
-	assert_int_equal(c->origin_bottom_left, bits[4] == '1');
-	assert_int_equal(c->view_y_down, bits[5] == '1');
+	const bool members[] = { c->right_handed, c->depth_minus_one,
+		c->column_vectors, c->ndc_y_down, c->origin_bottom_left,
+		c->view_y_down };
+	char got[7] = "";
+
+	for (int i = 0; i < 6; i++)
+		got[i] = members[i] ? '1' : '0';
+	assert_text(got, bits, "convention");
 }
 
-/* Reads each convention as an object of the members in which it differs from d3d. */
+/* Asserts the members of each convention as bits, in the order of assert_convention. A
+ * bit is 1 where the member differs from d3d. */
 static void test_convention(void **state)
 {
 	static const char *const table[][2] = { { "d3d", "000000" },
@@ -153,7 +155,7 @@ static void test_convention(void **state)
 		     "\"column\"}}")
 		.convention;
 	assert_convention(&c, "001000");
-	/* the convention of the document, and another of the answer */
+	/* the option gives another convention for the answer than the document has */
 	const struct document_wants wants = { WANTS,
 		.convention = &conventions[CONVENTION_WEBGPU] };
 	struct scene s = read_as(&wants, "{\"convention\":\"gl\"}").scene;
@@ -167,7 +169,7 @@ static void test_convention(void **state)
 	assert_null(s.answer);
 }
 
-/* Asserts which element of world the number 2 of the text becomes. */
+/* Asserts that the number 2 of the text of a matrix becomes element i, j of world. */
 static void assert_world(const struct convention *option,
     const char *convention, const char *matrix, int i, int j)
 {
@@ -177,9 +179,9 @@ static void assert_world(const struct convention *option,
 	strcat(strcat(strcat(text, matrix), convention), "}");
 	struct scene s = read_as(&wants, text).scene;
 
-	assert_true(s.has_world);
-	assert_true(s.world[i][j] == 2);
-	assert_number(s.world[j][i], 0);
+	if (!s.has_world || s.world[i][j] != 2 || s.world[j][i] != 0)
+		fail_msg("%s: expected 2 as element %d, %d of world", text, i,
+		    j);
 }
 
 static void test_matrix(void **state)
@@ -257,7 +259,7 @@ static void test_points(void **state)
 	assert_points(" [ [1,2,3] ,\n\t[4,null,6] ] ", "[1,2,3]\n[4,null,6]\n");
 	assert_points("[[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]]",
 	    "[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]\n");
-	/* longer than a number that cJSON reads */
+	/* a number of more digits than cJSON reads */
 #define TEN "1234567890"
 	assert_points("[[" TEN TEN TEN TEN TEN TEN TEN
 		      ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]]",
@@ -267,8 +269,8 @@ static void test_points(void **state)
 	assert_null(read_as(&no_points, "{}").points);
 }
 
-/* A refusal of core/ loses the first part of its pointer in a document that is
- * a member alone. */
+/* In a document that consists of one member alone, bare, a message loses the first
+ * part of the JSON pointer that core/ gives. */
 struct reason {
 	const char *bare, *why;
 };
@@ -276,7 +278,7 @@ struct reason {
 static void refuse(const void *argument)
 {
 	const struct reason *r = argument;
-	struct document d = { .source.name = "-", .bare = r->bare };
+	struct document d = { .source.name = "-", .lone_member = r->bare };
 
 	document_refuse(&d, r->why);
 }
@@ -285,15 +287,15 @@ static void test_reasons(void **state)
 {
 	(void)state;
 	assert_refused(refuse, &(struct reason){ NULL, "/camera/up: no" },
-	    "-: /camera/up: no");
+	    "/camera/up: no", "-: /camera/up: no");
 	assert_refused(refuse, &(struct reason){ "camera", "/camera/up: no" },
-	    "-: /up: no");
+	    "/camera/up: no", "-: /up: no");
 	assert_refused(refuse, &(struct reason){ "window", "/window: no" },
-	    "-: no");
+	    "/window: no", "-: no");
 	assert_refused(refuse, &(struct reason){ "camera", "/cameras/up: no" },
-	    "-: /cameras/up: no");
+	    "/cameras/up: no", "-: /cameras/up: no");
 	assert_refused(refuse, &(struct reason){ "camera", "/projection: no" },
-	    "-: /projection: no");
+	    "/projection: no", "-: /projection: no");
 }
 
 int main(void)

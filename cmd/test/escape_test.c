@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "../message/utf8.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
 
-#include <cmocka.h>
+#include "../../core/test/numbers.h"
 
 static void test_escaped(void **state)
 {
@@ -33,13 +28,14 @@ static void test_escaped(void **state)
 	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
 }
 
-/* The characters that end lines or turn the writing around, at the ends of
- * their ranges, and their neighbours, which are not escaped. */
-static void test_hidden(void **state)
+/* Characters that control output, end lines, are invisible or change the direction of
+ * text are escaped. Here are the ends of their ranges, and neighbours that are not
+ * escaped. */
+static void test_which_are_escaped(void **state)
 {
 	static const struct {
 		const char *s;
-		bool hidden;
+		bool escaped;
 	} cases[] = {
 		{ "\x1f", true },
 		{ " ", false },
@@ -82,15 +78,15 @@ static void test_hidden(void **state)
 
 		escape_copy(text, sizeof text, s, strlen(s), false, "");
 		escape_copy(json, sizeof json, s, strlen(s), true, "");
-		assert_string_equal(text, json);
-		assert_int_equal(strncmp(text, "\\u", 2) == 0, cases[i].hidden);
-		if (!cases[i].hidden)
-			assert_string_equal(text, s);
+		assert_text(json, text, s);
+		if (cases[i].escaped)
+			text[2] = '\0';
+		assert_text(text, cases[i].escaped ? "\\u" : s, s);
 	}
 }
 
-/* Invisible characters are found; other escapes are not. */
-static void test_unseen(void **state)
+/* escape_find_invisible finds invisible characters, and no other escapes. */
+static void test_find_invisible(void **state)
 {
 	(void)state;
 	assert_int_equal(escape_find_invisible("a\\xff\\u200b"), 0x200b);
@@ -98,8 +94,9 @@ static void test_unseen(void **state)
 	assert_int_equal(escape_find_invisible("a b\\u001b\\u\xc3\xa9"), 0);
 }
 
-/* Only whole characters and escapes are copied, and a NUL always ends them. */
-static void test_room(void **state)
+/* However little room there is, escape_copy writes whole characters and escapes, and a
+ * NUL. */
+static void test_little_room(void **state)
 {
 	const char s[] = "a\"\\\n\xff\xc3\xa9",
 		   all[] = "a\\\"\\\\\\u000a\\ufffd\xc3\xa9";
@@ -121,9 +118,9 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_escaped),
-		cmocka_unit_test(test_hidden),
-		cmocka_unit_test(test_unseen),
-		cmocka_unit_test(test_room),
+		cmocka_unit_test(test_which_are_escaped),
+		cmocka_unit_test(test_find_invisible),
+		cmocka_unit_test(test_little_room),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,6 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The examples of the manual pages and README.md print what stands below them.
+# Checks that the examples of the manual pages and README.md print the output
+# that is written below them.
 # usage: examples_test.t [BIN]; the directory of projcalc, or build
 use strict;
 use warnings;
@@ -15,7 +16,7 @@ for my $case (map { examples($_) } glob 'man/*.[15] README.md') {
 		my $lacks = missing(grep { $name =~ /\b$_\b/ }
 		    qw(parallel jq python3 bash));
 		skip "no $lacks: $name", 1 if $lacks;
-		# errors where the terminal shows them
+		# errors are among the output, as in a terminal
 		my $command = "{ $case->{command}} 2>&1";
 		is(said({%$case, command => $command})->{out}, $case->{out},
 		    $name);

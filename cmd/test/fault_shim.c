@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* Preloaded by fault_test.t, between the program and the C library.
- *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
- *       of malloc (with realloc and calloc), read, open, thread, write and close,
- *       the last two of standard output
- *   FAULT="torn N ERROR"  the N-th read takes a few bytes, the one after it fails
- *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
- *       poll often says that nothing is there
- *   FAULT="cut N FILE"  the N-th read finds FILE truncated
- *   FAULT="stack N"  a thread that asks for a stack of less than N bytes, or for
- *       none, ends the program
- *   FAULT="clock N T"  N milliseconds pass from one look at the clock to the
- *       next; standard error is a terminal if T is 1, and output, too, if it is 2 */
+/* A library that fault_test.t preloads between the program and the C library. It makes
+ * calls fail, as the variable FAULT of the environment says:
+ *   FAULT="CALL N ERROR"  the N-th CALL fails with this error number. CALL is malloc
+ *       (also realloc and calloc), read, open, thread, and write or close of standard
+ *       output. After the N-th thread all others fail, too
+ *   FAULT="torn N ERROR"  the N-th read takes at most 1000 bytes, and the next one fails
+ *   FAULT="short"  reads and writes take 1 to 7 bytes or are interrupted, and poll often
+ *       says that there is nothing to read
+ *   FAULT="cut N FILE"  the N-th read finds FILE truncated to 100 bytes
+ *   FAULT="stack N"  the program aborts when it makes a thread without asking for a
+ *       stack of at least N bytes
+ *   FAULT="clock N T"  N milliseconds pass between two calls of clock_gettime; standard
+ *       error is a terminal if T is 1 or 2, and standard output if T is 2 */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -29,8 +30,8 @@
 extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t),
     *__libc_realloc(void *, size_t);
 
-static char call[16], file[256];
-static int at, error;
+static char fault_kind[16], file[256];
+static int number, error;
 static atomic_int calls;
 
 __attribute__((constructor)) static void set_up(void)
@@ -39,20 +40,21 @@ __attribute__((constructor)) static void set_up(void)
 
 	if (fault == NULL)
 		return;
-	sscanf(fault, "%15s %d %d", call, &at, &error);
+	sscanf(fault, "%15s %d %d", fault_kind, &number, &error);
 	sscanf(fault, "%*[a-z] %*d %255s", file);
-	unsetenv("FAULT"); /* not for what the program may start */
+	unsetenv("FAULT"); /* for the program alone, not for its children */
 }
 
-static bool is(const char *name)
+static bool is_fault(const char *name)
 {
-	return strcmp(call, name) == 0;
+	return strcmp(fault_kind, name) == 0;
 }
 
-/* Returns whether this call is to fail. */
-static bool fails(const char *name)
+/* Counts a call of the kind in FAULT. Returns true, with errno set, if this call is
+ * the N-th. */
+static bool shall_fail(const char *name)
 {
-	if (!is(name) || atomic_fetch_add(&calls, 1) + 1 != at)
+	if (!is_fault(name) || atomic_fetch_add(&calls, 1) + 1 != number)
 		return false;
 	errno = error;
 	return true;
@@ -60,21 +62,22 @@ static bool fails(const char *name)
 
 void *malloc(size_t n)
 {
-	return fails("malloc") ? NULL : __libc_malloc(n);
+	return shall_fail("malloc") ? NULL : __libc_malloc(n);
 }
 
 void *calloc(size_t n, size_t size)
 {
-	return fails("malloc") ? NULL : __libc_calloc(n, size);
+	return shall_fail("malloc") ? NULL : __libc_calloc(n, size);
 }
 
 void *realloc(void *p, size_t n)
 {
-	return fails("malloc") ? NULL : __libc_realloc(p, n);
+	return shall_fail("malloc") ? NULL : __libc_realloc(p, n);
 }
 
-/* Returns a number of bytes from 1 to 7, at most n; or 0 for an interruption. */
-static size_t few(size_t n)
+/* Returns a number of bytes from 1 to 7, at most n; or 0, with EINTR in errno, for an
+ * interruption. */
+static size_t few_bytes(size_t n)
 {
 	static atomic_uint turn;
 	unsigned k = atomic_fetch_add(&turn, 1) * 2654435761u >> 16;
@@ -84,21 +87,21 @@ static size_t few(size_t n)
 	return k % 8 < n ? k % 8 : n;
 }
 
-/* Returns how many of n bytes a read shall read, or -1 if it shall fail. */
+/* Returns how many of the n bytes a read shall take, or -1 if it shall fail. */
 static ssize_t before_read(size_t n)
 {
-	if (fails("read"))
+	if (shall_fail("read"))
 		return -1;
-	if (is("torn")) {
-		int k = atomic_fetch_add(&calls, 1) + 1 - at;
+	if (is_fault("torn")) {
+		int k = atomic_fetch_add(&calls, 1) + 1 - number;
 
 		errno = error;
 		return k == 1 ? -1 : k == 0 && n > 1000 ? 1000 : (ssize_t)n;
 	}
-	if (is("cut") && atomic_fetch_add(&calls, 1) + 1 == at &&
+	if (is_fault("cut") && atomic_fetch_add(&calls, 1) + 1 == number &&
 	    truncate(file, 100) != 0)
 		return -1;
-	if (is("short") && n > 0 && (n = few(n)) == 0)
+	if (is_fault("short") && n > 0 && (n = few_bytes(n)) == 0)
 		return -1;
 	return (ssize_t)n;
 }
@@ -115,7 +118,7 @@ ssize_t read(int fd, void *to, size_t n)
 	return some < 0 ? -1 : real(fd, to, (size_t)some);
 }
 
-/* The names of these functions with _FILE_OFFSET_BITS=64. */
+/* open with _FILE_OFFSET_BITS=64 */
 int open64(const char *, int, ...) __attribute__((alias("open")));
 
 ssize_t write(int fd, const void *from, size_t n)
@@ -125,9 +128,9 @@ ssize_t write(int fd, const void *from, size_t n)
 	if (real == NULL)
 		real = (ssize_t(*)(int, const void *, size_t))dlsym(RTLD_NEXT,
 		    "write");
-	if (fd == STDOUT_FILENO && fails("write"))
+	if (fd == STDOUT_FILENO && shall_fail("write"))
 		return -1;
-	if (is("short") && n > 0 && (n = few(n)) == 0)
+	if (is_fault("short") && n > 0 && (n = few_bytes(n)) == 0)
 		return -1;
 	return real(fd, from, n);
 }
@@ -139,7 +142,7 @@ int poll(struct pollfd *p, nfds_t n, int wait)
 	if (real == NULL)
 		real = (int (*)(struct pollfd *, nfds_t, int))dlsym(RTLD_NEXT,
 		    "poll");
-	if (is("short") && few(7) < 3)
+	if (is_fault("short") && few_bytes(7) < 3)
 		return errno == EINTR ? -1 : 0;
 	return real(p, n, wait);
 }
@@ -151,7 +154,7 @@ int open(const char *name, int flags, ...)
 	if (real == NULL)
 		real = (int (*)(const char *, int, ...))dlsym(RTLD_NEXT,
 		    "open");
-	return fails("open") ? -1 : real(name, flags);
+	return shall_fail("open") ? -1 : real(name, flags);
 }
 
 int close(int fd)
@@ -160,7 +163,7 @@ int close(int fd)
 
 	if (real == NULL)
 		real = (int (*)(int))dlsym(RTLD_NEXT, "close");
-	if (fd == STDOUT_FILENO && fails("close"))
+	if (fd == STDOUT_FILENO && shall_fail("close"))
 		return -1;
 	return real(fd);
 }
@@ -179,10 +182,10 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 
 	if (a != NULL)
 		pthread_attr_getstacksize(a, &stack);
-	if (is("stack") && stack < (size_t)at)
+	if (is_fault("stack") && stack < (size_t)number)
 		abort();
-	/* threads fail from then on, as on a system without room for more */
-	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
+	/* later threads fail, too, as on a system whose limit is reached */
+	return is_fault("thread") && atomic_fetch_add(&calls, 1) + 1 >= number ?
 	    error :
 	    real(t, a, f, with);
 }
@@ -194,9 +197,9 @@ int clock_gettime(clockid_t clock, struct timespec *t)
 	if (real == NULL)
 		real = (int (*)(clockid_t, struct timespec *))dlsym(RTLD_NEXT,
 		    "clock_gettime");
-	if (!is("clock"))
+	if (!is_fault("clock"))
 		return real(clock, t);
-	int now = 1000 + at * atomic_fetch_add(&calls, 1);
+	int now = 1000 + number * atomic_fetch_add(&calls, 1);
 
 	*t = (struct timespec){ now / 1000, now % 1000 * 1000000L };
 	return 0;
@@ -208,7 +211,7 @@ int isatty(int fd)
 
 	if (real == NULL)
 		real = (int (*)(int))dlsym(RTLD_NEXT, "isatty");
-	if (!is("clock"))
+	if (!is_fault("clock"))
 		return real(fd);
 	return fd == STDERR_FILENO ? error > 0 :
 				     fd == STDOUT_FILENO && error > 1;

@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# What the system does to a program: memory and disks that are full, reads and
-# writes that are short, interrupted or fail, pipes that close, a reader that
-# waits for its answer, input that is huge, cut or no file at all.
+# Checks the program when the system fails: no memory, a full disk, reads and writes
+# that are short, interrupted or fail, closed pipes, a reader that waits for its answer,
+# input that is huge, cut off or not a file.
 use strict;
 use warnings;
 use FindBin;
@@ -16,11 +16,11 @@ use Projcalc;
 my $shim = "$tmp/shim.so";
 $ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
-# A shell ignores this signal in programs that it runs in the background.
+# A shell makes programs in the background ignore SIGINT.
 $SIG{INT} = 'DEFAULT';
 
-# A sanitizer has an allocator of its own, and no use for a limit of memory;
-# what counts coverage allocates, too.
+# A sanitizer has its own allocator, and fails with a limit of memory; code that counts
+# coverage allocates, too.
 my $plain = system("grep -q '__asan_init\\|__gcov' $build/projcalc") != 0;
 my $has_shim = $plain && system("cc -O1 -shared -fPIC -o $shim " .
     "$top/cmd/test/fault_shim.c 2>$tmp/err") == 0;
@@ -40,7 +40,7 @@ sub is_run {
 
 sub starts { substr($_[0], 0, length $_[1]) eq $_[1] }
 
-# Points for several chunks, and the same in each format.
+# Points for several chunks, in each format.
 srand 7;
 my $lines = join '', map {
 	join(' ', map { 1e-4 * int rand 4e4 } 1 .. 3) . "\n"
@@ -72,7 +72,8 @@ my @commands = (
 	"projcalc trace -j2 scene.json $tmp/few",
 );
 
-# Lets the first call fail, then the second, until there are no more calls.
+# Runs a command again and again: first its first call fails, then its second, until the
+# command makes no more calls.
 sub every {
 	my ($call, $errno, $command, $check) = @_;
 	my ($status, $whole) = run($command);
@@ -97,8 +98,9 @@ sub system_failed {
 	};
 }
 
-# Checks --progress with a clock that goes on by so many milliseconds for each file of
-# 1000 lines: reports begin after half a second, and follow every fifth of a second.
+# Checks --progress with a clock that advances by $clock milliseconds for each file of
+# 1000 lines. The first report is due after half a second, others every fifth of a
+# second.
 sub told {
 	my ($clock, $terminal, $args) = @_;
 	my $file = "$tmp/thousand";
@@ -138,7 +140,7 @@ sub progress {
 	shares();
 }
 
-# The header is read again for each file.
+# Checks the shares that --progress prints, which begin again with each file.
 sub shares {
 	my $n = 60000;
 	spew("$tmp/lines", "0 0 0\n" x $n);
@@ -195,7 +197,7 @@ SKIP: {
 	progress();
 }
 
-# A full disk, and streams that are closed.
+# A full disk, and closed standard streams.
 for my $command (@commands) {
 	my ($status, $out, $err) = run("$command >/dev/full");
 	$err =~ s/scene 1, line 1: //;
@@ -223,7 +225,7 @@ for my $j (1, 2) {
 	    0, "320 240 0.8888888888888888\n", "141\n", "SIGPIPE -j$j");
 }
 
-# An answer to each line before the next is sent.
+# Checks that each line is answered before the next is sent.
 sub answers {
 	my ($args, $ask, $answer) = @_;
 	my $pid = open2(my $from, my $to, "exec $project $args 2>/dev/null");
@@ -256,7 +258,7 @@ for my $j (1, 2) {
 	answers("-j$j --flags --keep-going -", "0 0\n", "nan nan nan nan\n");
 }
 
-# A writer that stalls in the middle of a line, a signal while it waits.
+# A writer stalls in the middle of a line, and a signal arrives meanwhile.
 for my $j (1, 2) {
 	my $pid = open2(my $from, my $to, "exec $project -j$j -");
 	alarm 10;
@@ -278,7 +280,7 @@ for my $j (1, 2) {
 	    "a writer that stalls, SIGINT: -j$j");
 }
 
-# A reader that stops for a while.
+# The reader of the output stops for a while.
 my (undef, $whole) = run("$project $tmp/points");
 for my $j (1, 2) {
 	my $pid = open2(my $from, my $to,
@@ -290,7 +292,7 @@ for my $j (1, 2) {
 	waitpid $pid, 0;
 }
 
-# Pipes that another process has made not to wait, and that hold less than all.
+# Pipes in the mode O_NONBLOCK, set by another process, which hold less than the output.
 use constant F_SETPIPE_SZ => 1031;
 my $help = (run('projcalc help --json'))[1];
 for (["$project -j1 -", $whole], ["$project -j2 -", $whole],
@@ -330,8 +332,8 @@ spew($long, "0,0,-9\n");
 is((run("projcalc project -i csv scene.json $long >/dev/null"))[2],
     "projcalc: 1 point has no image: $long:1\n", 'a long name');
 
-# Bounded memory, in kilobytes. The most that was ever resident is asked for
-# while it runs; the stream goes on long enough. It ends with a status.
+# Returns the peak of a command's resident memory in kilobytes, read while the command
+# runs, for which its input is long enough. Returns 1e9 if its exit status is not $end.
 sub peak {
 	my ($command, $end) = (@_, 0);
 	my ($peak, $pid) = (0, fork // die "fork: $!\n");
@@ -385,7 +387,7 @@ SKIP: {
 		is_deeply([$status, $err], \@want,
 		    "a line of $n bytes: --scenes");
 	}
-	# without its newline it would be longer by one
+	# a line has at most 2^26 bytes, and a missing newline counts
 	for my $n ((1 << 26) - 1, 1 << 26) {
 		spew("$tmp/line", "0 0 0\n" x 30000 . "0 0 0 " . 'a' x ($n - 6));
 		my $want = $n < 1 << 26 ? '0 ' :

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Documents of the command fit, in which members may be missing. */
+/* Documents of fit, in which the members that fit computes may be missing. */
 #include "document.h"
-#include "../../core/test/numbers.h"
 
 static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
-	.fit = true };
+	.for_fit = true };
 static const struct document_wants project = { WANTS };
 
 static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
-	.flat = SCENE_WINDOW | SCENE_DEVICE, .fit = true };
+	.flat_members = SCENE_WINDOW | SCENE_DEVICE, .for_fit = true };
 
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
 #define WINDOW_HINT                                                \
@@ -136,7 +135,7 @@ static void test_missing(void **state)
 static void test_flat(void **state)
 {
 	static const struct document_wants unused = { .used = SCENE_WINDOW,
-		.flat = SCENE_WINDOW };
+		.flat_members = SCENE_WINDOW };
 	struct document d = read_as(&either,
 	    "{\"window\":{\"zoom\":2},\"points\":[1,2,3],"
 	    "\"bounds\":{\"center\":[1,2],\"radius\":4}}");
@@ -153,13 +152,13 @@ static void test_flat(void **state)
 	    "{\"device\":{\"width\":3,\"height\":2},"
 	    "\"projection\":{\"type\":\"ortho\"}," BOX "}");
 	assert_false(d.flat);
-	/* operands replace the points of the document */
+	/* points among the operands replace those of the document */
 	struct document_wants operands = either;
 
 	operands.coordinates = 0;
 	d = read_as(&operands, "{\"window\":{},\"points\":[[1],[2]]}");
 	assert_true(d.flat && d.points == NULL);
-	/* bounds that are not used may have two dimensions or three */
+	/* bounds of a command that does not use them may have two or three numbers */
 	d = read_as(&unused, "{\"bounds\":{\"min\":[1,2],\"max\":[3,4]}}");
 	assert_false(d.flat);
 	assert_numbers(d.bounds.max, 2, 3.0, 4.0);

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The same bits from other processors, emulated, and from another C library: the
-# transcripts and the digests of testdata/bits.sha256; and for arm64, whose vector
-# loops are its own, their tests. Programs are static, with a cJSON of their own.
-# Wants what `make deps foreign` installs; what is not there is named and left out.
+# Checks that other processors, which are emulated, and another C library give the same
+# bits: runs the transcripts and the digests of testdata/bits.sha256 and, for arm64, the
+# tests of its vector loops. Programs are linked statically, with cJSON. Needs the
+# packages of `make deps foreign`; names and skips what is missing.
 # usage: foreign.sh BUILD [NAME...]
 set -eu
 unset CDPATH
@@ -18,7 +18,7 @@ cjson=$build/cjson
 	echo "foreign: no source of cJSON in $cjson; make deps foreign" >&2
 	exit 1
 }
-# What musl's compiler finds nowhere else.
+# Headers that musl-gcc does not find by itself.
 ln -sfn "$cjson" "$build/include/cjson"
 ln -sfn /usr/include/fast_float "$build/include/fast_float"
 
@@ -31,13 +31,13 @@ has() {
 	done
 }
 
-# make for $cc and $cxx, with $flags; what is asked for has its library before it.
+# Runs make for $cc and $cxx with $flags and the targets given.
 made() {
 	make -s -j"$(nproc 2>/dev/null || echo 2)" "BUILD=$build/$name" "CC=$cc" "CXX=$cxx" \
 	    CFLAGS="-O2 -g $flags" CPPFLAGS="-I$build/include" "$@"
 }
 
-# Makes the program called $name, and runs the tests with $emulator before it.
+# Builds the program for $name, and runs the tests with the program under $emulator.
 check() {
 	dir=$build/$name
 	mkdir -p "$dir/emulated"
@@ -51,14 +51,14 @@ check() {
 	    "$dir/emulated"
 }
 
-# The tests of arm64's vector loops.
+# Runs the tests of the vector loops of arm64.
 check_loops() {
 	tests="$dir/core/test/points_test $dir/core/test/ray_test"
 	[ -f /usr/lib/aarch64-linux-gnu/libcmocka.so ] || {
 		echo "$name: no libcmocka for it here"
 		return
 	}
-	# The shell is to split the list.
+	# The shell must split the list.
 	# shellcheck disable=SC2086
 	made $tests
 	for test in $tests; do
@@ -76,15 +76,15 @@ for name; do
 	case $name in
 	arm64) triplet=aarch64-linux-gnu emulator=qemu-aarch64-static ;;
 	i386)
-		# doubles are to be rounded to doubles
+		# SSE2, as the x87 does not round to doubles
 		triplet=i686-linux-gnu emulator=qemu-i386-static
 		flags='-msse2 -mfpmath=sse'
 		;;
 	*) triplet=$name-linux-gnu emulator=qemu-$name-static ;;
 	esac
 	cc=$triplet-gcc cxx=$triplet-g++
-	# The C++ is of headers alone, and calls what every C library has, without
-	# the names of glibc's for what is fortified.
+	# g++ has the headers of glibc. The C++ files call only functions that musl has
+	# too, unless _FORTIFY_SOURCE renames them.
 	[ "$name" != musl ] ||
 	    cc=musl-gcc cxx=g++ emulator='' flags=-U_FORTIFY_SOURCE
 	# shellcheck disable=SC2086

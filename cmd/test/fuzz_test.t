@@ -1,6 +1,6 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# A few seconds of each fuzzer; `make fuzz` goes on for longer.
+# Runs each fuzzer for a few seconds; `make fuzz` runs them longer.
 use strict;
 use warnings;
 use FindBin;

@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The pages that `make html` writes have no dead link: each leads to a file of theirs
-# and, behind a #, to a name in it, or to Debian's manual pages.
+# Checks that the pages of `make html` have no dead link: each leads to one of the
+# files, and to a name in it if the link has a #, or to Debian's manual pages.
 use strict;
 use warnings;
 use File::Temp;

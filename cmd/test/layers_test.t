@@ -1,9 +1,9 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Checks the house: a file includes and calls only what lies below it, core only
-# computes, one file knows cJSON, and functions have at most 60 lines. The calls of a
-# file are the undefined names of its object in BUILD. The picture of the folders in
-# CONTRIBUTING is made from this.
+# Checks the structure of the sources: files include and call each other in layers
+# without a ring, core only computes, only one file includes cJSON, and functions have
+# at most 60 lines. The calls of a file are the undefined names of its object in BUILD.
+# The picture of the folders in CONTRIBUTING is drawn from them.
 # usage: layers_test.t [BUILD]
 #        layers_test.t -w, which draws that picture anew
 use strict;
@@ -14,8 +14,8 @@ use List::Util qw(max min sum uniq);
 # The folders that the program does not need.
 my $wing = qr{/(?:test|study|proof|bench|fuzz|demo)/};
 
-# The functions of others that core may call: arithmetic, bytes, and what
-# compilers put in.
+# The library functions that core may call: for arithmetic and bytes, and those that
+# compilers insert.
 my %computes = map { $_ => 1 } qw(atan2 copysign fabs floor fma fmaf fmax fmin
     __udivti3 fmod frexp hypot ldexp nextafter nextafterf rint sqrt
     memcmp memcpy memmove memset strcmp strlen
@@ -43,7 +43,7 @@ sub slurp {
 my %text = map { $_ => slurp($_) }
     grep { -e } glob '{core,cmd}/{,*/,*/*/}*.{c,cc,h}';
 
-# $needs{A}{B} is for what file A needs file B: "included", or names in it.
+# $needs{A}{B} says why file A needs file B: "included", or names that B defines.
 my %needs = map { $_ => {} } keys %text;
 
 for my $file (keys %text) {
@@ -54,8 +54,8 @@ for my $file (keys %text) {
 	}
 }
 
-# The names that objects define, and those that they lack. A name that tests define
-# again is the program's.
+# The names that objects define, and those that they need. If a test defines a name of
+# the program again, the program's is meant.
 my (%home, %lacks);
 my %source = map { "$build/" . s/\.\w+$/.o/r => $_ } grep { !/h$/ } keys %text;
 for (`nm -APg @{[grep { -e } keys %source]} 2>/dev/null`) {
@@ -79,7 +79,8 @@ for my $file (keys %lacks) {
 	}
 }
 
-# Returns all files that a file needs, directly or not: in a ring also the file itself.
+# Returns all files that a file needs, directly or not. In a ring, they include the file
+# itself.
 sub reach {
 	my ($file, $seen) = @_;
 	for (keys %{$needs{$file}}) {
@@ -109,8 +110,8 @@ sub floor {
 	    grep { !$reach{$_}{$file} } keys %{$needs{$file}});
 }
 
-# The folders of the program, and an arrow to each that a folder needs, but where a
-# longer way leads there, too.
+# Returns the folders of the program, with an arrow to each folder that a folder needs,
+# unless other arrows lead there, too.
 sub picture {
 	my %below;
 	for my $file (grep { !m{$wing} } keys %needs) {
@@ -137,7 +138,7 @@ sub picture {
 	return "```mermaid\ngraph TD\n$lines```\n";
 }
 
-# Lines from a function's name to its closing brace.
+# Returns the functions of a file, with their lines from the name to the closing brace.
 sub functions {
 	my ($file) = @_;
 	my ($line, $name, $body, @found) = (0, 0, 0);

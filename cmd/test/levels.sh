@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The same bits from each compiler that is here, at each level of optimization, with
-# optimization at link time, and for this very processor.
+# Checks that each installed compiler gives the same bits at each level of optimization,
+# with optimization at link time, and for this very processor.
 # usage: levels.sh BUILD [CC...]
 set -eu
 cd "$(dirname "$0")/../.."
@@ -12,16 +12,15 @@ mkdir -p "$top"
 echo 'int main(void) { return 0; }' >"$top/none.c"
 [ $# -gt 0 ] || set -- gcc gcc-12 gcc-13 gcc-14 gcc-15 clang
 
-# Returns whether the compiler can make a program for this processor: clang wants a
-# linker for -flto, and not every processor is an x86-64-v3. The shell splits the
-# flags.
+# Returns whether the compiler can make a program for this processor: clang needs a
+# linker for -flto, and not every processor is an x86-64-v3. The shell splits the flags.
 # shellcheck disable=SC2086
 makes() {
 	"$1" $2 -o "$top/none" "$top/none.c" 2>/dev/null && "$top/none"
 }
 
 check() {
-	# what has = in it would be a variable to make
+	# make would take a word with = for a variable
 	build=$top/$1$(echo "$2" | tr -d ' =')
 	make -s -j"$(nproc 2>/dev/null || echo 2)" "BUILD=$build" "CC=$1" \
 	    "CXX=$(echo "$1" | sed 's/gcc/g++/; s/clang/clang++/')" \
@@ -37,7 +36,7 @@ check() {
 	}
 }
 
-# gcc itself is a link to one of the others.
+# gcc is a link to a gcc of some version, which must not be tested twice.
 seen=
 for cc; do
 	file=$(readlink -f "$(command -v "$cc")") || continue

@@ -1,8 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Lines of every kind, right and wrong: what the loops of each processor print and
-# complain of is what the scalar code does, and has the digests of
-# testdata/lines.sha256.
+# Checks lines of every kind, right and wrong: the loops of each processor give the same
+# output and messages as the scalar code, with the digests of testdata/lines.sha256.
 # usage: lines_test.t [-w] [BUILD]; -w rewrites the digests with what the scalar
 # code makes of the lines.
 use strict;
@@ -17,8 +16,8 @@ my $lines = 60000;
 
 sub digits { join '', map { below(10) } 1 .. $_[0] }
 
-# Whole, with decimals, as printf writes doubles, at the limits of what a fast way
-# can take: 16 to 19 digits, 22 decimals, 32 characters.
+# Makes numbers: integers, with decimals, as printf writes doubles, and at the limits of
+# the vector loops: 16 to 19 digits, 22 decimals, 32 characters.
 my @usual = (
 	sub { sprintf '%.6f', (below(4000001) - 2000000) / 1000000 },
 	sub { sprintf '%.3f', (below(2000001) - 1000000) / 999 },
@@ -97,8 +96,8 @@ sub object_line {
 	    "{$s,}", '{}', '{', '{"x":1,"x"}', json_line());
 }
 
-# Lines with comments, blank lines, and some that are longer than what is looked
-# at in one go; the last has no newline.
+# Returns lines, with comments, blank lines, and some that are longer than a loop reads
+# at once. The last line has no newline.
 sub text_of {
 	my ($line) = @_;
 	my $s = $line->();
@@ -122,7 +121,7 @@ my %line = (text => \&text_line, csv => \&csv_line, json => \&json_line,
     "csv --separator ';'" => sub { csv_line() =~ tr/,;/;,/r },
     'json --columns x,y,z' => \&object_line, objects => \&object_line);
 
-# Output, messages and status of the program on the lines of a format.
+# Returns the output, messages and status of the program for lines of a format.
 sub outcome {
 	my ($format, $cpu, @options) = @_;
 	local $ENV{PROJCALC_CPU} = $cpu;
@@ -154,7 +153,7 @@ sub options_of {
 	return @all;
 }
 
-# The copies that this processor can run, beside the scalar code.
+# The copies of the loops that this processor can run, other than the scalar code.
 my @copies = grep {
 	local $ENV{PROJCALC_CPU} = $_;
 	system("$build/projcalc w2n '$window' '[]' 2>$tmp/err") == 0;

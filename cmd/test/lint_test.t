@@ -1,6 +1,6 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The manual, the style, the scripts and the C, as make lint checks them.
+# Checks the manual, the style, the scripts and the C code by `make lint`.
 use strict;
 use warnings;
 use FindBin;

@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# What make says where something is missing, what make deps would install, on a
-# Debian that has nothing yet, and as whom, and what make dist packs.
+# Checks what make says if something is missing, what `make deps` would install on a
+# fresh Debian, and with whose rights, and what `make dist` packs.
 use strict;
 use warnings;
 use FindBin;
@@ -49,8 +49,8 @@ for my $goals ([], ['lint']) {
 	unlike($asked, qr/qemu|coq/, "and no more for deps @$goals");
 }
 
-# Without root: what is missing, and the line that root is to run where there is no
-# sudo. A library of another architecture is none of this one's.
+# Without root: the missing packages and, without sudo, the command that root must run.
+# A library of another architecture does not count as installed.
 script('dpkg-query', '
 	case $4 in
 	jq | libmpfr-dev:arm64) echo "amd64 install ok installed" ;;
@@ -102,7 +102,8 @@ spew("$tmp/foreign/cjson/cJSON.c", '');
 is($status, 1, 'foreign.sh without a compiler has tested nothing');
 like($err, qr/^foreign: nothing was tested/m, 'which is said');
 
-# The tarball has the files that git tracks, and its tree packs the same tarball.
+# Checks that the tarball has the files that git tracks, and that the unpacked tarball
+# packs the same tarball.
 sub packed {
 	my ($dir) = @_;
 	my ($status, $out, $err) = run('make -s dist', $dir);

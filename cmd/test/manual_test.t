@@ -1,9 +1,9 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# What the program says of itself is what its manual pages say: commands and
-# options are those of the synopsis, members of a scene, their defaults and their words
-# those of its page; the examples of its help work; README's figures are measured
-# ones; and the pages are without a fault that mandoc sees.
+# Checks that the program and its manual pages agree: the commands and options are those
+# of the synopsis; the members of a scene, their defaults and words are those of
+# projcalc-scene(5). The examples of the help work, README has the figures of the last
+# measurement, and mandoc finds no fault in the pages.
 use strict;
 use warnings;
 use FindBin;
@@ -17,7 +17,7 @@ my $manual = slurp('man/projcalc.1');
 my $scene = slurp('man/projcalc-scene.5');
 my $schema = decode_json(scalar `$^X man/schema.pl $program man/scene.rules.json`);
 
-# Options by command, the short name where there is one.
+# The options by command, by their letter if they have one.
 my %synopsis;
 my ($text) = $manual =~ /^\.Sh SYNOPSIS\n(.*?)^\.Sh/ms;
 my ($calls, $shared) = split /^\.Pp\n/m, $text;
@@ -61,7 +61,7 @@ is($all->{version}, `$program --version` =~ s/^projcalc |\n//gr,
 for my $c (@{$all->{commands}}) {
 	is("@{$c->{options}}", join(' ', `$program help $c->{name}` =~
 	    /^  (?:-\w, |    )--([\w-]+)/mg), "options of $c->{name} in JSON");
-	# and the command to paste
+	# the example can be pasted into a shell
 	my @said = run($c->{example});
 	is("$said[0]$said[2]", 0, "$c->{example} succeeds");
 	isnt($said[1], '', 'and prints');
@@ -69,7 +69,7 @@ for my $c (@{$all->{commands}}) {
 	    "the help shows it");
 }
 
-# The rows of an object's members; of a scene's where its name is undef.
+# Returns the rows of an object's members; those of the scene if $in is undef.
 sub rows {
 	my ($in, $type) = @_;
 	return grep { ($_->{in} // '') eq ($in // '') &&
@@ -79,7 +79,7 @@ sub rows {
 
 sub members { sorted(map { $_->{name} } rows(@_)) }
 
-# The page has the members of each object in a section, each with a value.
+# Returns the names of the members in sections of the page, each of which has a value.
 sub on_page {
 	my @sections = @_;
 	my @names;
@@ -90,7 +90,7 @@ sub on_page {
 	return sorted(@names);
 }
 
-# An item of the page, in the sections of that title or their beginning.
+# Returns the item of a name on the page, in sections whose title begins with $title.
 sub item {
 	my ($title, $name) = @_;
 	my $found = '';
@@ -103,7 +103,8 @@ sub item {
 
 my $json = JSON::PP->new->canonical->allow_nonref;
 
-# The page tells the default and the words of rows. Each word of the schema is theirs.
+# Checks that the page has the default and the words of the rows, and that each word of
+# the schema is one of these words.
 sub compare {
 	my ($title, @rows) = @_;
 	for my $row (@rows) {
@@ -120,7 +121,7 @@ sub compare {
 	}
 }
 
-# All words that a schema lists.
+# Returns all words that a schema lists.
 sub words_of {
 	my ($s) = @_;
 	return map { words_of($_) } @$s if ref $s eq 'ARRAY';
@@ -178,7 +179,7 @@ for my $page (qw(projcalc.1 projcalc-scene.5)) {
 		is(`mandoc -T lint -W warning man/$page 2>&1`, '', $page);
 	}
 }
-# README's table is of rows of the last measurement.
+# The rows of README's tables are rows of the last measurement.
 my $measured = slurp('testdata/charts/bench.md');
 is(join('', grep { index($measured, $_) < 0 }
     slurp('README.md') =~ /^(\|.*\n)/mg), '', 'README\'s figures');

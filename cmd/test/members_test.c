@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
-#include "../../core/test/numbers.h"
 
-static const struct document_wants lookat = { .bare = SCENE_CAMERA,
+static const struct document_wants lookat = { .lone_member = SCENE_CAMERA,
 	.needed = SCENE_CAMERA,
 	WANTS };
-static const struct document_wants w2n = { .bare = SCENE_WINDOW,
+static const struct document_wants w2n = { .lone_member = SCENE_WINDOW,
 	.needed = SCENE_WINDOW,
 	.used = ~0u,
 	.coordinates = 2 };
@@ -230,7 +229,8 @@ static void test_camera(void **state)
 	c = CAMERA("\"pose\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]");
 	assert_int_equal(c.kind, CAMERA_POSE);
 	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
-	/* the shape says which vectors, whatever the convention says */
+	/* 3 rows of 4 are for column vectors and 4 rows of 3 for row vectors, in every
+	 * convention */
 	static const char *const shapes[] = { "\"camera\":{\"matrix\":" M34 "}",
 		"\"camera\":{\"matrix\":" M43 "}",
 		"\"camera\":{\"matrix\":{\"matrix\":" M34

@@ -33,7 +33,7 @@ my $room = abs_path("$build/mutants");
 my ($tree, $tmp) = map { "$room/$_" } qw(tree tmp);
 srand($seed || 1);
 
-# A make that is started here is not a part of `make mutants`.
+# A make that is started here must not take part in `make mutants`.
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
 
 sub slurp {
@@ -49,8 +49,8 @@ sub spew {
 	close $file or die "$name: $!\n";
 }
 
-# The flags of mutants. A mutant that reads an unset variable, or does not return
-# its value, does not build.
+# The flags of mutants. By these, a mutant does not build if it reads an unset variable
+# or returns no value.
 my $checks = '-fsanitize=address,undefined';
 my %flags = (plain => "CFLAGS='-O1 -g0 -Werror=uninitialized " .
 	"-Werror=return-type' LDFLAGS=-s",
@@ -58,12 +58,12 @@ my %flags = (plain => "CFLAGS='-O1 -g0 -Werror=uninitialized " .
 	"LDFLAGS=$checks");
 our $flags = 'plain';
 
-# The copy that mutants are made from.
+# The copy of the project from which mutants are made.
 sub whole { "$room/$flags" }
 
-# The limits of a mutant: seconds by the clock and of a processor, files, and
-# memory, of which a sanitizer reserves more than there is. timeout ends the group
-# that it starts, even if this program has ended.
+# Starts a command with the limits of a mutant: seconds by the clock and of CPU time,
+# files, and memory, except with a sanitizer, which reserves more than there is. timeout
+# kills the command's process group, even if this program has ended.
 my $running;
 
 sub start {
@@ -82,7 +82,7 @@ sub start {
 	exec 'timeout', '-s', 'KILL', $seconds, 'sh', '-c', "$limits$command";
 }
 
-# Ends what is left of the group.
+# Kills what is left of the process group.
 sub finish {
 	return if !$running;
 	kill 'KILL', -$running;
@@ -115,9 +115,9 @@ sub is_built {
 	return succeeds($dir, 600, make("build/$target"));
 }
 
-# The tests, those first that find most mutants in the least time. The tests of core
-# do not depend on cmd, and the proofs depend only on the headers of core and its
-# series.
+# The tests, in an order in which those come first that find most mutants in the least
+# time. The tests of core do not depend on cmd; the proofs depend only on the headers of
+# core, and on the series of core/exact/trig.c.
 my @first = qw(transcripts bits);
 my @values = qw(recorded examples cameras scenes);
 my @talk = qw(completion schema manual digits pieces lines fault);
@@ -145,8 +145,8 @@ sub passes {
 	    succeeds($dir, $seconds, "build/$test");
 }
 
-# How long a test may take, on a machine that does something else as well: a
-# multiple of what it takes when nothing is changed. Then it must pass.
+# The seconds that a test may take: a multiple of its time with the unchanged program,
+# as the machine may be busy. The unchanged program must pass.
 my %limit;
 
 sub limit {
@@ -167,7 +167,7 @@ sub prepare {
 	    .github .debian), "$whole/") == 0 or die "no copy\n";
 	succeeds($whole, 3600, make('programs')) or
 	    die "can't be built: see $room/errors\n";
-	# those of a mutant are linked when it comes to them
+	# a mutant's test is linked when it is needed
 	unlink map { "$whole/build/$_" } map { s/\.c$//r }
 	    glob 'c*/test/*_test.c';
 }
@@ -200,7 +200,7 @@ sub finder {
 	return;
 }
 
-# The result for a mutant: the test that found it, or else one of
+# The result for a mutant is the test that found it or, if none did, one of these.
 my ($unbuilt, $same, $lived) = ('unbuilt', 'the same bytes', 'lived');
 
 sub fate {
@@ -209,7 +209,7 @@ sub fate {
 	return $same if same_bytes();
 	my $test = finder($mutant);
 	return $test // $lived if defined $test || $quick;
-	# what steps past an array may change nothing that can be seen
+	# reads past an array may change no output, but a sanitizer finds them
 	local ($flags, $quick) = ('sanitized', 1);
 	$test = mutate($mutant) && finder($mutant);
 	return $test ? "$test, sanitized" : $lived;
@@ -224,7 +224,7 @@ sub shuffled {
 	return @all;
 }
 
-# Chooses the same number of each kind, at random.
+# Chooses random mutants, as many of each kind.
 sub chosen {
 	my %all;
 	for my $file (sort map { glob "$_/*.c $_/*.h $_/*.cc" } @folders) {

@@ -1,7 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# `make mutants` makes the changes that it prints, finds those that a test finds, and
-# ends programs that don't end; and mutants.equal has a reason for each change.
+# Checks that `make mutants` makes the changes that it prints, reports those that no
+# test finds, and kills programs that do not end; and that mutants.equal has a reason
+# for each change.
 use strict;
 use warnings;
 use File::Path 'make_path';
@@ -45,7 +46,7 @@ for my $case (
 	is_deeply(changed($text), $want, $text);
 }
 
-# A hunk finds its lines where they stand now, the nearest of several.
+# A hunk finds its lines in a text that has changed, and of several places the nearest.
 my $text = "\tx = 1;\n\ty = 2;\n\tx = 1;\n";
 my ($again) = hunks("# A reason\n# of two lines.\nx.c:3\n-x = 1;\n+x = 2;\n");
 is(mutated($text, $again), "\tx = 1;\n\ty = 2;\nx = 2;\n", 'a hunk');
@@ -62,9 +63,9 @@ for my $known (hunks(slurp('cmd/test/mutants.equal'))) {
 	    "a reason, and the code: $known->{file}: $known->{from}");
 }
 
-# A program of one file, with a test that finds some of its mutants: of the
-# sum and the loops, one of which doesn't end then, but not of what nobody looks at,
-# such as a byte past an array, which a sanitizer sees.
+# A program of one file, with a test that finds the mutants of its sum and its loops,
+# one of which does not end. It does not find mutants of unused values, or reads past an
+# array, which a sanitizer finds.
 my $toy = "$tmp/toy";
 make_path("$toy/core/test", "$toy/cmd/test", map { "$toy/$_" } qw(man
     testdata .github .debian));

@@ -1,73 +1,45 @@
 /* SPDX-License-Identifier: MIT */
-/* The truth is strtod's and printf's, which round correctly in the C library
- * this is tested with, and for the layout the rules of ECMA-262, 6.1.6.1.20. */
-#define _DEFAULT_SOURCE
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/mman.h>
+/* number_read and number_write agree with strtod and printf, which round correctly in
+ * the C library. The shortest text has the layout of JavaScript, by ECMA-262,
+ * 6.1.6.1.20. */
+#include "random.h"
 
 #include "../number/number.h"
 
-enum { TEXT_MAX = 2048, PAGES = 65536 };
+enum { TEXT_MAX = 2048 };
 
-static char *guard; /* from here on memory must not be touched */
+static char *guard; /* the end of the texts that are read */
 
-static int set_up(void **unused)
+static int make_guard(void **unused)
 {
-	char *start = mmap(NULL, 2 * PAGES, PROT_READ | PROT_WRITE,
-	    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-
 	(void)unused;
-	if (start == MAP_FAILED)
-		return -1;
-	guard = start + PAGES;
-	return mprotect(guard, PAGES, PROT_NONE);
+	guard = guard_page();
+	return 0;
 }
 
-static uint64_t next_random(void)
-{
-	static uint64_t state = 88172645463325252;
-
-	state ^= state << 13;
-	state ^= state >> 7;
-	return state ^= state << 17;
-}
-
-static int below(int n)
-{
-	return (int)(next_random() >> 33) % n;
-}
-
-/* Returns a finite double, of each kind that a calculator meets. */
+/* Returns a random finite double, of a random kind. */
 static double random_double(void)
 {
 	uint64_t bits = next_random();
 	double v = 2 * (double)(bits >> 11) / 0x1p53 - 1;
 
-	switch (below(5)) {
+	switch (random_below(5)) {
 	case 0:
 		memcpy(&v, &bits, sizeof v);
 		return isfinite(v) ? v : 0;
-	case 1: /* so many decimals, ten at most */
-		return floor(v * 1e10) / pow(10, below(16));
-	case 2: /* integers, and ties when they are rounded */
-		return floor(v * pow(2, below(70))) / pow(2, below(30));
-	case 3: /* powers of two, with half as wide a gap below */
-		return ldexp(v < 0 ? -1 : 1, below(2098) - 1074);
+	case 1: /* up to 15 decimals, of at most ten digits */
+		return floor(v * 1e10) / pow(10, random_below(16));
+	case 2: /* integers, and numbers that are ties for few decimals */
+		return floor(v * pow(2, random_below(70))) /
+		    pow(2, random_below(30));
+	case 3: /* powers of two: the next double below is half as far as the next above */
+		return ldexp(v < 0 ? -1 : 1, random_below(2098) - 1074);
 	default:
-		return v * pow(10, below(8));
+		return v * pow(10, random_below(8));
 	}
 }
 
-/* Checks that number_read reads text, which ends before a guard page, as strtod
+/* Asserts that number_read reads the text, which ends before the guard page, as strtod
  * does. */
 static void check_read(const char *text)
 {
@@ -84,7 +56,7 @@ static void check_read(const char *text)
 	assert_ptr_equal(end, start + (expected_end - text));
 	if (memcmp(&v, &expected, sizeof v) != 0 &&
 	    !(isnan(v) && isnan(expected)))
-		fail_msg("%s read as %a", text, v);
+		fail_msg("%s: expected %a, came %a", text, expected, v);
 }
 
 static void reads_as_strtod(void **unused)
@@ -119,7 +91,7 @@ static void reads_as_strtod(void **unused)
 			check_read(prefix);
 			prefix[n - 1] = '\0';
 		}
-	/* The place at which strtod stops. */
+	/* only 0 is read of 0x10, only -nan of -nan(1), and nothing after a blank */
 	assert_ptr_equal(number_read(hex, hex + 4, &v), hex + 1);
 	assert_ptr_equal(number_read(sequence, sequence + 7, &v), sequence + 4);
 	assert_null(number_read(blank, blank + 2, &v));
@@ -133,11 +105,11 @@ static void reads_doubles(void **unused)
 
 	(void)unused;
 	for (int i = 0; i < 200000; i++) {
-		int size = snprintf(text, sizeof text, formats[below(8)],
+		int size = snprintf(text, sizeof text, formats[random_below(8)],
 		    random_double());
 
-		/* characters after the number are not read */
-		sprintf(text + size, "%.*s", below(24),
+		/* number_read stops at the end of the number */
+		sprintf(text + size, "%.*s", random_below(24),
 		    " 1.000000 2.000000 -3.000000");
 		check_read(text);
 	}
@@ -149,18 +121,18 @@ static void reads_digits(void **unused)
 
 	(void)unused;
 	for (int i = 0; i < 100000; i++) {
-		int n = i % 100 == 0 ? 800 : 1 + below(24);
+		int n = i % 100 == 0 ? 800 : 1 + random_below(24);
 
 		for (int k = 0; k < n; k++)
-			text[k] = (char)('0' + below(10));
-		text[below(n)] = '.';
-		sprintf(text + n, "e%d", below(700) - 350 - n / 2);
+			text[k] = (char)('0' + random_below(10));
+		text[random_below(n)] = '.';
+		sprintf(text + n, "e%d", random_below(700) - 350 - n / 2);
 		check_read(text);
 	}
 }
 
-/* Numbers half way between two doubles, which a long double can print, and numbers that
- * a late digit moves off the half, to either side. */
+/* Reads midpoints of two doubles, which a long double can print, and numbers that
+ * differ from a midpoint in a late digit. */
 static void reads_halves(void **unused)
 {
 	char text[TEXT_MAX];
@@ -183,9 +155,9 @@ static void reads_halves(void **unused)
 	}
 }
 
-/* Writes at s the number of text, which printf wrote as d.ddde+-dd, as
- * JavaScript lays it out. */
-static void as_javascript(char *s, const char *text)
+/* Writes to s the number that printf wrote as d.ddde+-dd to text, in the layout of
+ * JavaScript. */
+static void write_as_javascript(char *s, const char *text)
 {
 	int n = 0, point = atoi(strchr(text, 'e') + 1) + 1;
 	char digits[128];
@@ -210,7 +182,7 @@ static void as_javascript(char *s, const char *text)
 		    digits + 1, point - 1);
 }
 
-static const char *written(double v, unsigned kind, int n)
+static const char *text_of(double v, unsigned kind, int n)
 {
 	static char text[NUMBER_MAX + 1];
 	char *end = number_write(text, v, (struct number_style){ kind, n });
@@ -232,16 +204,16 @@ static void lays_out_as_javascript(void **unused)
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-		assert_string_equal(written(strtod(texts[i], NULL),
+		assert_string_equal(text_of(strtod(texts[i], NULL),
 					NUMBER_SHORTEST, 0),
 		    texts[i]);
-	assert_string_equal(written(-0.0, NUMBER_SHORTEST, 0), "0");
-	assert_string_equal(written(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
+	assert_string_equal(text_of(-0.0, NUMBER_SHORTEST, 0), "0");
+	assert_string_equal(text_of(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
 }
 
-/* The truth is printf's text at the first precision with which it reads back.
- * Only next to a power of two, where doubles are nearer on one side, can there
- * be a shorter one that printf doesn't find. */
+/* Compares the shortest text with that of printf at the least precision that reads
+ * back as v. Next to a power of two, where the doubles on one side are nearer,
+ * number_write may find a shorter text. */
 static void writes_the_shortest(void **unused)
 {
 	char c[64], expected[64];
@@ -249,15 +221,16 @@ static void writes_the_shortest(void **unused)
 	(void)unused;
 	for (int i = 0; i < 300000; i++) {
 		double v = random_double();
-		const char *text = written(v, NUMBER_SHORTEST, 0);
+		const char *text = text_of(v, NUMBER_SHORTEST, 0);
 
 		if (strtod(text, NULL) != v)
-			fail_msg("%a written as %s", v, text);
+			fail_msg("%a: expected a text that reads back, came %s",
+			    v, text);
 		if (i % 8 != 0 || v == 0)
 			continue;
 		for (int n = 0; n == 0 || strtod(c, NULL) != v; n++)
 			snprintf(c, sizeof c, "%.*e", n, v);
-		as_javascript(expected, c);
+		write_as_javascript(expected, c);
 		if (strlen(text) >= strlen(expected))
 			assert_string_equal(text, expected);
 	}
@@ -281,7 +254,7 @@ static void writes_floats(void **unused)
 		assert_true(strtof(text, NULL) == v);
 		for (int n = 0; n == 0 || strtof(c, NULL) != v; n++)
 			snprintf(c, sizeof c, "%.*e", n, (double)v);
-		as_javascript(expected, c);
+		write_as_javascript(expected, c);
 		if (strlen(text) >= strlen(expected))
 			assert_string_equal(text, expected);
 	}
@@ -311,10 +284,10 @@ static void rounds_what_the_double_is(void **unused)
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-		assert_string_equal(written(cases[i].v, NUMBER_DECIMALS,
+		assert_string_equal(text_of(cases[i].v, NUMBER_DECIMALS,
 					cases[i].n),
 		    cases[i].decimals);
-		assert_string_equal(written(cases[i].v, NUMBER_DIGITS,
+		assert_string_equal(text_of(cases[i].v, NUMBER_DIGITS,
 					cases[i].n),
 		    cases[i].digits);
 	}
@@ -326,18 +299,18 @@ static void rounds_as_printf(void **unused)
 
 	(void)unused;
 	for (int i = 0; i < 200000; i++) {
-		int n = below(4) ? below(20) : below(101);
+		int n = random_below(4) ? random_below(20) : random_below(101);
 		double v = random_double();
 
 		snprintf(text, sizeof text, "%.*f", n, v);
-		assert_string_equal(written(v, NUMBER_DECIMALS, n),
+		assert_string_equal(text_of(v, NUMBER_DECIMALS, n),
 		    text +
 			(*text == '-' && strspn(text, "-0.") == strlen(text)));
 		if (n == 0 || v == 0)
 			continue;
 		snprintf(text, sizeof text, "%.*e", n - 1, v);
-		as_javascript(expected, text);
-		assert_string_equal(written(v, NUMBER_DIGITS, n), expected);
+		write_as_javascript(expected, text);
+		assert_string_equal(text_of(v, NUMBER_DIGITS, n), expected);
 	}
 }
 
@@ -355,5 +328,5 @@ int main(void)
 		cmocka_unit_test(rounds_as_printf),
 	};
 
-	return cmocka_run_group_tests(tests, set_up, NULL);
+	return cmocka_run_group_tests(tests, make_guard, NULL);
 }

@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* Members that have the wrong name or stand in the wrong place. */
+/* Refusals of members that have an unknown name, stand in the wrong object, or are
+ * repeated. */
 #include "document.h"
 
-static const struct document_wants lookat = { .bare = SCENE_CAMERA,
+static const struct document_wants lookat = { .lone_member = SCENE_CAMERA,
 	.needed = SCENE_CAMERA,
 	WANTS };
-static const struct document_wants persp = { .bare = SCENE_PROJECTION,
+static const struct document_wants persp = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_PERSP };
-static const struct document_wants ortho = { .bare = SCENE_PROJECTION,
+	.projection_type = PROJECTION_PERSP };
+static const struct document_wants ortho = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_ORTHO };
-static const struct document_wants volume = { .bare = SCENE_PROJECTION,
+	.projection_type = PROJECTION_ORTHO };
+static const struct document_wants volume = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_VOLUME };
-static const struct document_wants w2n = { .bare = SCENE_WINDOW,
+	.projection_type = PROJECTION_VOLUME };
+static const struct document_wants w2n = { .lone_member = SCENE_WINDOW,
 	.needed = SCENE_WINDOW,
 	.used = ~0u,
 	.coordinates = 2 };

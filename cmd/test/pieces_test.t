@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The same bytes and messages come from a file, a pipe and a text in memory, wherever
-# the cuts between pieces fall.
+# Checks that a file, a pipe and a text in memory give the same bytes and messages,
+# wherever the input is cut into pieces.
 use strict;
 use warnings;
 use FindBin;
@@ -12,10 +12,11 @@ $ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
 my $project = 'projcalc project --keep-going';
 
-# The size of the first pieces of source.c.
+# The size of the first pieces that source.c reads.
 my $room = 1 << 15;
 
-# Reads the file, as a stream and from memory, with one thread and with several.
+# Compares the output for a pipe, a file and a text in memory, with one thread and with
+# several.
 sub same {
 	my ($args, $name, @jobs) = @_;
 	my @want = run("cat $tmp/in | $project $args -j1 scene.json -");
@@ -40,7 +41,7 @@ sub line_of {
 	return $line . 'a' x ($n - 1 - length $line) . "\n";
 }
 
-# Lines end just before, at and just after where the reads do.
+# Lines that end just before, at and just after the end of a read.
 srand 5;
 for my $at ($room - 1 .. $room + 1, 2 * $room - 1 .. 2 * $room + 1) {
 	my $text = '';
@@ -58,7 +59,7 @@ for my $at ($room - 1 .. $room + 1, 2 * $room - 1 .. 2 * $room + 1) {
 	same('', "and nothing is after it", 2);
 }
 
-# Lines that are longer than pieces, and several of them.
+# Several lines that are longer than a piece.
 for my $n ($room - 2 .. $room + 2, 2 * $room, 5 * $room + 77) {
 	spew("$tmp/in", line_of(9, 1) . line_of($n, 2) . line_of(30, 3) .
 	    line_of($n, 4) . "5 6\n" . line_of(70, 5) x 4000);
@@ -67,7 +68,7 @@ for my $n ($room - 2 .. $room + 2, 2 * $room, 5 * $room + 77) {
 	same('', "a line of $n bytes alone, without its newline", 2);
 }
 
-# Each format, with sizes at random.
+# Each format, with inputs of random sizes.
 my @points = map { [map { 1e-4 * int rand 4e4 } 1 .. 3] } 1 .. 40000;
 for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
 	my @some = @points[0 .. $n];
@@ -100,8 +101,8 @@ my @want = run("tail -n +2 $tmp/in | projcalc project scene.json - |" .
     'tail -n 1');
 is("@said", "@want", 'a file from the second line on, left at its end');
 
-# A file that changes while the threads wait for a reader, long before its end:
-# what is added counts, and what is cut off does not.
+# A file that changes while the threads wait for a reader of the output, long before the
+# file's end. Lines that are added are read, and lines that are cut off are not.
 my $long = join '', map { "0 0 $_\n" } 1 .. 400000;
 my $start = substr $long, 0, 4000000;
 for (['grows', "$long-1 -1 -1\n", sub {
@@ -124,8 +125,8 @@ for (['grows', "$long-1 -1 -1\n", sub {
 	}
 }
 
-# However many threads are asked for, one a processor is the most that are
-# started; here all of them wait for a reader.
+# At most one thread for each processor is started, whatever -j says. Here all of them
+# wait for a reader of the output.
 sub threads_of {
 	my ($pid) = @_;
 	open my $status, '<', "/proc/$pid/status" or die;
@@ -136,12 +137,12 @@ sub most_threads {
 	my ($wanted, @on) = @_;
 	my $pid = open my $from, '-|', @on, 'projcalc', 'project', '-j64',
 	    'scene.json', "$tmp/in" or die;
-	sysread $from, my $all, 1 << 16 for 1 .. 10; # of the first piece
+	sysread $from, my $all, 1 << 16 for 1 .. 10; # some of the output of the first piece
 	my $left = 200;
 	while (threads_of($pid) < $wanted && $left-- > 0) {
 		select undef, undef, undef, 0.01;
 	}
-	select undef, undef, undef, 0.05; # would there be more of them?
+	select undef, undef, undef, 0.05; # time in which more threads might start
 	my $threads = threads_of($pid);
 	kill 'TERM', $pid;
 	close $from;

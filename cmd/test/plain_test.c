@@ -1,85 +1,61 @@
 /* SPDX-License-Identifier: MIT */
-/* Plain numbers read by the vector: the truth is strtod's, and what the vector leaves
- * to the scalar code must not be plain, or be rare. */
-#define _DEFAULT_SOURCE
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/mman.h>
+/* The loops of cmd/number/vector read numbers as strtod does. They leave to the scalar
+ * code every number that is not plain (see is_plain), and few others. */
+#include "random.h"
 
 #include "../../core/points/transform.h"
 #include "../number/number.h"
 #include "../number/plain.h"
 
-enum { ROUNDS = 6000, PAGE = 65536 };
-
-static uint64_t next_random(void)
-{
-	static uint64_t state = 88172645463325252;
-
-	state ^= state << 13;
-	state ^= state >> 7;
-	return state ^= state << 17;
-}
-
-static int below(int n)
-{
-	return (int)((next_random() >> 33) % (uint64_t)n);
-}
+enum { ROUNDS = 6000 };
 
 static int put_digits(char *s, int n)
 {
 	for (int i = 0; i < n; i++)
-		s[i] = (char)('0' + below(10));
+		s[i] = (char)('0' + random_below(10));
 	return n;
 }
 
-/* Writes a number of n to n + more digits, with a point before, among or after them. */
+/* Writes a number of n to n + more digits, with a point. Returns its length. */
 static int put_decimal(char *s, int n, int more)
 {
-	int size = below(2), point;
+	int size = random_below(2), point;
 
 	s[0] = '-';
-	n += below(more + 1);
-	point = below(n + 1);
+	n += random_below(more + 1);
+	point = random_below(n + 1);
 	size += put_digits(s + size, point);
 	s[size++] = '.';
 	size += put_digits(s + size, n - point);
 	return size;
 }
 
-/* Writes a number midway between two doubles that are 1 or 2 apart, or near that. */
+/* Writes a midpoint of two integers that are doubles, or a number near such a
+ * midpoint. */
 static int put_midway(char *s)
 {
 	static const char *const fractions[] = { "5", "49", "51", "499",
 		"501" };
 	unsigned long long k = 1ull << 52 | next_random() >> 12;
 
-	if (below(2))
+	if (random_below(2))
 		return sprintf(s, "%llu", 2 * k + 1);
-	return sprintf(s, "%llu.%s", k, fractions[below(5)]);
+	return sprintf(s, "%llu.%s", k, fractions[random_below(5)]);
 }
 
-static int put_any(char *s)
+static int put_any_text(char *s)
 {
-	int n = 1 + below(PLAIN_MAX);
+	int n = 1 + random_below(PLAIN_MAX);
 
 	for (int i = 0; i < n; i++)
 		s[i] =
-		    "0123456789012345678901234567890123.-+e/:\xb9"[below(41)];
+		    "0123456789012345678901234567890123.-+e/:\xb9"[random_below(
+			41)];
 	return n;
 }
 
-/* Writes a number of the sort, or a text that is no number; returns its size. */
-static int put_sort(int sort, char *s)
+/* Writes a number of this sort, or a text that is no number. Returns its length. */
+static int put_of_sort(int sort, char *s)
 {
 	double v = (double)(int64_t)next_random() / 0x1p63;
 
@@ -91,29 +67,33 @@ static int put_sort(int sort, char *s)
 	case 2:
 		return put_decimal(s, 1, 14);
 	case 3:
-		return sprintf(s, "%.*e", 17 + below(2),
-		    ldexp(v + (v < 0 ? -1 : 1), below(50)));
+		return sprintf(s, "%.*e", 17 + random_below(2),
+		    ldexp(v + (v < 0 ? -1 : 1), random_below(50)));
 	case 4:
 		return put_decimal(s, 15, 4);
 	case 5:
 		return put_decimal(s, 1, 29);
 	case 6:
-		return put_digits(s, 1 + below(19));
+		return put_digits(s, 1 + random_below(19));
 	case 7:
 		return put_midway(s);
 	case 8: {
 		int size = put_decimal(s, 1, 18);
 
-		return size + sprintf(s + size, "e%+03d", below(60) - 30);
+		return size +
+		    sprintf(s + size, "e%+03d", random_below(60) - 30);
 	}
 	default:
-		return put_any(s);
+		return put_any_text(s);
 	}
 }
 
-enum { SORTS = 10, ALL_READ = 4 }; /* nearly all of the first sorts are read */
+enum {
+	SORTS = 10,
+	ALL_READ = 4
+}; /* the loops read nearly all numbers of sorts below ALL_READ */
 
-/* Returns true at the end of the text, or at an exponent that read may take. */
+/* Returns whether s is empty or an exponent that the loops may read. */
 static bool is_exponent(const char *s)
 {
 	return *s == '\0' ||
@@ -122,7 +102,7 @@ static bool is_exponent(const char *s)
 		s[-1] != '.');
 }
 
-/* Returns true for what read may take: [-] digits with at most one point, and an
+/* Returns whether the loops may read s: [-] digits with at most one point, and an
  * exponent of two digits. */
 static bool is_plain(const char *s)
 {
@@ -140,26 +120,29 @@ static void check_number(const char *text, bool left, double v)
 	double truth = strtod(text, NULL);
 
 	if (!left && (!is_plain(text) || memcmp(&v, &truth, sizeof v) != 0))
-		fail_msg("%s read as %a", text, v);
+		fail_msg("%s: expected %a%s, came %a", text, truth,
+		    is_plain(text) ? "" : " by the scalar code", v);
 }
 
-/* Checks up to a batch of numbers, the last of which ends before a guard page. */
+/* Compares up to PLAIN_BATCH numbers of a sort, as the loops read them, with strtod.
+ * The last number ends before the guard page. Returns the count of numbers that the
+ * loops left. */
 static int check_batch(const struct number_loops *r, int sort, char *guard)
 {
 	struct plain_places at;
 	char text[PLAIN_BATCH][PLAIN_MAX + 32], *s = guard;
 	double v[PLAIN_BATCH];
-	int n = 1 + below(PLAIN_BATCH), n_left = 0;
+	int n = 1 + random_below(PLAIN_BATCH), n_left = 0;
 
 	for (int i = n - 1; i >= 0; i--) {
-		int size = put_sort(sort, text[i]);
+		int size = put_of_sort(sort, text[i]);
 
 		size = size < PLAIN_MAX ? size : PLAIN_MAX;
 		text[i][size] = '\0';
 		at.end[i] = s;
 		at.size[i] = (uint8_t)size;
 		s = memcpy(s - size, text[i], (size_t)size);
-		*--s = " ,7.-"[below(5)];
+		*--s = " ,7.-"[random_below(5)];
 	}
 	for (int i = n; i % PLAIN_GROUP != 0; i++) {
 		at.end[i] = at.end[0];
@@ -173,16 +156,6 @@ static int check_batch(const struct number_loops *r, int sort, char *guard)
 	}
 	assert_true(n == 64 || left >> n == 0);
 	return n_left;
-}
-
-static char *guard_page(void)
-{
-	char *start = mmap(NULL, 2 * PAGE, PROT_READ | PROT_WRITE,
-	    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-
-	assert_true(start != MAP_FAILED);
-	assert_int_equal(mprotect(start + PAGE, PAGE, PROT_NONE), 0);
-	return start + PAGE;
 }
 
 static const char *const copies[] = { "avx512", "avx2", "neon", "baseline" };
@@ -207,8 +180,8 @@ static void reads_as_strtod(void **unused)
 	}
 }
 
-/* Compares the places that the loops find with the definition of the set, byte by
- * byte. */
+/* Compares the places at which the loops find bytes of the set with those that the
+ * definition of struct byte_set gives. */
 static void check_places(const struct number_loops *r,
     const struct byte_set *set, const char *s, size_t size)
 {
@@ -235,7 +208,8 @@ static void finds_what_is_in_the_set(void **unused)
 		if (!kernels_choose(copies[c]) || number_loops() == NULL)
 			continue;
 		for (int round = 0; round < 2000; round++) {
-			size_t size = (size_t)below(round % 2 ? 200 : 4096);
+			size_t size = (size_t)random_below(
+			    round % 2 ? 200 : 4096);
 			struct byte_set set;
 			char *s = guard - size;
 

@@ -4,11 +4,10 @@
 #include "../../core/test/sample.h"
 #include "document.h"
 #include "../../core/test/arithmetic.h"
-#include "../../core/test/numbers.h"
 
 static const struct document_wants project = { WANTS };
 
-/* Makes a random document as fit leaves it. */
+/* Makes a random document of the kind that fit prints. */
 static void sample_fitted(struct document *d)
 {
 	struct scene *s = &d->scene;
@@ -53,7 +52,7 @@ static void sample_fitted(struct document *d)
 	d->has_pick = d->pick.has_at || d->pick.radius > 0;
 }
 
-static void print_it(const void *d)
+static void print_document(const void *d)
 {
 	print_scene(d, false);
 }
@@ -87,8 +86,8 @@ static void assert_same_maps(const struct scene *a, const struct scene *b)
 		assert_same_map(&m, &n);
 }
 
-/* A document that was printed and read gives the same maps, and the members that change
- * no map are equal. */
+/* A document that was printed and read again gives the same maps. Members that change
+ * no map are equal, too. */
 static void test_reads_back(void **state)
 {
 	(void)state;
@@ -98,7 +97,7 @@ static void test_reads_back(void **state)
 		int status;
 
 		sample_fitted(&d);
-		r = read_as(&project, output_of(print_it, &d, &status));
+		r = read_as(&project, output_of(print_document, &d, &status));
 		assert_int_equal(status, 0);
 		assert_same_maps(&d.scene, &r.scene);
 		assert_number(d.scene.has_viewport, r.scene.has_viewport);
@@ -114,7 +113,7 @@ static void test_reads_back(void **state)
 	}
 }
 
-/* A flat document is printed without a camera and a projection. */
+/* A flat document is printed without camera, world, viewport and projection. */
 static void test_flat(void **state)
 {
 	(void)state;
@@ -125,7 +124,7 @@ static void test_flat(void **state)
 
 		sample_fitted(&d);
 		d.flat = d.scene.has_window = true;
-		r = read_as(&project, output_of(print_it, &d, &status));
+		r = read_as(&project, output_of(print_document, &d, &status));
 		assert_int_equal(status, 0);
 		assert_false(r.scene.has_camera || r.scene.has_world ||
 		    r.scene.has_viewport);

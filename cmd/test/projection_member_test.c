@@ -2,20 +2,19 @@
 #include "document.h"
 
 #include <math.h>
-#include "../../core/test/numbers.h"
 
-static const struct document_wants persp = { .bare = SCENE_PROJECTION,
+static const struct document_wants persp = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_PERSP };
-static const struct document_wants ortho = { .bare = SCENE_PROJECTION,
+	.projection_type = PROJECTION_PERSP };
+static const struct document_wants ortho = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_ORTHO };
-static const struct document_wants volume = { .bare = SCENE_PROJECTION,
+	.projection_type = PROJECTION_ORTHO };
+static const struct document_wants volume = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection = PROJECTION_VOLUME };
+	.projection_type = PROJECTION_VOLUME };
 static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
@@ -23,7 +22,7 @@ static const struct document_wants project = { WANTS };
 	"give \"fovy\", or \"fovx\", or \"view_angle\", or \"field\", or "     \
 	"\"width\" and \"height\", or \"width\", or \"height\", or \"left\", " \
 	"\"right\", \"bottom\" and \"top\", or \"angles\", or \"intrinsics\""
-#define FORMS                                                         \
+#define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
@@ -113,11 +112,11 @@ static const struct refusal projections[] = {
 	    "/aspect: missing; give it, or a \"viewport\"" },
 #define OBLIQUE(rest) \
 	"{\"projection\":{\"type\":\"oblique\"," PLANES "," SIZE rest "}}"
-#define SHEAR "give \"kind\", or \"angle\""
+#define OBLIQUE_HINT "give \"kind\", or \"angle\""
 	{ &project, OBLIQUE(),
 	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
 	{ &project, OBLIQUE(",\"kind\":\"cabinet\",\"angle\":45"),
-	    "/projection/angle: does not go with \"kind\"; " SHEAR },
+	    "/projection/angle: does not go with \"kind\"; " OBLIQUE_HINT },
 	{ &project, OBLIQUE(",\"kind\":\"military\""),
 	    "/projection/kind: is \"military\"; \"cavalier\" or \"cabinet\" is "
 	    "wanted" },
@@ -166,53 +165,64 @@ static const struct refusal projections[] = {
 	    "\"projection\"" },
 	{ &project, "{\"projection\":{\"type\":\"matrix\"}}",
 	    "/projection/matrix: missing; give \"matrix\"" },
-#define SEEN(members, rest)                            \
+#define PERSP_IN_VIEWPORT(members, rest)               \
 	"{\"projection\":{\"type\":\"persp\"," members \
 	"},\"viewport\":{" SIZE rest "}}"
 	{ &persp, "{\"intrinsics\":[1,1,0,0]}",
 	    "/intrinsics: needs a \"viewport\", in whose units it is; write "
 	    "{\"projection\": {...}, \"viewport\": {\"width\": 640, "
 	    "\"height\": 480}}" },
-	{ &project, SEEN("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
 	    "/projection/intrinsics: not together with the viewport's "
 	    "\"scale\"; "
 	    "leave that out" },
-	{ &project, SEEN("\"intrinsics\":[1,1,0,0]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ""),
 	    "/projection/intrinsics: needs a \"convention\"; of x, y and z in "
 	    "view space, opencv is right, down, forward and webgpu right, up, "
 	    "backward" },
-	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
 	    "/projection/intrinsics: does not go with \"fovy\"; " PERSP_HINT },
-	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
 	    "/projection/near: missing; give \"near\" and \"far\", or none of "
 	    "them" },
-	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"reverse_z\":true", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"reverse_z\":true",
+		""),
 	    "/projection/near: missing; give \"near\" and \"reverse_z\", or "
 	    "none of them" },
-	{ &project, SEEN("\"intrinsics\":[1,1,0]", ""),
-	    "/projection/intrinsics: is none of " FORMS },
-	{ &project, SEEN("\"intrinsics\":1", ""),
-	    "/projection/intrinsics: is a number; " FORMS ", is wanted" },
-	{ &project, SEEN("\"intrinsics\":[1,0,0,0]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0]", ""),
+	    "/projection/intrinsics: is none of " INTRINSICS_FORMS },
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":1", ""),
+	    "/projection/intrinsics: is a number; " INTRINSICS_FORMS
+	    ", is wanted" },
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,0,0,0]", ""),
 	    "/projection/intrinsics/1: 0 is not positive; " POSITIVE },
-	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/1: is not positive, as fx and fy of "
 	    "K are" },
-	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
 	    "/projection/intrinsics/2/2: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
-	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
 	    "/projection/intrinsics/2/0: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
-	{ &project, SEEN("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
 	    "/projection/intrinsics: looks like a P column after column; "
 	    "write it row after row, or as 3 rows of 4 if its rows are "
 	    "right" },
-	{ &project, SEEN("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/0: under the diagonal of K there is 0; "
 	    "is "
 	    "it transposed?" },
-	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,1,0]]", ""),
+	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,1,0]]", ""),
 	    "/projection/intrinsics/2: has 4 elements; an array of 3 numbers "
 	    "is "
 	    "wanted" },
@@ -243,7 +253,7 @@ static const struct refusal projections[] = {
 	    "/edges_at: unknown member; there are \"type\", \"width\", "
 	    "\"height\", \"aspect\", \"left\", \"right\", \"bottom\", \"top\", "
 	    "\"near\", \"far\" and \"reverse_z\"" },
-#define MEANS(name, right)                                             \
+#define MEANT(name, right)                                             \
 	{                                                              \
 		&persp, "{\"" name "\":1}",                            \
 		    "/" name ": unknown member; did you mean \"" right \
@@ -252,19 +262,19 @@ static const struct refusal projections[] = {
 	"intrinsics\" ([fx, fy, cx, cy], K or P, in pixels; 16 numbers are " \
 	"\"matrix\" of type \"matrix\")?"
 #define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")?"
-	MEANS("K", PIXELS),
-	MEANS("fx", PIXELS),
-	MEANS("focal", PIXELS),
-	MEANS("focal_length", PIXELS),
-	MEANS("fl_x", PIXELS),
-	MEANS("camera_matrix", PIXELS),
-	MEANS("projectionMatrix", PIXELS),
-	MEANS("matrix", PIXELS),
-	MEANS("fov", "fovy\"" GLTF),
-	MEANS("yfov", "fovy\"" GLTF),
-	MEANS("camera_angle_x", "fovx\"" GLTF),
-	MEANS("znear", "near\"?"),
-	MEANS("angleLeft",
+	MEANT("K", PIXELS),
+	MEANT("fx", PIXELS),
+	MEANT("focal", PIXELS),
+	MEANT("focal_length", PIXELS),
+	MEANT("fl_x", PIXELS),
+	MEANT("camera_matrix", PIXELS),
+	MEANT("projectionMatrix", PIXELS),
+	MEANT("matrix", PIXELS),
+	MEANT("fov", "fovy\"" GLTF),
+	MEANT("yfov", "fovy\"" GLTF),
+	MEANT("camera_angle_x", "fovx\"" GLTF),
+	MEANT("znear", "near\"?"),
+	MEANT("angleLeft",
 	    "angles\" ([left, right, bottom, top] from the gaze; for OpenXR "
 	    "with \"angle_unit\": \"radians\")?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
@@ -394,7 +404,7 @@ static void test_parallel(void **state)
 	assert_int_equal(d.scene.projection.extent, EXTENT_HEIGHT);
 	assert_number(d.scene.projection.near, -1);
 	assert_numbers(d.scene.projection.aspect, 2, 1.5, 1.0);
-	wants.projection = PROJECTION_OBLIQUE;
+	wants.projection_type = PROJECTION_OBLIQUE;
 #define SHEARED(members)                                  \
 	read_as(&wants,                                   \
 	    "{\"type\":\"oblique\",\"near\":0,\"far\":1," \
@@ -415,8 +425,8 @@ static void test_parallel(void **state)
 	assert_number(p.projector_angle, 90);
 }
 
-/* angle_unit is read from a scene, wherever the projection stands in it, and from
- * beside the members of a projection that is the whole document. */
+/* angle_unit is read from the document, wherever the projection stands in it. In a
+ * document that is a projection alone, angle_unit stands beside its members. */
 static void test_angle_unit(void **state)
 {
 #define LENS "\"fovy\":3,\"aspect\":1," PLANES

@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Recorded truth: what the program prints is the double nearest to digits that
-# were worked out without it, and come from elsewhere.
+# Checks that the program prints the doubles nearest to recorded digits, which
+# were computed without it, and the results of other projects' tests.
 use strict;
 use warnings;
 use FindBin;
@@ -12,7 +12,8 @@ use Projcalc;
 
 chdir 'testdata' or die "testdata: $!\n";
 
-# A case of others.json as a document and the arguments that print its matrix.
+# Returns a case of others.json as a document, and the arguments that print its
+# matrix.
 my %projection = (persp => 'persp', frustum => 'persp', ortho => 'ortho');
 my %members = (fovy_deg => 'fovy', fovx_deg => 'fovx', l => 'left',
     r => 'right', b => 'bottom', t => 'top', near => 'near', far => 'far',
@@ -20,7 +21,7 @@ my %members = (fovy_deg => 'fovy', fovx_deg => 'fovx', l => 'left',
 
 sub viewport {
 	my ($aspect) = @_;
-	# A quotient that has no double is given as the viewport's.
+	# A quotient that is no double becomes the size of a viewport.
 	my ($width, $height) = split m{/}, $aspect;
 	return {width => 0 + $width, height => 0 + ($height // 1)};
 }
@@ -82,7 +83,8 @@ sub sources {
 	return @cases;
 }
 
-# Compares the bits; -0 is never printed, so it differs.
+# Compares the bits of two numbers. -0 counts as wrong, as the program never
+# prints it.
 sub same {
 	my ($said, $true) = @_;
 	my ($a, $left) = strtod($said);
@@ -90,7 +92,7 @@ sub same {
 	return $left == 0 && pack('d', $a) eq pack('d', $b);
 }
 
-# Compares within the tolerance of the other project's test.
+# Compares numbers within the tolerance of the other project's test.
 sub near {
 	my ($case, $i, $said) = @_;
 	return 1 if !$case->{expected};

@@ -1,22 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* For tests of functions that print an error and exit. */
+/* Assertions about functions that print an error and exit. Includes cmocka. */
 #ifndef REFUSAL_TEST_H
 #define REFUSAL_TEST_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
+#include "../../core/test/numbers.h"
 
-/* Returns what run writes to standard error and output in a process of its own,
- * and in *status its exit status, 0 if it returns. */
+/* Calls run in a child process. Returns what the child writes to standard output and
+ * standard error, and sets *status to its exit status, which is 0 if run returns. */
 static inline const char *output_of(void (*run)(const void *),
     const void *argument, int *status)
 {
@@ -48,17 +43,20 @@ static inline const char *output_of(void (*run)(const void *),
 	return text;
 }
 
-/* Asserts that run refuses its argument with this line after "projcalc: ". */
+/* Asserts that run, called for this input, prints the line after "projcalc: " and exits
+ * with status 1. */
 static inline void assert_refused(void (*run)(const void *),
-    const void *argument, const char *line)
+    const void *argument, const char *input, const char *line)
 {
-	char wanted[4096];
+	char expected[4096];
 	int status;
 	const char *got = output_of(run, argument, &status);
 
-	snprintf(wanted, sizeof wanted, "projcalc: %s\n", line);
-	assert_string_equal(got, wanted);
-	assert_int_equal(status, 1);
+	snprintf(expected, sizeof expected, "projcalc: %s\n", line);
+	if (strcmp(got, expected) != 0 || status != 1)
+		fail_msg("%s\nexpected status 1, %scame status %d, %s"
+			 "if the change is meant, write it into the test",
+		    input, expected, status, got);
 }
 
 #endif

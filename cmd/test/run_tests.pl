@@ -17,7 +17,8 @@ my $harness = TAP::Harness->new({
 });
 my $sum = $harness->runtests(@ARGV);
 
-# A program that crashed or stopped early failed, whatever its tests said.
+# A program that crashed or stopped early has failed, even if all its cases
+# passed.
 my $failed = $sum->failed;
 for my $program ($sum->parsers) {
 	$failed++ if $program->has_problems && !$program->failed;

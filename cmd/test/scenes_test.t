@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# --scenes prints what one call for each scene would print, one after another,
-# whatever stands between the scenes and however they come; and trace prints in each
-# space what project does.
+# Checks that --scenes prints what one call for each scene prints, with any blanks
+# between the scenes, and from a file or a pipe; and that trace prints in each space
+# what project prints.
 use strict;
 use warnings;
 use FindBin;
@@ -15,7 +15,7 @@ chdir 'testdata' or die "testdata: $!\n";
 my $json = JSON::PP->new->canonical;
 my $scene = $json->decode(slurp('scene.json'));
 
-# Returns the scene with other members; undef removes a member.
+# Returns the scene with members added or replaced; undef removes a member.
 sub with {
 	my %scene = (%$scene, @_);
 	return {map { defined $scene{$_} ? ($_ => $scene{$_}) : () }
@@ -24,8 +24,8 @@ sub with {
 
 sub camera { {eye => [@_], at => [0, 0, 0]} }
 
-# The messages about points without an image, their number and the first one, and
-# about the number of bad lines.
+# Returns the messages without those that count points without an image, and bad lines;
+# and a text with these counts and the first such point.
 sub imageless {
 	my ($said) = @_;
 	my ($n, $where) = (0, '');
@@ -38,9 +38,9 @@ sub imageless {
 	return ($said, "$n $where, $bad bad");
 }
 
-# The scenes in one call and in a call for each. Messages are those of the calls,
-# but for what names the scene, and that points without an image, and bad lines, are
-# counted once.
+# Compares one call for all scenes with a call for each. Messages must be the same,
+# except that they name the scene, and that one message counts the points without an
+# image, or the bad lines, of all scenes.
 sub same {
 	my ($name, $args, $points, @scenes) = @_;
 	my ($status, $out, $err) = (0, '', '');
@@ -105,7 +105,7 @@ same('fit either', 'fit', '', map { {%{$windows[$_]}, $_ == 1 ?
     (projection => {type => 'ortho'}, points => [[1, 2, 3], [4, 4, 4]]) :
     (points => [[1, 2], [3, $_]])} } 0 .. 2);
 
-# Points are read once: columns by a header, binary, bad lines.
+# Points that are read once for all scenes: by a header, in binary, with bad lines.
 spew("$tmp/csv", "name,z,y,x\n" . "lamp,1,2,3\n" x 20000);
 same('columns', 'project -i csv --columns x,y,z', "$tmp/csv", @path[0 .. 2]);
 spew("$tmp/f64", pack 'd<*', map { $_ / 7 } 1 .. 3 * 30000);
@@ -123,7 +123,7 @@ my @first = run("cat inputs/three-points.txt | projcalc project --scenes $tmp/pa
 my @second = run("projcalc project --scenes $tmp/path inputs/three-points.txt");
 is("@first", "@second", 'points from a pipe');
 
-# Scenes that are larger than what is read at a time, and cut anywhere.
+# Scenes that are larger than one read, so that reads end anywhere in them.
 my @large = map { with(points => [map { [$_ % 7, 0, $_ % 5, '{"\\'] }
     1 .. $_]) } 20000, 5, 30000, 1;
 same('large scenes', 'project', '', @large);
@@ -131,7 +131,7 @@ same('large scenes', 'project', '', @large);
 @second = run("projcalc project --scenes $tmp/all");
 ok("@first" eq "@second" && length $second[1] > 1e6, 'and from a pipe');
 
-# A scene is answered before the next is there.
+# A scene is answered before the next arrives.
 my $pid = open2(my $from, my $to, "$build/projcalc", 'lookat', '--scenes', '-',
     '[[0,0,1]]');
 $to->autoflush;
@@ -145,8 +145,8 @@ waitpid $pid, 0;
 is($?, 0, 'and the last');
 alarm 0;
 
-# A scene with a point takes a twentieth of a call's time; a tenth on a machine that
-# has other work, too.
+# A scene with a point takes a twentieth of the time of a call; a tenth passes, as the
+# machine may be busy.
 sub seconds {
 	my ($command, $times) = @_;
 	my @before = times;

@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The JSON Schema of a scene takes every scene of testdata and every value of
-# projcalc-scene(5), and refuses what the program refuses in the transcripts,
-# where a schema can. The validator is python3-jsonschema, which knows neither.
+# Checks that the JSON Schema of a scene accepts every scene of testdata and
+# every value of projcalc-scene(5), and refuses what the program refuses in the
+# transcripts, as far as a schema can. The validator is python3-jsonschema.
 use strict;
 use warnings;
 use FindBin;
@@ -15,8 +15,9 @@ my $python = '/usr/bin/python3';
 plan skip_all => 'no python3-jsonschema'
     if system("$python -c 'import jsonschema' 2>/dev/null") != 0;
 
-# Reads a list of [text, pointer], prints a list of what is wrong with each:
-# null for nothing. The pointer is of the schema that holds.
+# Reads a list of [text, pointer] and validates each text by the part of the
+# schema to which the pointer leads. Prints a list of the faults, null if there
+# is none.
 my $validate = <<'END';
 import json, sys
 from jsonschema import Draft202012Validator
@@ -33,8 +34,8 @@ def wrong(text, pointer):
 print(json.dumps([wrong(*case) for case in json.load(open(sys.argv[2]))]))
 END
 
-# Why a schema can't refuse: it compares no numbers, counts no members, inverts
-# no matrices, doesn't know the command, and sees no points but the member.
+# Messages about faults that no schema finds: it cannot compare numbers, count
+# members or invert matrices, and knows neither the command nor the operands.
 my $beyond = qr{
 	equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run | does\ not\ begin |
@@ -50,14 +51,14 @@ my $beyond = qr{
 	^projcalc:\ POINTS:
 }x;
 
-# An object with none of a scene's members is one of them, as is its type.
+# The commands whose document may be one member of a scene, and that member.
 my %bare = (lookat => 'camera', (map { $_ => 'window' } qw(w2n n2w)),
 	(map { $_ => 'device' } qw(n2d d2n)),
 	map { $_ => 'projection' } qw(persp ortho oblique volume));
 
 sub as_scene {
 	my ($command, $text) = @_;
-	# The points that fit holds may stand elsewhere.
+	# The points that fit holds may be in operands.
 	my $center = $text =~ /"projection"/ ? '[0,0,0]' : '[0,0]';
 	$text =~ s/^\s*\{/{"bounds": {"center": $center, "radius": 1}, /
 	    if $command eq 'fit' && $text !~ /"bounds"/;
@@ -67,12 +68,13 @@ sub as_scene {
 	my $type = $bare eq 'projection' && $text !~ /"type"/ ?
 	    "{\"type\": \"$command\"" .
 	    ($text =~ /^\s*\{\s*\}\s*$/ ? '' : ',') : '{';
-	# What stands beside its members is the scene's.
+	# angle_unit beside the member's own members is the scene's.
 	my $unit = $text =~ s/\s*("angle_unit":\s*"\w*"),?// ? "$1," : '';
 	return "{$unit\"$bare\": " . $text =~ s/^\s*\{/$type/r . '}';
 }
 
-# The documents of a shell command: in quotes, named, or on standard input.
+# Returns the documents of a shell command, which are in quotes, in files or on
+# standard input.
 sub documents {
 	my ($shell) = @_;
 	my ($in, @found) = input($shell);
@@ -96,10 +98,10 @@ sub add {
 add($_, slurp($_), '', '') for glob 'testdata/*.json testdata/views/*.json';
 for my $case (map { transcript($_) } glob 'testdata/transcripts/*.txt') {
 	next if $case->{status} > 1;
-	# The schema is of one scene.
+	# The schema describes one scene.
 	next if $case->{command} =~ /--scenes/;
 	my $err = $case->{status} == 1 ? $case->{err} : '';
-	# A bad point or no JSON: nothing that concerns the document.
+	# Skips messages that are not about the document, but a point, or no JSON.
 	next if $err ne '' && $err !~ m{^projcalc: [^:]+: (?:/|is an? )};
 	add($case->{name}, $_, '', $err) for documents($case->{command});
 }
@@ -108,7 +110,7 @@ for my $line (split /^/, slurp('testdata/recorded/sources.tsv')) {
 	add($what, $_, '', '') for documents($command // '');
 }
 
-# The values of the manual page: .It Cm NAME : No VALUE
+# The values of the manual page, in lines .It Cm NAME : No VALUE.
 my ($section, %where) = ('', projection => '#/$defs/ortho',
 	'projection of type matrix' => '#/$defs/any',
 	convention => '#/$defs/convention/then');
@@ -141,7 +143,8 @@ for my $i (0 .. $#cases) {
 	my $error = $wrong->[$i];
 	my $agree = defined $error == ($message ne '');
 	SKIP: {
-		# In members that a command doesn't use, the program checks only the form.
+		# In members that a command doesn't use, the program checks only the
+		# form.
 		skip "no schema can tell: $name", 1 if !$agree &&
 		    ($message =~ $beyond || $name =~ m{^unneeded-\w+-range$});
 		ok($agree, $name) or

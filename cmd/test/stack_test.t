@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Small stacks: the transcripts, and streams of every format through threads, where
-# the system gives the program 64 KB, and its threads if they ask for none.
+# Checks the program with a stack limit of 64 KB, which is also that of threads that do
+# not set their own: runs the transcripts, and streams of every format through threads.
 use strict;
 use warnings;
 use FindBin;
@@ -19,7 +19,8 @@ chmod 0755, "$tmp/small/projcalc";
 my $said = `$^X cmd/test/transcripts_test.t $tmp/small 2>&1`;
 is($?, 0, "the transcripts on $limit KB") or diag($said =~ s/^ok .*\n//mgr);
 
-# Ordinary points, and some that the fast ways leave: far away, or no points.
+# Ordinary points, and some that the fast loops leave to slower code: far away, or no
+# points.
 my $number = sub {
 	(below(4001) - 2000) / pick(7, 100, 100, 1024) .
 	    (below(200) ? '' : pick('e120', 'e-120', 'e9'))

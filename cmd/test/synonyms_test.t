@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# No word of the table of synonyms is a dead end, wherever it stands, and what a
-# message suggests works when it is typed.
+# Checks that every word of the table of synonyms gets a suggestion, wherever it is
+# typed, and that the suggested call works.
 # usage: synonyms_test.t [BUILD]
 use strict;
 use warnings;
@@ -9,8 +9,8 @@ use FindBin;
 use lib $FindBin::Bin;
 use Projcalc;
 
-# The arguments of options that are suggested without one, and operands with which
-# the calls work.
+# The arguments for options that messages suggest without an argument, and operands for
+# the calls.
 my %argument = (columns => '1,2,3', output => 'json', to => 'view', jobs => 1,
     decimals => 2, tolerance => 1, precision => 'double', separator => "','", convention => 'gl',
     color => 'auto', from => 'world', to => 'device');
@@ -26,13 +26,13 @@ my %words = map { $_ => 1 } (map { split } $table =~ /^\t\{ "([^"]+)"/mg),
     qw(pan rvec rotation flags columns fovy zoom eye lookAt
     radians transpose column-major near_far near-far extent);
 
-# The status and what is said, of words of the shell.
+# Runs words of the shell. Returns the status and the output.
 sub try {
 	my $said = `cd testdata && '$build/projcalc' $_[0] 2>&1 </dev/null`;
 	return ($? >> 8, $said);
 }
 
-# Adds what a call needs: the argument of its last option, and operands.
+# Returns the call with the argument of its last option, and with operands.
 sub completed {
 	my ($call) = @_;
 	my ($command) = $call =~ /^(\S+)/;

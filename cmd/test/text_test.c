@@ -1,25 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "../json/text.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
 #include "../../core/test/numbers.h"
 
-/* A text, and the rest behind its number, or what it becomes; NULL: no number begins in
- * it. */
-struct pair {
-	const char *text, *left;
+/* A text, and the expected result: the rest of the text after its number or item, or
+ * NULL if no number begins the text; for test_unescape the character. */
+struct example {
+	const char *text, *expected;
 };
 
 static void test_number(void **state)
 {
-	static const struct pair numbers[] = {
+	static const struct example numbers[] = {
 		{ "-1.5e+3,", "," },
 		{ "0", "" },
 		{ "10x", "x" },
@@ -44,16 +38,13 @@ static void test_number(void **state)
 		const char *s = numbers[i].text;
 		const char *e = json_number(s, s + strlen(s), &v);
 
-		if (numbers[i].left == NULL)
-			assert_null(e);
-		else
-			assert_string_equal(e, numbers[i].left);
+		assert_text(e, numbers[i].expected, s);
 	}
 	json_number("-1.5e+3", &"-1.5e+3"[7], &v);
 	assert_number(v, -1500);
 }
 
-/* Any byte ends digits, wherever it stands among them. */
+/* json_number ends at the first byte that cannot be in a number, wherever it stands. */
 static void test_digits(void **state)
 {
 	char text[32];
@@ -72,8 +63,8 @@ static void test_digits(void **state)
 			}
 }
 
-/* The ends that are found are those of the numbers that are read, in every text of up
- * to six of these characters. */
+/* json_number finds the same end with and without a place for the value, in every text
+ * of up to six of these characters. */
 static void test_number_end(void **state)
 {
 	const char some[] = "01.eE+-x";
@@ -91,10 +82,10 @@ static void test_number_end(void **state)
 		}
 }
 
-/* Quotes and brackets hide commas, in what is no JSON, too. */
+/* json_item_end skips commas in quotes and brackets, also if the text is not JSON. */
 static void test_skip(void **state)
 {
-	static const struct pair values[] = {
+	static const struct example values[] = {
 		{ "1 ,2", ",2" },
 		{ "1]", "]" },
 		{ "a'b:c}", "}" },
@@ -111,14 +102,14 @@ static void test_skip(void **state)
 	for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
 		const char *s = values[i].text;
 
-		assert_string_equal(json_item_end(s, s + strlen(s)),
-		    values[i].left);
+		assert_text(json_item_end(s, s + strlen(s)), values[i].expected,
+		    s);
 	}
 }
 
 static void test_unescape(void **state)
 {
-	static const struct pair escapes[] = {
+	static const struct example escapes[] = {
 		{ "\\n", "\n" },
 		{ "\\\"", "\"" },
 		{ "\\/", "/" },
@@ -130,8 +121,8 @@ static void test_unescape(void **state)
 		{ "\\ud83d", "\xef\xbf\xbd" },
 		{ "\\udc00", "\xef\xbf\xbd" },
 	};
-	static const char halves[] = "\\ud800\\ud800";
-	char out[4];
+	static const char two_high_surrogates[] = "\\ud800\\ud800";
+	char out[5];
 	int n;
 
 	(void)state;
@@ -139,11 +130,12 @@ static void test_unescape(void **state)
 		const char *s = escapes[i].text, *end = s + strlen(s);
 
 		assert_ptr_equal(json_unescape(s, end, out, &n), end);
-		assert_int_equal(n, strlen(escapes[i].left));
-		assert_memory_equal(out, escapes[i].left, (size_t)n);
+		out[n] = '\0';
+		assert_text(out, escapes[i].expected, s);
 	}
-	assert_ptr_equal(json_unescape(halves, halves + 12, out, &n),
-	    halves + 6);
+	assert_ptr_equal(json_unescape(two_high_surrogates,
+			     two_high_surrogates + 12, out, &n),
+	    two_high_surrogates + 6);
 }
 
 int main(void)

@@ -1,18 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The texts of many numbers are those of number_write, from each copy of the
- * loops that this processor runs.
- * usage: texts_test [COUNT], of numbers for each style */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
+/* number_texts writes many numbers as number_write writes each, in every copy of the
+ * loops that this processor runs. The command texts_test COUNT tests COUNT numbers for
+ * each style. */
+#include "random.h"
 
-#include <cmocka.h>
 #include <float.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "../../core/points/transform.h"
 #include "../number/number.h"
@@ -39,23 +31,8 @@ static const struct number_style styles[] = {
 
 static long count = 60000;
 
-static uint64_t next_random(void)
-{
-	static uint64_t state = 88172645463325252;
-
-	state ^= state << 13;
-	state ^= state >> 7;
-	state ^= state << 17;
-	return state * 2685821657736338717u;
-}
-
-static int below(int n)
-{
-	return (int)(next_random() >> 33) % n;
-}
-
-/* Returns a random number from 0 to 1. */
-static double unit(void)
+/* Returns a random number from 0 to below 1. */
+static double random_unit(void)
 {
 	return (double)(next_random() >> 11) / 0x1p53;
 }
@@ -68,11 +45,11 @@ static double from_bits(uint64_t bits)
 	return v;
 }
 
-/* Returns v or a neighbour of v. */
-static double beside(double v, bool single)
+/* Returns v, or the double or float next to v. */
+static double neighbour_or_same(double v, bool single)
 {
 	double to[] = { -HUGE_VAL, v, HUGE_VAL };
-	int way = below(3);
+	int way = random_below(3);
 
 	if (way == 1)
 		return v;
@@ -85,7 +62,7 @@ static double beside(double v, bool single)
 static double short_end(bool single)
 {
 	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
-	int tens = 1 + below(5), log2 = digits + tens + below(10);
+	int tens = 1 + random_below(5), log2 = digits + tens + random_below(10);
 	uint64_t ten = 1;
 
 	if (log2 > 63)
@@ -99,54 +76,62 @@ static double short_end(bool single)
 	for (int i = 0; i < 1 << 12; i++, x -= ten)
 		if ((x & ((1ull << place) - 1)) == 1ull << (place - 1))
 			break;
-	x += below(2) ? 1ull << (place - 1) : -(1ull << (place - 1));
+	x += random_below(2) ? 1ull << (place - 1) : -(1ull << (place - 1));
 	return (double)x;
 }
 
-/* Returns a number with up to 6 binary places, whose decimals end in 5: a tie. */
+/* Returns a number with up to 6 binary places. Its last decimal is 5, so that it is a
+ * tie at one decimal less. */
 static double late_tie(bool single)
 {
 	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
 	double whole = (double)(next_random() >> (64 - digits) |
 	    1ull << (digits - 1));
 
-	return ldexp(whole, -1 - below(6));
+	return ldexp(whole, -1 - random_below(6));
 }
 
 static double any_number(bool single)
 {
-	double v = 2 * unit() - 1;
+	double v = 2 * random_unit() - 1;
 
-	switch (below(14)) {
+	switch (random_below(14)) {
 	case 0:
 		return from_bits(next_random());
-	case 1: /* magnitudes that are written plain */
-		return ldexp(v, below(92) - 20);
-	case 2: /* so many decimals */
-		return floor(v * pow(10, below(16))) / pow(10, below(16));
+	case 1: /* magnitudes that are written without an exponent */
+		return ldexp(v, random_below(92) - 20);
+	case 2: /* up to 15 decimals */
+		return floor(v * pow(10, random_below(16))) /
+		    pow(10, random_below(16));
 	case 3:
-		return (double)(int64_t)(next_random() >> (1 + below(63)));
-	case 4: /* integers, and ties when they are rounded */
-		return floor(ldexp(v, below(70))) / pow(2, below(30));
-	case 5: /* half as wide a gap below */
-		return beside(ldexp(v < 0 ? -1 : 1, below(2098) - 1074),
+		return (
+		    double)(int64_t)(next_random() >> (1 + random_below(63)));
+	case 4: /* integers, and numbers that are ties for few decimals */
+		return floor(ldexp(v, random_below(70))) /
+		    pow(2, random_below(30));
+	case 5: /* powers of two: the next double below is half as far as the next above */
+		return neighbour_or_same(ldexp(v < 0 ? -1 : 1,
+					     random_below(2098) - 1074),
 		    single);
 	case 6:
-		return beside(ldexp(1, below(93) - 20), single);
+		return neighbour_or_same(ldexp(1, random_below(93) - 20),
+		    single);
 	case 7:
-		return beside(pow(10, below(32) - 9), single);
-	case 8: /* near a tie of so many decimals */
-		return beside((floor(v * pow(10, below(9))) + 0.5) /
-			pow(10, below(16)),
+		return neighbour_or_same(pow(10, random_below(32) - 9), single);
+	case 8: /* next to a tie of up to 15 decimals */
+		return neighbour_or_same((floor(v * pow(10, random_below(9))) +
+					     0.5) /
+			pow(10, random_below(16)),
 		    single);
 	case 9:
 		return short_end(single);
 	case 10:
 		return late_tie(single);
-	case 11: /* subnormal, and the smallest */
-		return from_bits(next_random() >> (12 + below(52)));
-	case 12: /* as close to a few digits as can be */
-		return beside((double)(1 + below(999)) * pow(10, below(28) - 9),
+	case 11: /* subnormal */
+		return from_bits(next_random() >> (12 + random_below(52)));
+	case 12: /* next to a number of up to three digits */
+		return neighbour_or_same((double)(1 + random_below(999)) *
+			pow(10, random_below(28) - 9),
 		    single);
 	default: {
 		const double few[] = { 0, -0.0, 1, -1, 0.5, HUGE_VAL, -HUGE_VAL,
@@ -154,16 +139,17 @@ static double any_number(bool single)
 			9007199254740992, 4503599627370496, 0.0000005, 2.5e-7,
 			9.5e-7, 0x1p57, 1e15 };
 
-		return beside(few[below(sizeof few / sizeof *few)], single);
+		return neighbour_or_same(
+		    few[random_below(sizeof few / sizeof *few)], single);
 	}
 	}
 }
 
-static void fill(double v[BLOCK + SURPLUS], bool single)
+static void fill_random(double v[BLOCK + SURPLUS], bool single)
 {
 	for (int i = 0; i < BLOCK + SURPLUS; i++) {
 		v[i] = any_number(single);
-		if (below(4) == 0)
+		if (random_below(4) == 0)
 			v[i] = -v[i];
 		if (single)
 			v[i] = (double)(float)v[i];
@@ -193,9 +179,10 @@ static void check_texts(const char *copy, const double *v, size_t n,
 
 		*end = '\0';
 		if (strcmp(text, expected[i]) != 0)
-			fail_msg("%s, style %u %d%s: %a is %s, not %s", copy,
-			    style.kind, style.n, single ? ", float" : "", v[i],
-			    text, expected[i]);
+			fail_msg("%s, style %u %d%s: %a: came %s, "
+				 "expected %s",
+			    copy, style.kind, style.n, single ? ", float" : "",
+			    v[i], text, expected[i]);
 	}
 }
 
@@ -205,9 +192,9 @@ static void check_style(struct number_style style, bool single)
 	double v[BLOCK + SURPLUS];
 
 	for (long k = 0; k < count; k += BLOCK) {
-		size_t n = (size_t)(BLOCK - below(SURPLUS));
+		size_t n = (size_t)(BLOCK - random_below(SURPLUS));
 
-		fill(v, single);
+		fill_random(v, single);
 		for (size_t i = 0; i < n; i++)
 			*write_one(expected[i], v[i], single, style) = '\0';
 		for (size_t c = 0; c < sizeof copies / sizeof *copies; c++)
@@ -217,7 +204,7 @@ static void check_style(struct number_style style, bool single)
 	}
 }
 
-static void are_as_number_write(void **unused)
+static void texts_are_those_of_number_write(void **unused)
 {
 	(void)unused;
 	for (size_t i = 0; i < sizeof styles / sizeof *styles; i++) {
@@ -226,15 +213,15 @@ static void are_as_number_write(void **unused)
 	}
 }
 
-/* The vector makes the texts of nearly all numbers that points have, if there is a
- * vector. */
-static void are_made(void **unused)
+/* If there are vector loops, they make the texts of nearly all numbers that points
+ * have. */
+static void vector_makes_usual_texts(void **unused)
 {
 	const struct number_style usual[] = { { NUMBER_SHORTEST, 0 },
 		{ NUMBER_DECIMALS, 6 }, { NUMBER_DIGITS, 6 } };
-	/* beyond these, numbers are too long, or ties that are left to the scalar
-	 * code */
-	const double below_which[] = { 1e9, 9e9, 1e6 };
+	/* limit for each style: larger numbers are too long or are ties, which are
+	 * left to the scalar code */
+	const double limit[] = { 1e9, 9e9, 1e6 };
 	double v[BLOCK];
 	struct number_text t[BLOCK];
 
@@ -244,21 +231,24 @@ static void are_made(void **unused)
 			continue;
 		number_texts(memset(v, 0, sizeof v), BLOCK, false, usual[0], t);
 		if (t->layout == 0)
-			continue; /* baseline stands in for it */
+			continue; /* this copy has no vector loops */
 		for (size_t k = 0; k < 6; k++) {
 			for (int i = 0; i < BLOCK; i++)
-				v[i] = (double)(float)ldexp(2 * unit() - 1,
-				    below(42) - 18);
+				v[i] = (double)(float)ldexp(2 * random_unit() -
+					1,
+				    random_below(42) - 18);
 			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
 			for (int i = 0; i < BLOCK; i++)
 				if (t[i].layout == 0 && fabs(v[i]) > 0x1p-17 &&
-				    fabs(v[i]) < below_which[k / 2])
-					fail_msg("%a is not made", v[i]);
+				    fabs(v[i]) < limit[k / 2])
+					fail_msg("%a: expected a text by the "
+						 "vector loops, came none",
+					    v[i]);
 		}
 	}
 }
 
-static void are_chosen_by_name(void **unused)
+static void copies_are_chosen_by_name(void **unused)
 {
 	(void)unused;
 	assert_true(kernels_choose(NULL));
@@ -269,9 +259,9 @@ static void are_chosen_by_name(void **unused)
 int main(int argc, char **argv)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(are_as_number_write),
-		cmocka_unit_test(are_made),
-		cmocka_unit_test(are_chosen_by_name),
+		cmocka_unit_test(texts_are_those_of_number_write),
+		cmocka_unit_test(vector_makes_usual_texts),
+		cmocka_unit_test(copies_are_chosen_by_name),
 	};
 
 	if (argc > 1)

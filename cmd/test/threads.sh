@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Streams through four threads, for the thread sanitizer to watch: points in
-# each format, bad lines with and without --keep-going, several sources.
+# Runs streams through four threads under the thread sanitizer: points in each
+# format, bad lines with and without --keep-going, several sources.
 # usage: threads.sh BUILD
 set -eu
 unset CDPATH
@@ -12,7 +12,8 @@ export TSAN_OPTIONS=exitcode=66 LC_ALL=C
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 
-# Runs with four threads and with one, and compares what they say. - is a pipe.
+# Compares the output and messages of four threads with those of one. - is a
+# pipe.
 check() {
 	for jobs in 1 4; do
 		status=0

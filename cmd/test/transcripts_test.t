@@ -21,8 +21,8 @@ sub can_run {
 	return $terminal || $case->{command} !~ /\bscript -/;
 }
 
-# A process for each file, which prints the transcript as it is said now. Each has
-# a testdata of its own, as commands there write files and remove them.
+# Starts a process for a file, which prints the transcript with the output of now. Each
+# process has its own copy of testdata, as commands write and remove files there.
 sub start {
 	my ($file) = @_;
 	my $pid = open(my $from, '-|') // die "fork: $!\n";
@@ -38,7 +38,7 @@ sub compare {
 	my ($case, $said) = @_;
 	my ($want, $now) = map { transcript_text($_) } $case, $said;
 	ok($want eq $now, "$case->{file}:$case->{line}: $case->{name}") and return;
-	# With the file's own numbers of lines.
+	# Empty lines above keep the numbers of lines of the file.
 	my $above = "\n" x ($case->{line} - 1);
 	spew("$tmp/want", $above . $want);
 	spew("$tmp/now", $above . $now);

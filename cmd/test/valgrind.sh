@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# One of each command under valgrind, which knows no AVX-512.
+# Runs one example of each command under valgrind, without AVX-512, which
+# valgrind lacks.
 # usage: valgrind.sh BUILD
 set -eu
 unset CDPATH

@@ -1,17 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "../json/value.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
 #include "../../core/test/numbers.h"
 
-/* Returns the first number of an array of n. */
-static double first_of(const char *array, size_t n)
+/* Parses an array of n values, asserts n, and returns the first value, a number. */
+static double first_number(const char *array, size_t n)
 {
 	struct source source = { .name = "s.json" };
 	struct span none;
@@ -27,30 +20,32 @@ static double first_of(const char *array, size_t n)
 	return value_number(&e, &range_any);
 }
 
-/* Numbers of any length are read whole. */
+/* Numbers of more digits than a double has are read correctly. */
 static void test_long_numbers(void **state)
 {
 #define NINES20 "99999999999999999999"
-#define NOUGHTS20 "00000000000000000000"
+#define ZEROS20 "00000000000000000000"
 	(void)state;
-	assert_number(first_of("[0." NINES20 NINES20 NINES20 "9]", 1), 1);
-	assert_number(first_of("[0." NINES20 NINES20 NINES20 "99]", 1), 1);
-	assert_number(first_of("[-0.1" NOUGHTS20 NOUGHTS20 NOUGHTS20 "1e0 , 2]",
+	assert_number(first_number("[0." NINES20 NINES20 NINES20 "9]", 1), 1);
+	assert_number(first_number("[0." NINES20 NINES20 NINES20 "99]", 1), 1);
+	assert_number(first_number("[-0.1" ZEROS20 ZEROS20 ZEROS20 "1e0 , 2]",
 			  2),
 	    -0.1);
-	assert_number(first_of("[1" NOUGHTS20 NOUGHTS20 NOUGHTS20 "e-60]", 1),
-	    1);
-	assert_number(first_of("[-1" NINES20 NINES20 NINES20 "99e-999]", 1), 0);
+	assert_number(first_number("[1" ZEROS20 ZEROS20 ZEROS20 "e-60]", 1), 1);
+	assert_number(first_number("[-1" NINES20 NINES20 NINES20 "99e-999]", 1),
+	    0);
 }
 
-/* Members whose names begin with _ are left out, the others stay as they are. */
+/* value_parse_document leaves out members whose names begin with _, and keeps all
+ * else. */
 static void test_hidden(void **state)
 {
 	(void)state;
-	assert_number(first_of("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 1), 3);
-	assert_number(first_of("{\"c\":3,\"_a\":{}, \"_\" :null}", 1), 3);
-	assert_number(first_of("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 2), 3);
-	assert_number(first_of("[4,\"_a\",{\"_\":1}]", 3), 4);
+	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 1),
+	    3);
+	assert_number(first_number("{\"c\":3,\"_a\":{}, \"_\" :null}", 1), 3);
+	assert_number(first_number("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 2), 3);
+	assert_number(first_number("[4,\"_a\",{\"_\":1}]", 3), 4);
 }
 
 int main(void)

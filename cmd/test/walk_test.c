@@ -1,20 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Tests which lines are walked and which are left to line_read, and the places
- * of the numbers on walked lines. A line that is left costs only time, but
- * usual lines must be walked. */
+/* walk_lines finds the numbers on lines of a common form, and leaves other lines to
+ * line_read, which takes more time. These tests say which lines are left, and where
+ * the numbers are on the others. */
 #include "../../core/points/transform.h"
 #include "../lines/line.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <string.h>
 
-#include <cmocka.h>
+#include "../../core/test/numbers.h"
 
-/* A line, and its numbers with a bar behind each; NULL where it is left. */
+/* A line, and its numbers with a bar after each, or NULL if walk_lines leaves the
+ * line. */
 struct example {
 	const char *line, *numbers;
 };
@@ -141,7 +137,7 @@ static const struct example objects[] = {
 	{ NULL, NULL },
 };
 
-/* The paths are /p/x, /p/q/1 and z. */
+/* The columns are the JSON pointers /p/x and /p/q/1, and the member z. */
 static const struct example paths[] = {
 	{ "{\"p\":{\"x\":1,\"q\":[9,2,[]]},\"z\":3}", "1|2|3|" },
 	{ "{\"z\":3, \"p\" : { \"q\":[ {}, 2 ] , \"x\":1 },\"x\":{\"z\":0} } ",
@@ -159,14 +155,14 @@ static const struct example paths[] = {
 	{ NULL, NULL },
 };
 
-/* The number of lines before the tested one, as the first lines of a text are
- * left to line_read. */
+/* The number of lines before the tested line. walk_lines leaves the first lines of a
+ * text to line_read. */
 enum { BEFORE = 8 };
 
-/* Returns the result for a line that stands after walked lines and before
- * one. */
-static const char *walked(const struct layout *l, const char *line,
-    const char *plain)
+/* Returns the numbers that walk_lines finds on a line, with a bar after each, or NULL
+ * if it leaves the line. Lines equal to usual stand before and after the line. */
+static const char *numbers_found(const struct layout *l, const char *line,
+    const char *usual)
 {
 	static struct stretch s;
 	static char out[200];
@@ -179,7 +175,7 @@ static const char *walked(const struct layout *l, const char *line,
 
 	for (int i = 0; i <= BEFORE + 1; i++)
 		n += (size_t)sprintf(all + n, "%s\n",
-		    i == BEFORE ? line : plain);
+		    i == BEFORE ? line : usual);
 
 	assert_true(walk_plan(l, &walk));
 	s.readable = all;
@@ -205,47 +201,40 @@ static const char *walked(const struct layout *l, const char *line,
 	return out;
 }
 
-static void check(const struct layout *l, const struct example *e,
-    const char *plain)
+static void check_examples(const struct layout *l, const struct example *e,
+    const char *usual)
 {
-	for (; e->line != NULL; e++) {
-		const char *numbers = walked(l, e->line, plain);
-
-		print_message("%s: %s\n", e->line,
-		    numbers == NULL ? "left" : numbers);
-		if (e->numbers == NULL)
-			assert_null(numbers);
-		else
-			assert_string_equal(numbers, e->numbers);
-	}
+	for (; e->line != NULL; e++)
+		assert_text(numbers_found(l, e->line, usual), e->numbers,
+		    e->line);
 }
 
-static void usual_lines_are_walked(void **state)
+static void numbers_are_found(void **state)
 {
 	struct layout l = { .in = { FORMAT_TEXT, 0 }, .reads = 3 };
 
 	(void)state;
 	if (!kernels_choose(NULL) || number_loops() == NULL)
 		skip();
-	check(&l, text, "11 12 13");
+	check_examples(&l, text, "11 12 13");
 	l.reads = 2;
-	check(&l, two_of_text, "11 12");
+	check_examples(&l, two_of_text, "11 12");
 	l = (struct layout){ .in = { FORMAT_CSV, ',' }, .reads = 3 };
-	check(&l, csv, "11,12,13");
+	check_examples(&l, csv, "11,12,13");
 	l.columns = (struct columns){ .n = 3, .field = { 4, 1, 3 } };
-	check(&l, columns_of_csv, "a,11,b,12,13");
+	check_examples(&l, columns_of_csv, "a,11,b,12,13");
 	l.in.format = FORMAT_JSON;
-	check(&l, columns_of_arrays, "[0,11,0,12,13]");
+	check_examples(&l, columns_of_arrays, "[0,11,0,12,13]");
 	l.columns = (struct columns){ .name = { "x", "y", "z" } };
-	check(&l, arrays, "[11,12,13]");
-	check(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
+	check_examples(&l, arrays, "[11,12,13]");
+	check_examples(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
 	l.columns = (struct columns){ .n = 3,
 		.name = { "/p/x", "/p/q/1", "z" } };
-	check(&l, paths, "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3}");
+	check_examples(&l, paths, "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3}");
 }
 
-/* The first number of each line is not plain. The example has its value, or NULL for a
- * line that is left to line_read. */
+/* The vector loops leave some of these numbers. walk_numbers reads them all the same,
+ * or leaves their lines to line_read. */
 static void numbers_with_exponents_are_read(void **state)
 {
 	static const char all[] = "1 2 30\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
@@ -278,7 +267,7 @@ static void numbers_with_exponents_are_read(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(usual_lines_are_walked),
+		cmocka_unit_test(numbers_are_found),
 		cmocka_unit_test(numbers_with_exponents_are_read),
 	};
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* CPU time for the benchmarks: the minimum of many runs shows the machine at its best,
- * the median its usual speed. */
+/* CPU time for the benchmarks. The minimum of many runs is the machine at its best, the
+ * median its usual speed. */
 #ifndef CLOCK_BENCH_H
 #define CLOCK_BENCH_H
 

@@ -53,7 +53,8 @@ static void fill(struct sample *s, const double low[3], const double high[3])
 			s->in[k][i] = sample_between(low[k], high[k]);
 }
 
-/* Makes cases of points in front of the eye, all of which the kernels compute. */
+/* Makes samples of points in front of the eye, whose images the kernels can all round.
+ */
 static const char *make_cases(void)
 {
 	const double low[3] = { -2, -2, -2 }, high[3] = { 2, 2, 2 };
@@ -93,7 +94,8 @@ static double measure(const struct sample *s, enum precision p)
 	return (clock_ns() - start) / (CALLS * POINTS_BLOCK);
 }
 
-/* Measures each once, so that a slow moment of the machine slows a run of each. */
+/* Measures each sample once, so that a slow moment of the machine slows one run of
+ * each. */
 static void measure_all(int run)
 {
 	for (int copy = 0; copy < COPIES; copy++) {

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
-# What `make prove` and its test share: the claims that stand in core's headers
-# as macros or, of a function, in the comment above it, and programs that compile
-# those headers.
+# What `make prove` and its test share: the claims in core's headers, which are macros
+# or numbers in comments, and programs that are compiled with these headers.
 package Proof;
 use strict;
 use warnings;
@@ -35,7 +34,7 @@ sub macro {
 	return $1;
 }
 
-# Of "... 9 u^2 ..." above a function.
+# Returns the number of u^2 that the comment above a function claims.
 sub claimed {
 	my ($file, $function) = @_;
 	slurp($file) =~ m{/\*((?:(?!/\*).)*?)\*/\nstatic inline \w+ $function\(}s
@@ -44,7 +43,7 @@ sub claimed {
 	    die "$file claims nothing of $function\n";
 }
 
-# A number in the comment above the macro that it is for.
+# Returns the number in a file's comments that a pattern finds.
 sub told {
 	my ($file, $what, $pattern) = @_;
 	my $text = slurp($file) =~ s/\n \* ?/ /gr;
@@ -67,8 +66,8 @@ sub claims {
 
 my $programs = 0;
 
-# A program from one source and the headers in core; undef where they don't go
-# together.
+# Returns a program compiled from a source and the headers in $core, or undef if the
+# compiler fails.
 sub compiled {
 	my ($source, $core, @flags) = @_;
 	my $program = "$tmp/program" . ++$programs;
@@ -78,7 +77,7 @@ sub compiled {
 	return system(@command) == 0 ? $program : undef;
 }
 
-# Whether it ran well, and what it said.
+# Runs a program. Returns whether it succeeds, and its output.
 sub outcome {
 	my ($program) = @_;
 	return (0, "it could not be compiled\n") if !defined $program;
@@ -86,8 +85,8 @@ sub outcome {
 	return ($? == 0, $said);
 }
 
-# Claims that are twice what is found, or more, wherever it is: a bound may be too
-# large by mistake, too, and then nothing that is printed tells.
+# Returns a text about claims of at least twice the error that is found in any row. A
+# bound that is too large by mistake would not fail in any other way.
 sub loose {
 	my ($said) = @_;
 	my (%most, $text);
@@ -102,7 +101,8 @@ sub loose {
 	    $_, $most{$_} } grep { $most{$_} <= 0.5 } sort keys %most;
 }
 
-# Both ways in which products and sums are done.
+# Runs count.cc with rounded and with fused products. Returns whether it proves the
+# claims, and its output.
 sub count_errors {
 	my ($core) = @_;
 	my ($well, $said) = (1, '');

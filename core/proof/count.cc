@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/* Counts the errors of kernel/exact.h and kernel/approx.h and compares them with the
- * bounds that are claimed there. A line for each:
+/* Counts the errors of kernel/exact.h and kernel/approx.h, and compares them with the
+ * bounds that these headers claim. Prints a line for each:
  *
  *	claim, claimed, found, proved or refused
  */
@@ -22,7 +22,7 @@ using count::sqrt;
 using count::times;
 using count::U;
 
-/* Of the last test whether a rounding is sure. */
+/* The upper end of the last test of whether a rounding is sure. */
 static number tested_up;
 
 static number same(number up, number, number sure)
@@ -62,14 +62,15 @@ static number same(number up, number, number sure)
 
 #undef double
 
-/* Than any error that is counted: for what shall not count, though its operations
- * do. */
+/* A value far below any error that is counted, for operands whose own size must not
+ * count, while the operations on them must. */
 static const double small = 0x1p-300;
 
 static int refusals;
 static const double MILLIONTH = 1 + 1e-6;
 
-/* Counted to a millionth: terms of higher order than is told are as small. */
+/* Prints a claim, which may be exceeded by a millionth: the claims leave out terms of
+ * higher order, which are as small. */
 static void say(const char *claim, double claimed, double found,
     const char *unit)
 {
@@ -80,7 +81,7 @@ static void say(const char *claim, double claimed, double found,
 	refusals += !proved;
 }
 
-/* The same of powers of two. */
+/* Prints a claim about powers of two, as exponents. */
 static void say_powers(const char *claim, int claimed, int found)
 {
 	printf("%-36s %8d %8d %-6s 2^%-6d  %s\n", claim, claimed, found, "2^",
@@ -109,7 +110,7 @@ static poly minus(const poly &a, const poly &b)
 	return count::plus(a, b, -1);
 }
 
-/* What the first double leaves of 1 is rounded again. */
+/* ex_round rounds a number to a double, and the rest to a second double. */
 static void prove_round(void)
 {
 	fresh();
@@ -121,10 +122,10 @@ static void prove_round(void)
 
 static struct kernel_map map;
 static number in[4], out[3]; /* ranges are read in pairs */
-static poly difference[3];   /* of a point from the origin */
+static poly difference[3];   /* a point minus the origin */
 
-/* Coordinates below 2^e and a column below 2^f for e = f = 0; an element's low part is
- * at most half a unit of its high one. */
+/* Makes a map for coordinates below 2^e and columns below 2^f, where e = f = 0. The low
+ * part of an element is at most half a unit in the last place of its high part. */
 static void give_map(double element, double image)
 {
 	for (int i = 0; i < 4; i++)
@@ -170,7 +171,7 @@ static void run(enum kernel_kind kind)
 	exact_images(&map, from, to, 1, kind);
 }
 
-/* What is rounded last in a test: hi + (lo + error). */
+/* Returns hi + (lo + error), the upper end of the last test, without its rounding. */
 static poly tested(void)
 {
 	const count::node &up = *tested_up;
@@ -178,9 +179,9 @@ static poly tested(void)
 	return up.error < 0 ? up.is : minus(up.is, { { { up.error }, 1.0 } });
 }
 
-/* A column's error, and the most that its parts can be, in units of B. Bit k of far
- * tells that the origin is so far off in coordinate k that it is subtracted whole.
- */
+/* The error of a column and the greatest values of its parts, in units of B, which
+ * kernel/exact.h defines. If bit k of far is set, the origin's coordinate k is so large
+ * that it is subtracted whole. */
 struct column_parts {
 	double error, hi, lo;
 };
@@ -196,13 +197,13 @@ static column_parts column_error(int terms, int far)
 	poly wrong = minus(tested(), column_of(terms - 1, terms));
 	const poly error = { { {}, COLUMN_BOUND } };
 
-	/* elements are rounded to hi + lo */
+	/* + the error of elements, which are rounded to hi + lo */
 	return { bound(minus(wrong, error)) +
 		    (terms + 1) * EX_ROUND_BOUND * U * U,
 		count::nodes[tested_up->a].most, count::nodes[low.a].most };
 }
 
-/* The same of one that is normalised. */
+/* Returns the error of a column after normalise, in units of B. */
 static double normal_column_error(int far)
 {
 	const number *const from[3] = { in, in + 1, in + 2 };
@@ -227,7 +228,7 @@ static number number_of(const poly &p, double most, double least)
 	    { p, most, least, count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
 }
 
-/* A head, as a sum with so much in its low part. */
+/* A number head as the sum of two parts, of which the low part has a given size. */
 struct sized {
 	vdd parts;
 	number head;
@@ -241,7 +242,7 @@ static sized sum_with(double head, double low)
 	return { { hi, lo }, h };
 }
 
-/* Of a head that is summed first. */
+/* Returns 1 / head, if head is the rounded sum of two parts. */
 static number reciprocal_of(number head)
 {
 	number r = number(1) / head, e = given(U * (1 + 4 * U));
@@ -250,7 +251,7 @@ static number reciprocal_of(number head)
 	    r->least * (1 - 2 * U));
 }
 
-/* Heads of 1, so in units of the quotient. */
+/* Returns the error of a quotient, relative to it, as its operands are 1. */
 static double quotient_error(double low_of_n, double low_of_w)
 {
 	fresh();
@@ -263,13 +264,14 @@ static double quotient_error(double low_of_n, double low_of_w)
 	return bound(minus(times(tested(), w.head->is), n.head->is));
 }
 
-/* Low parts as normalise() may leave them: 3 u. */
+/* Returns head with a low part of at most 3 u, as after normalise(). */
 static vdd pair(double head)
 {
 	return vdd{ given(head, head), given(3 * U * head) };
 }
 
-/* Of so many equal elements: half of what the square is off by. */
+/* Returns the error of the length of a vector of equal elements, which is half the
+ * error of its square, and raises *low to the greatest low part. */
 static double length_error(int many, double *low)
 {
 	fresh();
@@ -291,10 +293,10 @@ static double length_error(int many, double *low)
 	return bound(minus(times(is, is), square)) / 2;
 }
 
-/* With the columns of n and w off by a share of their bounds, and w above its
- * bound: how much of the test's error is needed. What the quotient itself rounds
- * is of |q|, and the test has at least COLUMN_BOUND / most of that; or it is of the
- * low parts, in units of B as the bound is. */
+/* Returns the share of the error in the test of a quotient that is needed. The columns
+ * of n and w have errors of a share of their bounds, and w is above its bound. The
+ * quotient's own error is own |q|, where the test allows at least |q| COLUMN_BOUND /
+ * most; the error from low parts, of_low, is in units of B, as is the bound. */
 static double share(double column, double most, double own, double of_low)
 {
 	double part = column / (double)COLUMN_BOUND;
@@ -305,10 +307,10 @@ static double share(double column, double most, double own, double of_low)
 	    (1 + 16 * U);
 }
 
-/* Binary exponents where coordinates and B are at the ends of what is moderate: of
- * all that underflows, 16 times half the least double, multiplied by a coordinate
- * and by w at most; of the largest that is computed, 2 n over a w at its bound; of
- * the least bound. */
+/* Checks binary exponents for coordinates and B at the ends of the moderate range. All
+ * underflows together are at most 16 times half the least double, multiplied by a
+ * coordinate and by w. The largest number that is computed is 2 n / w, for a w at its
+ * bound. */
 static void prove_ends(void)
 {
 	const int far = std::ilogb(MODERATE);
@@ -365,7 +367,8 @@ static void run_approx(enum kernel_kind kind)
 	counted_approx(&map, from, out, out + 1, out + 2, 1, kind);
 }
 
-/* An element as it is cast: rounded once. */
+/* Makes a map in which row term is 1, with the error of one rounding, and other rows
+ * are small. */
 static void give_approx(int term)
 {
 	fresh();
@@ -382,7 +385,7 @@ static void give_approx(int term)
 	map.a = map.b = number(0);
 }
 
-/* What is lost of a term, of its size; then of the quotient. */
+/* Returns the error of a column, in u times the size of its term. */
 static double approx_column(int term)
 {
 	give_approx(term);
@@ -407,7 +410,7 @@ static double approx_depth(double a, double b)
 	give_approx(3);
 	map.a = given(a);
 	map.b = given(b);
-	/* which are rounded */
+	/* a and b are rounded */
 	const double off = U * (1 + 0x1p-20);
 	const number a_lo = given(off * a), b_lo = given(off * b);
 
@@ -419,8 +422,10 @@ static double approx_depth(double a, double b)
 	return bound(minus(times(out[2]->is, w), right)) / U;
 }
 
-/* S / |w| is t, from 1 to where the loop asks for w to 1/16; there w is off by c u
- * S. The sum's parts fall and rise with t, so its ends are its worst. */
+/* Returns the greatest error of a quotient. t is S / |w|, at least 1, and at most so
+ * large that the bound that the loop needs is 1/16 of w. w has an error of c u S. One
+ * term of the sum rises with t and one falls, so that the greatest sum is at one end of
+ * the range. */
 static double worst_of(double c, double own, double u)
 {
 	double last = 1 / (16 * (double)APPROX_BOUND * u), worst = 0;
@@ -437,10 +442,10 @@ static void prove_approx(void)
 
 	for (int term = 0; term < 4; term++)
 		c = std::fmax(c, approx_column(term));
-	/* and one for printing the shortest digits */
+	/* + 1: the shortest digits are off by up to u */
 	double q = approx_quotient() + 1;
 	double a = approx_depth(1, small) + 1, b = approx_depth(small, 1) + 1;
-	/* the bound's own roundings; u of single, where higher powers count */
+	/* for the rounding of the bound; u is float's, whose higher powers count */
 	const double u = 0x1p-24, own = 1 - 32 * u;
 
 	say("approx column", 5, c, "u S");

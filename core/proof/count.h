@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers that count their roundings. In the name of doubles they go through the
- * headers themselves and hold what each operation makes of its operands: a
- * polynomial in what was given and in the error of every rounding so far, with
- * bounds of all of these. So what an algorithm is exactly off by is what stays of
- * the difference between its result's polynomial and the one that is meant: all
- * else cancels, and a term that was forgotten or has the wrong sign does not.
+/* Numbers that count their roundings. The headers under test are compiled with these
+ * numbers in place of doubles. A number is a polynomial in atoms, which are the given
+ * values and the errors of all roundings, and each atom has a bound. The error of an
+ * algorithm is the polynomial of its result minus that of the exact result: equal terms
+ * cancel, and a term that was forgotten, or has the wrong sign, remains.
  *
- * A rounding's error is u of the most that the result can be, or nothing: where
- * the result is a whole multiple of a unit, and not more than 2^53 of it; where
- * the operations are the ones of two_sum, fast_two_sum or two_prod, whose low
- * parts are the errors themselves (exact.v proves it). */
+ * The error of a rounding is at most u times the bound of the result. It is 0 if the
+ * result is a multiple of a unit, and at most 2^53 units. The low parts of two_sum,
+ * fast_two_sum and two_prod are exactly the errors of their high parts, as exact.v
+ * proves. */
 #ifndef COUNT_H
 #define COUNT_H
 
@@ -28,14 +27,14 @@ namespace count
 
 static const double U = 0x1p-53;
 
-/* Which values have no place to be told: an operation that isn't foreseen. */
+/* Ends the program at an operation whose error this header cannot count. */
 [[noreturn]] static void refuse(const char *why)
 {
 	printf("refused: %s\n", why);
 	exit(1);
 }
 
-static std::vector<double> bounds; /* of the atoms: what is given, and errors */
+static std::vector<double> bounds; /* of atoms: given values and errors */
 static std::vector<bool> left_by_sum;
 
 static int new_atom(double bound, bool by_sum = false)
@@ -76,7 +75,7 @@ static poly plus(const poly &a, const poly &b, double times = 1)
 	return s;
 }
 
-/* A quotient q = a / b + error, of an atom b: q b is a + b error. */
+/* A quotient q = a / b + error by an atom b: the product q b is a + b error. */
 struct division {
 	int q, b;
 	poly product;
@@ -85,7 +84,8 @@ static std::vector<division> divisions;
 
 static poly times(const poly &a, const poly &b);
 
-/* One more term, in which what was divided by is cancelled; none where it is 0. */
+/* Adds a term to s, unless an atom in it is 0. A quotient times its divisor becomes the
+ * product of their division. */
 static void add_term(poly *s, product atoms, double c)
 {
 	for (int atom : atoms)
@@ -140,21 +140,21 @@ static const int NO_UNIT = INT_MIN / 4;
 
 struct node {
 	poly is;
-	double most;  /* of its magnitude */
-	double least; /* of it; 0 where it may be less than nothing known */
-	int unit;     /* it is a whole multiple of 2^unit */
+	double most;  /* bound of the magnitude */
+	double least; /* lower bound of the magnitude; 0 if unknown */
+	int unit;     /* the number is a multiple of 2^unit */
 	operation op;
 	int a, b, c;
 	int error; /* the atom of its rounding, or -1 */
 };
 static std::vector<node> nodes;
 
-/* Whether magnitudes are bounds, or stand for what results are relative to. */
+/* If set, magnitudes are not bounds, but the sizes to which errors are relative. */
 static bool relative;
-/* Each rounding loses so much more where it can underflow, or 0. */
+/* What each rounding may lose in addition by underflow, or 0. */
 static double lost;
-/* What comparisons of a magnitude with a constant answer, the first in the lowest
- * bit: 1 where it is less. */
+/* The results of comparisons of a magnitude with a constant, the first in the lowest
+ * bit: 1 if the magnitude is less. */
 static int answers = -1;
 
 static double half_ulp(double most)
@@ -223,7 +223,7 @@ struct number {
 	number &operator+=(number b);
 };
 
-/* Something given, of at most that magnitude. */
+/* Returns a given value of at most that magnitude. */
 static number given(double most, double least = 0, int unit = NO_UNIT)
 {
 	return number::add({ { { { new_atom(most) }, 1.0 } }, most, least, unit,
@@ -241,7 +241,7 @@ static bool is(int id, operation op, int a, int b)
 	    nodes[id].b == b;
 }
 
-/* A result before it is rounded, and at most so much. */
+/* Returns the rounded result of an operation whose exact result is p, at most most. */
 static number rounded(poly p, double most, int unit, operation op, number a,
     number b, int c = -1)
 {
@@ -270,7 +270,7 @@ static int product_unit(int a, int b)
 	return x > NO_UNIT && y > NO_UNIT ? x + y : NO_UNIT;
 }
 
-/* The low part of what was summed or multiplied: its error, with a minus. */
+/* Returns the low part of a sum or product, which is its negated error. */
 static number error_of(int id)
 {
 	int atom = nodes[id].error;
@@ -289,14 +289,14 @@ static bool is_constant(number a)
 	return a->is.size() == 1 && a->is.begin()->first.empty();
 }
 
-/* By what is known of its atoms by now. */
+/* Returns the bound of a magnitude by the bounds that atoms have now. */
 static double most_of(number a)
 {
 	return std::fmin(a->most, bound(a->is));
 }
 
-/* The constant in b, where a and the rest of b leave the sum between the same powers
- * of two as that; or 0. */
+/* Returns the constant term of b if the sum a + b lies between the same powers of two
+ * as this constant does, otherwise 0. */
 static double cut_by(number a, number b)
 {
 	auto at = b->is.find({});
@@ -355,13 +355,13 @@ static number operator-(number a, number b)
 		most = std::ldexp(
 		    std::nearbyint(std::ldexp(bound(nodes[a->a].is), -a->unit)),
 		    a->unit);
-	/* What a sum has left is a number. */
+	/* The error of a sum is a number, so nothing is rounded. */
 	if (p.size() == 1 && p.begin()->first.size() == 1 &&
 	    std::fabs(p.begin()->second) == 1 &&
 	    left_by_sum[p.begin()->first[0]])
 		return number::add({ p, bound(p), 0, NO_UNIT, DIFFERENCE, a.id,
 		    b.id, -1, -1 });
-	/* Neither is more than twice the other (Sterbenz). */
+	/* If neither is more than twice the other, nothing is rounded (Sterbenz). */
 	if (bound(p) <= b->least / 2)
 		return number::add({ p, std::fmin(most, bound(p)), 0,
 		    std::min(a->unit, b->unit), DIFFERENCE, a.id, b.id, -1,
@@ -369,7 +369,7 @@ static number operator-(number a, number b)
 	return rounded(p, most, std::min(a->unit, b->unit), DIFFERENCE, a, b);
 }
 
-/* A power of two multiplies without a rounding. */
+/* Returns a times a power of two, which is not rounded. */
 static number scaled(number a, double power)
 {
 	node n = *a;
@@ -404,8 +404,8 @@ static number operator*(number a, number b)
 	return r;
 }
 
-/* A divisor is an atom, or a multiple of one; or it becomes one: what was
- * computed, whatever it is. */
+/* Returns a quotient. A divisor that is not an atom or a multiple of one is replaced by
+ * a new atom, which stands for its computed value. */
 static number operator/(number a, number b)
 {
 	double least = b->least > 0 ? b->least : 1;
@@ -428,7 +428,7 @@ static number operator/(number a, number b)
 	    -1, -1 });
 }
 
-/* r = root + error, so that r r = a + 2 r error - error error. */
+/* Returns a root r = root + error, so that r r = a + 2 r error - error error. */
 static number sqrt(number a)
 {
 	double most = std::sqrt(a->most) * (1 + 2 * U);
@@ -457,7 +457,7 @@ static number fma(number a, number b, number c)
 	    std::min(product_unit(a.id, b.id), c->unit), FUSED, a, b, c.id);
 }
 
-/* Of errors and sizes alone. */
+/* Returns a magnitude, which the headers take only of errors and sizes. */
 static number fabs(number a)
 {
 	number size = given(a->most);
@@ -474,13 +474,14 @@ static number ldexp(number a, int e)
 {
 	return e == 0 ? a : a * number(std::ldexp(1, e));
 }
-/* All magnitudes are in units of the largest. */
+/* Returns a with exponent 0, as magnitudes are in units of the largest. */
 static number frexp(number a, int *e)
 {
 	*e = 0;
 	return a;
 }
-/* Of something given whose size is compared, the answer is what is known. */
+/* Returns the result of comparing the size of a given value with a limit, by answers,
+ * and keeps what it says about the value. */
 static bool learn(node *n, double limit)
 {
 	bool less = answers & 1;
@@ -493,7 +494,7 @@ static bool learn(node *n, double limit)
 		n->least = limit;
 	return less;
 }
-/* Other comparisons tell points without an image, and are not of what is proved. */
+/* Other comparisons find points without an image, which the proof does not cover. */
 static bool operator<(number a, number b)
 {
 	bool known = a->op == SIZE && is_constant(b) &&

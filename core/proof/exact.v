@@ -1,8 +1,8 @@
 (* SPDX-License-Identifier: MIT *)
-(* The sums and products of core/points/kernel/exact.h whose low parts are exact:
-   each operation is rounded to the nearest double, ties to even, subnormal ones
-   among them; nothing overflows. Flocq's theorems are of the same operations in its own order of
-   signs. *)
+(* The sums and products of core/points/kernel/exact.h whose low parts are exact.
+   Each operation is rounded to the nearest double, ties to even, also to a subnormal
+   double, and nothing overflows. Flocq's theorems are about the same operations, with
+   other signs. *)
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core Pff2Flocq Mult_error.
 
@@ -60,7 +60,7 @@ Proof.
   unfold low, nearest. rewrite (round_generic _ _ _ _ rest). ring.
 Qed.
 
-(* What the error counting takes from these: a sum's error is a double. *)
+(* The error of a sum is a double, on which count.h relies. *)
 Theorem error_of_sum_is_double : forall a b, is_double a -> is_double b ->
   is_double (nearest (a + b) - (a + b)).
 Proof.

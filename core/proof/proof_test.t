@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The proofs that need nothing but a C++ compiler: the headers in toy arithmetic,
-# where nearly all operands can be tried, and their errors counted. Then that
-# both tell a right header from a wrong one.
+# Runs the proofs that need only a C++ compiler: the headers in the arithmetic of toy.h,
+# of which nearly all operands are tried, and the count of their errors. Then checks
+# that both refuse headers with a fault.
 # usage: proof_test.t, at the top of the project
 use strict;
 use warnings;
@@ -33,8 +33,8 @@ for my $way ('', '-DFUSED') {
 }
 holds('errors counted', count_errors($core));
 
-# File, what is changed there, and who finds it: a program of toy arithmetic with
-# so many digits, or the claim of which the count finds more.
+# The faults: the file, what is changed there, and what finds it. That is a program in
+# toy arithmetic, with its number of digits, or a claim that the count exceeds.
 my $exact = 'points/kernel/exact.h';
 my @toy = ('toy_exact.cc', '-DP=53');
 my @ties = ('toy_exact.cc', '-DP=6');
@@ -71,7 +71,8 @@ my @mutations = (
 	[$exact, 'a length whose squares are rounded',
 	    'low = low + FMA(a[k].hi, a[k].hi, -square[k])', 'low = low', @toy],
 );
-# All in one.
+# Groups of faults. Those of a group are made in one copy of the headers, and the count
+# finds each.
 my @counted = (
 	[$exact, 'an origin that is subtracted too near',
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],
@@ -104,7 +105,7 @@ my @loose = (
 	    'ESTIMATE_BOUND'],
 );
 
-# A copy of core's headers with these changes.
+# Makes a copy of core's headers with these changes.
 sub mutant {
 	my $copy = "$tmp/mutant";
 	remove_tree($copy);
@@ -137,11 +138,11 @@ for my $group (\@counted, \@bounds, \@loose) {
 	}
 }
 
-# All of make prove, as far as its tools are installed.
+# Runs all of `make prove`, as far as its tools are installed.
 my $said = `perl $here/prove.pl 2>&1`;
 holds('make prove', $? == 0, $said);
 
-# dd.h is refused where its operations would not be what is written.
+# dd.h refuses flags by which the compiler may reorder its operations.
 for my $flag (qw(-ffast-math -Ofast)) {
 	my $said = `echo '#include "$core/exact/dd.h"' | gcc $flag -x c -c -o /dev/null - 2>&1`;
 	like($said, qr/#error compile without -ffast-math/, "$flag is refused");

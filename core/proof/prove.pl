@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Machine-checked error counting: compares each bound that core claims with what
-# is found from its own headers and numbers, and says what follows. Coq checks
-# what is without error, where it is installed.
+# Proves bounds by machine: compares each bound that core claims with the error that is
+# counted from core's headers and constants. Coq, if it is installed, checks the
+# operations without error.
 # usage: prove.pl
 use strict;
 use warnings;
@@ -15,7 +15,8 @@ use Proof;
 my $core = "$here/..";
 my ($refused, $skipped) = (0, 0);
 
-# Of powers of two. A claim of four times what is found is a mistake, too.
+# Prints whether an error of 2^$found is at most the claim 2^$claimed. A claim of four
+# times the error is refused, too.
 sub verdict {
 	my ($claim, $claimed, $found) = @_;
 	my $proved = $found <= $claimed && $claimed - $found < 2;
@@ -24,7 +25,7 @@ sub verdict {
 	    $found, '2^', $claimed - $found, $proved ? 'proved' : 'REFUSED';
 }
 
-# Coq, of two_sum, fast_two_sum and two_prod.
+# Runs Coq on the theorems about two_sum, fast_two_sum and two_prod.
 sub transformations {
 	spew("$tmp/exact.v", slurp("$here/exact.v"));
 	my $said = `cd $tmp && coqc exact.v 2>&1`;
@@ -39,7 +40,7 @@ sub transformations {
 
 sub log2 { $_[0]->copy->blog(2, 12)->numify }
 
-# A constant of trig.c, from its words, and half a unit of the last of them.
+# Returns a constant of trig.c, from its words, and half a unit of the last word.
 sub constant {
 	my ($text, $name) = @_;
 	my ($e, $words) = $text =~
@@ -55,8 +56,7 @@ sub constant {
 	return ($sum, $half);
 }
 
-# How much a constant differs from what it stands for, which is as little as its
-# words allow.
+# Returns the error of a constant, which must be at most half a unit of its last word.
 sub off {
 	my ($text, $name, $true) = @_;
 	my ($is, $half) = constant($text, $name);
@@ -66,7 +66,7 @@ sub off {
 	return $off / $true;
 }
 
-# All numbers of trig.c carry 350 digits here.
+# Proves TRIG_BOUND, with numbers of 350 digits.
 sub trigonometry {
 	my $text = slurp("$core/exact/trig.c");
 	my ($top) = $text =~ /enum \{ SINE_POWER = (\d+) \}/;
@@ -79,21 +79,21 @@ sub trigonometry {
 	my $x = $pi / 4;
 	# the first term that is left out, of a cosine of at least 0.7
 	my $rest = $x**($top + 2) / Math::BigFloat->new($top + 2)->bfac / 0.7;
-	# words that are cut off: of x, of its square, and of each term
+	# what is cut off below the last word: of x, of x^2, and of each term
 	my $cut = $two**(-64 * ($words - 1));
 	my $all = $given + 2 * $cut + $rest + $cut * ($top / 2 + 1) / 0.7 +
 	    $two**-319;
 	my ($bound) = macro("$core/exact/trig.h", 'TRIG_BOUND') =~ /0x1p(-\d+)/;
 	verdict('pi / 2', -963, log2($given));
 	verdict('what a series leaves out', -317, log2($rest));
-	# and the quotient of two
+	# a cotangent is the quotient of two series
 	verdict('cotangent: TRIG_BOUND', $bound,
 	    log2(2 * $all + $two**-319));
 	Math::BigFloat->accuracy(undef);
 }
 
-# A quotient is cut off after EX_QUOTIENT_WORDS words, of which the first may be 1;
-# a root is rounded there, from twice the digits of the step before.
+# Proves EX_ERROR. A quotient is cut off after EX_QUOTIENT_WORDS words, of which the
+# first may be 1. A root is rounded there; each step doubles its digits.
 sub quotients {
 	my ($words) = slurp("$core/exact/exact.h") =~ /enum \{ EX_QUOTIENT_WORDS = (\d+) \}/;
 	my ($bound) = macro("$core/exact/exact.h", 'EX_ERROR') =~ /0x1p(-\d+)/;

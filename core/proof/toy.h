@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers of P binary digits in the name of doubles, P <= 24, so that many
- * operands can be tried. What is tested is the headers themselves: they are
- * included with double as the name of these. Exponents have no limits. Where P is
- * 53 they are doubles. */
+/* Numbers of P binary digits, P <= 24, of which many operands can be tried. The headers
+ * under test are compiled with these numbers in place of doubles. Exponents have no
+ * limits. If P is 53, the numbers are doubles. */
 #ifndef TOY_H
 #define TOY_H
 
@@ -21,7 +20,7 @@ static const double U = std::ldexp(1, -P); /* the unit roundoff */
 #if P == 53
 typedef double toy;
 
-/* What is rounded here has been. */
+/* Returns x, as a double is already rounded to 53 digits. */
 static inline double nearest(double x)
 {
 	return x;
@@ -31,8 +30,8 @@ static inline double to_odd(double a, double b)
 	return a + b;
 }
 #else
-/* To P digits, ties to even: no double of which a bit was lost may look like one
- * midway between two of P digits, so sums come as to_odd() gives them. */
+/* Returns x rounded to P digits, ties to even. A sum that lost bits as a double must
+ * not look like a tie of P digits, so sums are rounded by to_odd() first. */
 static inline double nearest(double x)
 {
 	const int cut = 53 - P;
@@ -47,7 +46,7 @@ static inline double nearest(double x)
 	return x;
 }
 
-/* a + b; where that loses bits, the double next to it whose last bit is 1. */
+/* Returns a + b or, if that loses bits, the double next to it whose last bit is 1. */
 static inline double to_odd(double a, double b)
 {
 	double s = a + b, t = s - a, rest = (a - (s - t)) + (b - t);
@@ -75,7 +74,7 @@ struct toy {
 	{
 		return nearest(to_odd(a.v, -b.v));
 	}
-	/* Of 48 digits; and no quotient of 24 by 24 is nearly a midpoint. */
+	/* Products have 48 digits; no quotient of 24 digits is nearly a tie. */
 	friend toy operator*(toy a, toy b)
 	{
 		return nearest(a.v * b.v);
@@ -133,7 +132,8 @@ static inline toy frexp(toy a, int *e)
 
 #endif
 
-/* As in baseline.c, with the fused products of the others at will. */
+/* As in baseline.c or, if FUSED is defined, with the fused products of the other
+ * copies. */
 #ifdef FUSED
 #define MADD FMA
 #else
@@ -153,7 +153,7 @@ static inline toy frexp(toy a, int *e)
 #define IF_POSITIVE(a, b, c) ((a) > 0 ? toy(b) : toy(c))
 #define ALL_POSITIVE(a) ((a) > 0)
 
-/* What exact.h has for 53 digits: 128 u 2^-26. */
+/* For 53 digits, as in exact.h: 128 u 2^-26. */
 #define DIGITS P
 #define COLUMN_BOUND (128 * U / (1 << (P - 1) / 2))
 #define MODERATE 0x1p200
@@ -177,7 +177,8 @@ static inline wide value(dd a)
 	return (wide)at(a.hi) + at(a.lo);
 }
 
-/* A fixed sequence of all but random bits (Marsaglia's xorshift). */
+/* Returns a number below n from a fixed pseudo-random sequence (Marsaglia's xorshift).
+ */
 static inline unsigned below(unsigned n)
 {
 	static uint64_t s = 88172645463325252u;
@@ -188,7 +189,7 @@ static inline unsigned below(unsigned n)
 	return (unsigned)(s >> 33) % n;
 }
 
-/* A head of P digits, 1 <= head < 2, and its last digit. */
+/* The last digit of a head, which is a number of P digits with 1 <= head < 2. */
 static const double LAST = 2 * U;
 
 static inline double head(void)

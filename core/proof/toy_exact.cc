@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/* kernel/exact.h in toy arithmetic: no rounding of which it is sure is wrong, no
- * point has an image that surely has none, or the other way about. */
+/* Tests kernel/exact.h in the arithmetic of toy.h: no rounding that it says is sure is
+ * wrong, no point without an image gets one, and no point with an image loses it. */
 #include "toy.h"
 
 static double sign(void)
@@ -8,7 +8,7 @@ static double sign(void)
 	return below(2) ? 1 : -1;
 }
 
-/* Whether exponents are all that doubles have. */
+/* If set, numbers have all exponents of doubles. */
 static bool ends;
 
 static int exponent_near(int e)
@@ -21,7 +21,7 @@ static int exponent_near(int e)
 	return e - (int)below(P / 3);
 }
 
-/* Of P digits, and somewhat below 2^e. */
+/* Returns a number of P digits that is a little below 2^e. */
 static double number(int e)
 {
 	if (below(8) == 0)
@@ -29,7 +29,7 @@ static double number(int e)
 	return sign() * ldexp(head(), exponent_near(e) - 1);
 }
 
-/* With a low part, of all sizes that it can be. */
+/* Returns a number with a low part of any size that it can have. */
 static dd pair(int e)
 {
 	double hi = number(e), lo;
@@ -44,7 +44,7 @@ static dd pair(int e)
 	return dd{ hi, lo };
 }
 
-/* The nearest of P digits. */
+/* Returns the number of P digits that is nearest to a. */
 static double rounded(wide a)
 {
 	double high = (double)a, low = (double)(a - high);
@@ -53,10 +53,10 @@ static double rounded(wide a)
 }
 
 static struct kernel_map map;
-/* A block of two points, of which the first is judged. */
+/* A block of two points. Only the image of the first is judged. */
 static toy in[3][2], out[4][2];
 
-/* Now and then of columns that are 0 beside w's. */
+/* Makes a random map, in which sometimes all columns but that of w are 0. */
 static void any_map(void)
 {
 	bool flat = below(16) == 0;
@@ -76,17 +76,18 @@ static void any_map(void)
 			map.exact[i][j] = at(map.lo[i][j]) == 0;
 		}
 	}
-	if (flat && ends) /* but for one that underflows when it is scaled */
+	if (flat && ends) /* except an element that underflows when scaled */
 		map.hi[0][0] = 0x1p-1074;
 }
 
-/* Within 2^e of the origin where e is not 8. */
+/* Returns a coordinate within 2^e of the origin or, if e is 8, below 2^8. */
 static toy coordinate(int k, int e)
 {
 	return e == 8 ? toy(number(8)) : map.origin[k] + toy(number(e));
 }
 
-/* Often on or near the origin; a column of images can nearly be cancelled. */
+/* Makes a random point, often at or near the origin. Sometimes changes the map so that
+ * the terms of a column nearly cancel. */
 static void any_point(void)
 {
 	for (int k = 0; k < 3; k++) {
@@ -109,8 +110,8 @@ static void any_point(void)
 	map.exact[3][j] = at(map.lo[3][j]) == 0;
 }
 
-/* Elements that are infinite stand for finite ones beyond doubles: 0 times one is
- * 0. */
+/* Returns a column. An infinite element stands for a finite one beyond doubles, so that
+ * 0 times it is 0. */
 static wide column_at(int j, int terms)
 {
 	wide s = (wide)at(map.hi[3][j]) + at(map.lo[3][j]);
@@ -124,7 +125,7 @@ static wide column_at(int j, int terms)
 	return s;
 }
 
-/* By Newton's iteration, from 53 bits. */
+/* Returns a root by Newton's iteration, from one of 53 bits. */
 static wide root(wide a)
 {
 	wide r = std::sqrt((double)a);
@@ -134,7 +135,7 @@ static wide root(wide a)
 	return r;
 }
 
-/* What columns are divided by. */
+/* Returns the number by which a kind of loop divides its columns. */
 static wide divisor(int kind, int terms)
 {
 	wide square = 0;
@@ -196,8 +197,8 @@ static int loops(int tries, bool at_the_ends)
 	return 0;
 }
 
-/* A quotient alone, whose columns have errors up to a half of their bounds: with
- * the least bounds that a loop can give, 2 COLUMN_BOUND of what it divides. */
+/* Tests quotient() alone, for columns with errors of up to half their bounds. The
+ * bounds are the least that a loop can give. */
 static int quotients(int tries)
 {
 	int sure_of = 0;
@@ -231,9 +232,9 @@ static int quotients(int tries)
 	return sure_of == 0 && P > 13 ? failed("never sure") : 0;
 }
 
-/* Every x m + b + t of numbers of P digits, x and m from 1 to 2, where t is 0 or a bit
- * far below, as what is midway is decided by it; and blocks that are cut elsewhere, as
- * they have a point 2^far times as large. */
+/* Tests all x m + b + t, where x and m have P digits and are from 1 to 2. t is 0 or a
+ * bit far below, which decides what would be a tie. With a point of size 2^far in the
+ * block, points are cut at another bit. */
 enum { HEADS = 1 << (P == 6 ? P - 1 : 0) };
 
 static int ties_of(double m, double b, double t, int far, int count[2])
@@ -242,7 +243,7 @@ static int ties_of(double m, double b, double t, int far, int count[2])
 	const toy *const from[3] = { x[0], x[1], x[1] };
 	toy *const to[4] = { q[0], q[1], q[1], q[1] };
 
-	for (int i = 0; i < HEADS + 2; i++) { /* of even length */
+	for (int i = 0; i < HEADS + 2; i++) { /* an even number of points */
 		x[0][i] = i < HEADS ? 1 + i * LAST : std::ldexp(1, far);
 		x[1][i] = 1;
 	}

@@ -7,7 +7,7 @@
 #include "../test/sample.h"
 #include "../test/truth.h"
 
-/* A camera at hand in gl's conventions, on a screen of 640 x 480. */
+/* A camera near the origin in the convention gl, with a viewport of 640 x 480. */
 static const struct scene ordinary = {
 	.convention = { true, true, true, false, true, false },
 	.has_camera = true,
@@ -28,7 +28,7 @@ static const struct scene ordinary = {
 	.viewport = { .width = 640, .height = 480, .max_z = 1 },
 };
 
-/* Eye and what it looks at move away together. */
+/* Moves the eye and the point at which it looks far from the origin. */
 static void far_from_origin(struct scene *s, double distance)
 {
 	static const double direction[3] = { 0.6, -0.5, 0.625 };
@@ -41,7 +41,7 @@ static void far_from_origin(struct scene *s, double distance)
 	}
 }
 
-/* The model's place in the world, and the camera with it. */
+/* Moves the model far from the origin of the world, and the camera with it. */
 static void far_in_the_world(struct scene *s, double distance)
 {
 	s->has_world = true;
@@ -58,7 +58,8 @@ static void look_ahead(struct scene *s)
 	memcpy(s->camera.at, (double[]){ 0, 0, -1 }, sizeof s->camera.at);
 }
 
-/* A part of a wall of screens, off the axis. */
+/* The picture is a small rectangle off the axis, as of one screen in a wall of screens.
+ */
 static void tile(struct scene *s, double size)
 {
 	struct projection *p = &s->projection;
@@ -71,7 +72,7 @@ static void tile(struct scene *s, double size)
 	p->top = p->bottom + 0.75 * size;
 }
 
-/* The world's x is x + shear y, and what is in sight is where they cancel. */
+/* World x is x + shear y. The points in sight are those where x and shear y cancel. */
 static void cancelling(struct scene *s, double shear)
 {
 	look_ahead(s);
@@ -81,7 +82,7 @@ static void cancelling(struct scene *s, double shear)
 	s->world[1][0] = shear;
 }
 
-/* A device whose size is no more than 1e-150, before a volume of such a size. */
+/* The device has the size 1e-150, and shows a view volume of half width size. */
 static void underflowing(struct scene *s, double size)
 {
 	s->has_camera = false;
@@ -98,7 +99,7 @@ static void underflowing(struct scene *s, double size)
 		.max_z = 1 };
 }
 
-/* Near is at ndc depth 1, and at -1 what is without end. */
+/* The near plane has ndc depth 1, and points at infinity have -1. */
 static void reversed_matrix(struct scene *s, double near)
 {
 	const double m[4][4] = { { 1.6 }, { 0, 2.1 }, { 0, 0, 1, -1 },
@@ -110,8 +111,9 @@ static void reversed_matrix(struct scene *s, double near)
 	s->viewport.max_z = 0x1p24 - 1;
 }
 
-/* Up is the gaze but for its smallest coordinate, the finest to set. The gaze has no
- * rounding error: where the angle is 0, up is exactly parallel to it. */
+/* Up differs from the gaze in the smallest coordinate only, as that has the smallest
+ * steps. The gaze has no rounding error, so that up is exactly parallel to it if the
+ * angle is 0. */
 static void up_near_gaze(struct scene *s, double angle)
 {
 	double gaze[3];
@@ -136,8 +138,8 @@ static void eye_near_at(struct scene *s, double distance)
 	}
 }
 
-/* Near lies at z 0 of the world, so that points have room between near and
- * far; depth is in steps of a buffer of 24 bits. */
+/* The near plane is at world z = 0, so that doubles are dense between near and far.
+ * Device z is in steps of a depth buffer of 24 bits. */
 static void depth_range(struct scene *s, double extent)
 {
 	memcpy(s->camera.eye, (double[]){ 0, 0, 0.7 }, sizeof s->camera.eye);
@@ -147,8 +149,8 @@ static void depth_range(struct scene *s, double extent)
 	s->viewport.max_z = 0x1p24 - 1;
 }
 
-/* Points at unit distance, of which near is a part. In the device's units of depth
- * they are that far away, wherever near is. */
+/* Points are at distance 1, and near is a fraction of 1. Device z is scaled so that, at
+ * distance 1, it grows by 1 per unit of distance, wherever near is. */
 static void normal_depth(struct scene *s, double distance_over_near)
 {
 	s->convention.depth_minus_one = false;
@@ -188,7 +190,7 @@ static void nearly_parallel(struct scene *s, double inverse_eye_z)
 	};
 }
 
-/* The depth of the points, too. */
+/* Sets near, which is also the depth of the points. */
 static void eye_plane(struct scene *s, double depth)
 {
 	s->projection.near = depth;
@@ -206,7 +208,7 @@ static void whole_scene(struct scene *s, double size)
 	p->far = 8 * p->near;
 }
 
-/* About a place that is not the centre. */
+/* A window that zooms about a point other than its centre. */
 static void zoomed(struct scene *s, double extent)
 {
 	s->has_camera = s->has_viewport = false;
@@ -240,7 +242,7 @@ static void turned_and_squared(struct scene *s, double turns)
 	s->camera.orthonormalize = true;
 }
 
-/* On the screen, at such a z of view space. */
+/* Places a point on the screen that has this z in view space. */
 static void on_screen(const struct map *clip, double z, double p[3])
 {
 	double w = z * element(clip, 2, 3) + element(clip, 3, 3);
@@ -259,7 +261,8 @@ static void in_frustum(const struct projection *v, const struct map *clip,
 	on_screen(clip, -(f > 4 * n ? n * pow(f / n, t) : n + (f - n) * t), p);
 }
 
-/* A flat window is all at z 0. */
+/* Places a point between the planes of a volume. A 2D window has no planes, so z is 0.
+ */
 static void in_volume(const struct projection *v, const struct map *clip,
     double p[3])
 {
@@ -272,7 +275,7 @@ static void in_last_decade(const struct projection *v, const struct map *clip,
 	on_screen(clip, -v->far * sample_between(0.1, 1), p);
 }
 
-/* Of an edges' section, whose centre is off the axis. */
+/* Places a point in a picture that is given by edges, and is off the axis. */
 static void on_tile(const struct projection *v, const struct map *clip,
     double p[3])
 {
@@ -284,7 +287,7 @@ static void on_tile(const struct projection *v, const struct map *clip,
 	p[2] = z;
 }
 
-/* From 1e-15 to 1. */
+/* Places a point whose x and y range from 1e-15 to 1 in magnitude. */
 static void tiny(const struct projection *v, const struct map *clip,
     double p[3])
 {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What makes a projection hard, from harmless to extreme. */
+/* Regimes: scenes with one number that makes them hard to compute, from harmless to
+ * extreme values. */
 #ifndef REGIMES_H
 #define REGIMES_H
 
 #include "textbook.h"
 
-/* Powers of ten, from harmless to extreme, and one beyond, or 0 for none. The power
- * of -400 is 0, and such a scene is one to refuse. */
+/* The powers of ten that a regime tries: from first to last by step, and then beyond,
+ * unless that is 0. 10^-400 is 0, which makes a scene that is refused. */
 struct sweep {
 	int first, last, step, beyond;
 };
@@ -14,15 +15,15 @@ struct sweep {
 struct regime {
 	const char *name;
 	const char *title;
-	const char *swept; /* what the severity is */
+	const char *swept; /* the number of the scene that varies */
 	struct sweep sweep;
 	void (*scene)(struct scene *, double severity);
-	/* Places a point in view space, or a window's in its ndc. */
+	/* Places a point in view space, or in the ndc of a 2D window. */
 	void (*place)(const struct projection *, const struct map *clip,
 	    double p[3]);
 	bool back; /* from the device to the world */
-	/* What the regime is there to show: in these ways, 1 << way, an image
-	 * is somewhere lost or wrong by more than so many units. */
+	/* The regime shows that the ways with the bit 1 << way lose some image, or have
+	 * an error of more than so many units. */
 	unsigned broken;
 	double units;
 };
@@ -35,7 +36,7 @@ enum { ROWS = 40 };
 
 void regime_scene(const struct regime *, double severity, struct scene *);
 
-/* The severities of a regime; returns their number. */
+/* Sets severity to the values of a regime, and returns how many there are. */
 int regime_sweep(const struct regime *, double severity[ROWS]);
 
 #endif

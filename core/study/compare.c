@@ -10,7 +10,7 @@
 
 enum { MANY = 256 };
 
-/* A regime at one severity. */
+/* The scene of a regime at one severity, and its maps. */
 struct task {
 	const struct regime *regime;
 	struct scene scene;
@@ -44,7 +44,8 @@ static void fill(struct block *b, double (*in)[3])
 			b->in[j][i] = in[i][j];
 }
 
-/* As the program does. What it gives an image is in front of the eye. */
+/* Computes images as the program does. Points with an image are in front of the eye, so
+ * w becomes 1. */
 static void carry_in(enum precision precision, const struct transform *t,
     double (*in)[3], double (*out)[4])
 {
@@ -52,7 +53,7 @@ static void carry_in(enum precision precision, const struct transform *t,
 
 	fill(&b, in);
 	memset(b.out, 0, sizeof b.out);
-	carry(t, precision, &b, MANY);
+	map_block(t, precision, &b, MANY);
 	for (int i = 0; i < MANY; i++) {
 		for (int j = 0; j < 3; j++)
 			out[i][j] = b.out[j][i];
@@ -60,7 +61,8 @@ static void carry_in(enum precision precision, const struct transform *t,
 	}
 }
 
-/* The share of the points that the fast phase leaves undecided. */
+/* Returns the share of the points that a loop of core/points/kernel cannot round with
+ * certainty. */
 static double left_over(const struct transform *t, double (*in)[3])
 {
 	static struct block b;
@@ -75,7 +77,7 @@ static double left_over(const struct transform *t, double (*in)[3])
 	return n / (double)MANY;
 }
 
-/* As points come: they have been printed, by something that keeps all digits. */
+/* Returns the double that is read after a was printed in 17 digits, as points are. */
 static double printed(double a)
 {
 	char text[32];
@@ -84,7 +86,8 @@ static double printed(double a)
 	return strtod(text, NULL);
 }
 
-/* Where points are read, which is not where the regime places them. */
+/* Sets in to the points as the program reads them, which the regime places in another
+ * space. */
 static const char *place(const struct task *t, double (*in)[3])
 {
 	const struct scene *s = &t->scene;
@@ -124,8 +127,8 @@ static void true_image_of(const struct task *t, const double p[3],
 	image_of(&t->truth, &t->exact, (double[4]){ p[0], p[1], p[2] },
 	    &r->image);
 	r->n = t->n;
-	for (int j = 0; j < r->n && r->image.seen; j++)
-		r->at[j] = over(r->image.n[j].value, r->image.d.value);
+	for (int j = 0; j < r->n && r->image.exists; j++)
+		r->at[j] = divide(r->image.n[j].value, r->image.d.value);
 }
 
 static void widen(double *most, double a)
@@ -138,12 +141,12 @@ static void tally(const struct true_image *truth, const double got[4],
     struct cell *c)
 {
 	bool finite = isfinite(got[0]) && isfinite(got[1]) && isfinite(got[2]);
-	bool seen = truth->image.seen;
+	bool seen = truth->image.exists;
 
 	c->nan |= seen && !finite;
 	c->sign |= finite && seen != (got[3] > 0);
 	for (int j = 0; j < truth->n && seen && finite; j++) {
-		real off = magnitude(sub(number(got[j]), truth->at[j]));
+		real off = magnitude(sub(real_of(got[j]), truth->at[j]));
 
 		widen(&c->units, mpfr_get_d(off, MPFR_RNDU));
 		if (truth_sign(truth->image.n[j], NULL) != 0)
@@ -151,19 +154,20 @@ static void tally(const struct true_image *truth, const double got[4],
 	}
 }
 
-/* Has every point changed sides, from left to right or from top to bottom? */
+/* Clears mirrored[j] if this point is on the right side of the centre along axis j. An
+ * image is mirrored if that stays set for all points. */
 static void watch_sides(const struct true_image *truth, const double got[4],
     const struct viewport *v, bool mirrored[2])
 {
 	const double center[2] = { v->x + v->width / 2, v->y + v->height / 2 };
 
-	for (int j = 0; j < 2 && truth->image.seen; j++)
+	for (int j = 0; j < 2 && truth->image.exists; j++)
 		mirrored[j] &= (got[j] > center[j]) !=
 		    (mpfr_cmp_d(truth->at[j], center[j]) > 0);
 }
 
-/* The promise of exact: in the loop for many points and by the accurate phase
- * for one, every number is the nearest double. */
+/* Counts where exact is not the nearest double, in the loop for many points and in
+ * point_exact for one. */
 static void check_exact(const struct task *t, const struct true_image *truth,
     const double in[3], const double got[4], struct row *r)
 {
@@ -174,7 +178,7 @@ static void check_exact(const struct task *t, const struct true_image *truth,
 	point_exact(&t->exact, p, q);
 	judge_image(&truth->image, t->n, q, false, &verdicts);
 	r->wrong += (int)verdicts.n[WRONG];
-	r->ruled += (int)verdicts.n[RULED];
+	r->ruled += (int)verdicts.n[WITHIN_TOLERANCE];
 }
 
 static void compute(const struct task *t, double (*in)[3],

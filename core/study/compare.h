@@ -1,28 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* How wrong the ways to compute a regime are. */
+/* Measures the errors of the ways to compute the images of a regime. */
 #ifndef WAYS_H
 #define WAYS_H
 
 #include "cases.h"
 
-/* The worst over the points of a cell. sign: a point that ought to be seen
- * is taken to be behind the eye, or the other way round, or the image is
- * mirrored. */
+/* The worst errors of a way over the points of a scene. sign: a point in front
+ * of the eye is taken to be behind it, or vice versa, or the image is mirrored.
+ */
 struct cell {
-	double units; /* of the device, or of the world where it leads back */
+	double units; /* of the device, or of the world if regime.back */
 	double ulps;  /* units in the last place of a double */
 	bool nan, sign;
 };
 
 struct row {
 	struct cell cell[WAYS];
-	bool refused; /* no image is right, and the program says so */
-	/* How often exact is not the nearest double, nan or a number where the
-	 * truth is the other. */
+	bool refused; /* the program refuses the scene, rightly */
+	/* How many numbers of exact are not the nearest double, or nan in place
+	 * of a number, or a number in place of nan. */
 	int wrong;
-	/* How often it is that only within the rule. */
+	/* How many numbers of exact are only nearest to a number within
+	 * TRUTH_RULE of the truth. */
 	int ruled;
-	/* The share of the points that its fast phase leaves undecided. */
+	/* The share of the points that a loop of core/points/kernel cannot
+	 * round with certainty. */
 	double accurate;
 };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the classical ways to compute an image break, and exact does not.
+/* Shows where classical ways to compute images fail, and where exact does not.
  *
  *	stability        tests it, a line a regime
  *	stability table  for reading
@@ -24,7 +24,7 @@ static double larger(double a, double b)
 	return a > b ? a : b;
 }
 
-/* The worst of each way so far. */
+/* Keeps in worst the greatest error of each way. */
 static void worsen(struct row *worst, const struct row *r)
 {
 	for (int way = 0; way < WAYS; way++) {
@@ -41,7 +41,7 @@ static void worsen(struct row *worst, const struct row *r)
 	worst->ruled += r->ruled;
 }
 
-/* Runs a regime and returns the worst; each row is shown as it comes. */
+/* Runs a regime, shows each row and returns the worst errors of all rows. */
 static struct row sweep(const struct regime *r,
     void (*show)(double severity, const struct row *))
 {
@@ -164,7 +164,7 @@ static bool is_broken(const struct regime *r, const struct row *worst)
 	return true;
 }
 
-/* In TAP. */
+/* Tests each regime, and prints the results as TAP. */
 static int test(void)
 {
 	int failed = 0;

@@ -4,7 +4,8 @@
 if (!exists("terminal")) terminal = "svg size 900,1420"
 eval "set terminal ".terminal." font 'sans-serif,12' background 'white'"
 
-# x is the power of ten, from left to right; what lies beyond is at the edge.
+# x is the power of ten of the severity; the value beyond the last is drawn at
+# the edge.
 Panels = 16
 array Name[Panels] = ["distance", "up", "wide", "narrow", "zoom", "volume", \
     "turns", "squared", "at", "size", "unproject", "back", "normal depth", \
@@ -46,7 +47,8 @@ set style line 5 lc rgb "#7b3294" lw 1.5 dt "-" pt 1 ps 0.6 pi 2
 set style line 6 lc rgb "#aaaaaa" lw 2 dt 1 pt -1
 set style line 7 lc rgb "#666666" lw 2 dt 1 pt -1
 set style line 8 lc rgb "#000000" lw 3 dt 1 pt -1
-# On the way from the world to the device nothing is inverted.
+# The way LU is drawn only for maps from the device, as the others invert
+# nothing.
 shown(i, w) = w != 5 || Name[i] eq "unproject" || Name[i] eq "back"
 
 set logscale y
@@ -58,7 +60,7 @@ set xlabel font ",12" offset 0, 0.5
 set ylabel font ",12" offset 1.5
 set title font ",13" offset 0, -0.6
 
-# What is lost stands at the top.
+# A lost image is drawn at the top.
 at(e) = e < 0 || e > top ? top : e < floor ? floor : e
 between(x, a, b) = x < a ? a : x > b ? b : x
 beside(x) = x > 0 ? between(log10(x), least, most) : least

@@ -6,7 +6,7 @@
 
 #include "../test/truth.h"
 
-/* Replaces the upper 3x3 by its nearest rotation, as a camera that is told to
+/* Replaces the upper 3x3 part by its nearest rotation, as the member
  * orthonormalize does. */
 static void nearest_rotation(double m[4][4])
 {

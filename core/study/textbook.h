@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The classical methods, for comparison in tests: matrices as GLM, cglm and
- * textbooks write them, for gl's conventions. */
+/* Classical methods, to compare with in tests: matrices as GLM, cglm and
+ * textbooks make them, in the convention gl. */
 #ifndef NAIVE_H
 #define NAIVE_H
 
@@ -10,21 +10,21 @@
 enum way {
 	SINGLE,   /* the matrices multiplied together, in float */
 	COMPOSED, /* the same in double */
-	STAGED,   /* double, a matrix after the other */
-	RELATIVE, /* double, the eye or the window's centre taken off first */
-	LU,       /* COMPOSED; the way back by LU, not by the adjugate */
+	STAGED,   /* double, one matrix after the other */
+	RELATIVE, /* double, the eye or window centre subtracted first */
+	LU,       /* COMPOSED, but inverted by LU, not by the adjugate */
 	OUR_SINGLE,
 	OUR_DOUBLE,
 	EXACT,
 	WAYS
 };
 
-/* A camera that rolls has been turned by so much at a time, by a small
- * rotation each: a drift that is under test. */
+/* The classical methods turn a camera with a roll in steps of this many
+ * degrees, whose errors add up. */
 #define TURN (23.0 / 64)
 
-/* World to device, or back; with a window, from there to a device of the
- * viewport's size. Images are x y z and the w that they were divided by. */
+/* Maps points from the world, or a 2D window, to the device, or back. An image
+ * is x, y and z, and the w by which they were divided. */
 void naive_carry(const struct scene *, enum way, bool back, double (*in)[3],
     double (*out)[4], size_t n);
 

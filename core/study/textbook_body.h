@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One precision of the classical methods: textbook.c includes this for float and
- * for double. Matrices are those of row vectors, which in memory are GLM's and
- * cglm's. */
+/* Classical methods in one precision: textbook.c includes this file for float and for
+ * double. Matrices are for row vectors, whose order in memory is that of GLM and cglm.
+ */
 typedef struct {
 	REAL m[4][4];
 } NAME(matrix);
@@ -25,7 +25,7 @@ static MATRIX NAME(times)(MATRIX a, MATRIX b)
 	return r;
 }
 
-/* The adjugate over the determinant. */
+/* Returns the inverse as the adjugate over the determinant. */
 static MATRIX NAME(inverse)(MATRIX a)
 {
 	MATRIX r;
@@ -50,7 +50,8 @@ static MATRIX NAME(inverse)(MATRIX a)
 	return r;
 }
 
-/* By Gaussian elimination with partial pivoting, as numpy and Eigen do it. */
+/* Returns the inverse by Gaussian elimination with partial pivoting, as in numpy and
+ * Eigen. */
 static MATRIX NAME(inverse_lu)(MATRIX a)
 {
 	MATRIX r = NAME(unit)();
@@ -115,7 +116,7 @@ static REAL NAME(radians)(double degrees)
 	return (REAL)degrees * (REAL)0.017453292519943295769;
 }
 
-/* glm::lookAtRH */
+/* Returns the matrix of glm::lookAtRH. */
 static MATRIX NAME(look)(const struct camera *c)
 {
 	MATRIX r = NAME(unit)();
@@ -141,7 +142,7 @@ static MATRIX NAME(look)(const struct camera *c)
 	return r;
 }
 
-/* Turned step by step. */
+/* Returns a view matrix that is turned by the roll in steps of TURN. */
 static MATRIX NAME(turned)(MATRIX view, const struct camera *c)
 {
 	MATRIX turn = NAME(unit)();
@@ -163,8 +164,9 @@ static MATRIX NAME(turned)(MATRIX view, const struct camera *c)
 	return view;
 }
 
-/* Depth as glm::perspectiveRH_NO and glm::infinitePerspectiveRH_NO have it, or
- * glm::infinitePerspectiveRH_ZO, also reversed. */
+/* Sets the elements of depth as in glm::perspectiveRH_NO and
+ * glm::infinitePerspectiveRH_NO or, reversed too, as in glm::infinitePerspectiveRH_ZO.
+ */
 static void NAME(put_depth)(const struct scene *s, MATRIX *r)
 {
 	const struct projection *p = &s->projection;
@@ -194,7 +196,7 @@ static MATRIX NAME(perspective)(const struct scene *s)
 	return r;
 }
 
-/* glm::frustumRH_NO */
+/* Returns the matrix of glm::frustumRH_NO. */
 static MATRIX NAME(frustum)(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -220,14 +222,14 @@ static MATRIX NAME(given)(const double m[4][4])
 	return r;
 }
 
-/* Hilton's threshold. */
+/* Returns whether a volume counts as parallel, by the threshold of Hilton. */
 static bool NAME(is_parallel)(const struct projection *p)
 {
 	return fabs(p->inverse_eye_z) < 1e-6;
 }
 
-/* The seven numbers, without skew, as one of two matrices: parallel, or a
- * perspective whose origin is the eye. */
+/* Returns the matrix of a volume without skew: a parallel one, or a perspective whose
+ * origin is the eye. */
 static MATRIX NAME(volume)(const struct projection *p)
 {
 	MATRIX r = { 0 };
@@ -261,7 +263,7 @@ static MATRIX NAME(project)(const struct scene *s)
 					   NAME(perspective)(s);
 }
 
-/* Also tells the point that becomes the origin. */
+/* Returns the view matrix, and sets origin to the point that becomes the origin. */
 static MATRIX NAME(view)(const struct scene *s, REAL origin[3])
 {
 	const struct projection *p = &s->projection;
@@ -279,7 +281,7 @@ static MATRIX NAME(view)(const struct scene *s, REAL origin[3])
 	return r;
 }
 
-/* T(-cx, -cy) S(2/W, 2/H) of the zoomed window. */
+/* Returns T(-cx, -cy) S(2/W, 2/H) of the zoomed window, whose centre is cx, cy. */
 static MATRIX NAME(window)(const struct window *w, REAL center[3])
 {
 	MATRIX r = NAME(unit)();
@@ -312,8 +314,8 @@ static MATRIX NAME(viewport)(const struct scene *s)
 	return r;
 }
 
-/* Stages, before one of which something may be taken off a point, or put on after
- * the last. */
+/* The matrices that a point passes. The offset before is subtracted from a point before
+ * the stage taken, and after is added after the last stage. */
 typedef struct {
 	int n, taken;
 	MATRIX stage[4];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The arithmetic of tests with ex, by ex_dot and ex_divide. */
+/* Sums, products and quotients of ex, which is the type of core/exact/exact.h, for
+ * tests. */
 #ifndef ARITHMETIC_H
 #define ARITHMETIC_H
 
@@ -43,7 +44,7 @@ static inline ex ex_quotient(ex a, ex b)
 	return r;
 }
 
-/* Returns a 2^e. */
+/* Returns a times 2^e. */
 static inline ex ex_shift(ex a, int e)
 {
 	return ex_mul(a, ex_power(e));

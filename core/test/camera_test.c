@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The view matrix and its inverse against MPFR, exact zeros, and refusals. */
 #include "claims.h"
-#include "numbers.h"
 
 static const struct convention d3d;
 
@@ -31,7 +30,7 @@ static bool compare(const struct camera *c, const struct convention *convention,
 	return true;
 }
 
-static void cameras(const char *what, int e, int tries)
+static void check_cameras(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 	int refusals = 0;
@@ -45,21 +44,21 @@ static void cameras(const char *what, int e, int tries)
 		sample_camera(&c, e);
 		refusals += !compare(&c, &convention, &w);
 	}
-	claim_maps(what, &w);
-	/* up at 1e-15 of the gaze is often too near */
+	assert_maps(what, &w);
+	/* up is often refused: it is within 1e-15 to 1e-12 of the gaze */
 	assert_true(refusals < tries / 2);
 }
 
-static void random_ones(void **state)
+static void random_cameras(void **state)
 {
 	(void)state;
-	cameras("ordinary", 0, 400);
-	cameras("hostile, to 1e2", 2, 300);
-	cameras("hostile, to 1e20", 20, 150);
-	cameras("hostile, to 1e150", 150, 150);
+	check_cameras("ordinary", 0, 400);
+	check_cameras("hostile, to 1e2", 2, 300);
+	check_cameras("hostile, to 1e20", 20, 150);
+	check_cameras("hostile, to 1e150", 150, 150);
 }
 
-static void orthonormalized(const char *what, int e, int tries)
+static void check_orthonormalized(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 
@@ -69,15 +68,15 @@ static void orthonormalized(const char *what, int e, int tries)
 		sample_orthonormalize(&c, e);
 		compare(&c, &d3d, &w);
 	}
-	claim_bound(what, &w, 0x1p-245 / TRUTH_RULE);
+	assert_errors(what, &w, 0x1p-245 / TRUTH_TOLERANCE);
 }
 
 static void rotation_is_nearest(void **state)
 {
 	(void)state;
 	sample_seed(2);
-	orthonormalized("drifted", 0, 60);
-	orthonormalized("hardly a rotation", 20, 60);
+	check_orthonormalized("drifted", 0, 60);
+	check_orthonormalized("hardly a rotation", 20, 60);
 }
 
 static void set_diagonal(struct camera *c, double a, double b, double d)
@@ -91,9 +90,9 @@ static void set_diagonal(struct camera *c, double a, double b, double d)
 	c->matrix[3][3] = 1;
 }
 
-/* The nearest rotation is exact, in zeros and ones, for every matrix that is
- * near it. */
-static void nearest_exactly(void **state)
+/* The nearest rotation of a stretched permutation of the axes has exact zeros and
+ * ones. */
+static void nearest_rotation_of_permutations(void **state)
 {
 	static const double stretched[][3] = { { 1, 1, 1 }, { 3, 2, 1 },
 		{ 1e150, 1e150, 1e150 }, { 1e-150, 1e-150, 1e-150 },
@@ -119,7 +118,8 @@ static void nearest_exactly(void **state)
 		}
 }
 
-/* An integer polynomial that is 0 makes an element that is 0. */
+/* Asserts that an element is 0 where its numerator, a polynomial in whole numbers, is
+ * 0. */
 static void check_zeros(const int eye[3], const int gaze[3], const int up[3],
     const struct map *m)
 {
@@ -148,7 +148,7 @@ static void check_zeros(const int eye[3], const int gaze[3], const int up[3],
 	}
 }
 
-static void whole_number(int eye_number, const int up[3], int *zeros)
+static void check_whole_numbers(int eye_number, const int up[3], int *zeros)
 {
 	struct camera c = { .kind = CAMERA_AT };
 	int eye[3], gaze[3];
@@ -168,7 +168,7 @@ static void whole_number(int eye_number, const int up[3], int *zeros)
 		*zeros += element(&m, 3, i) == 0;
 }
 
-static void no_ghosts(void **state)
+static void zeros_of_whole_numbers(void **state)
 {
 	static const int ups[][3] = { { 0, 1, 0 }, { 0, 0, 1 }, { 1, 2, 3 },
 		{ -1, 1, 0 } };
@@ -177,13 +177,13 @@ static void no_ghosts(void **state)
 	(void)state;
 	sample_seed(3);
 	for (int i = 0; i < 7 * 7 * 7 * 12; i++)
-		whole_number(i % 343, ups[i % 4], &zeros);
+		check_whole_numbers(i % 343, ups[i % 4], &zeros);
 	assert_true(zeros > 500);
 }
 
-/* Rolled by 30 degrees and more, irrational products cancel before isometric
- * axes. */
-static void no_rolled_ghosts(void **state)
+/* Isometric axes, rolled by multiples of 15 degrees: elements are sums of irrational
+ * products, and are 0 where these cancel. */
+static void zeros_of_rolled_cameras(void **state)
 {
 	struct camera c = { .up = { 0, 1, 0 } };
 	struct worst w = { 0 };
@@ -197,11 +197,11 @@ static void no_rolled_ghosts(void **state)
 		c.roll = 15 * (i / 8);
 		assert_true(compare(&c, &d3d, &w));
 	}
-	claim_maps("isometric and rolled", &w);
+	assert_maps("isometric and rolled", &w);
 }
 
-/* Matrices of whole numbers whose nearest rotation is irrational but for one 0. */
-static void no_nearest_ghosts(void **state)
+/* The nearest rotations of these matrices are irrational but for one 0. */
+static void zeros_of_nearest_rotations(void **state)
 {
 	static const double drifted[][3][3] = {
 		{ { -2, 2, -1 }, { 3, 0, 2 }, { -1, -2, -2 } },
@@ -221,11 +221,12 @@ static void no_nearest_ghosts(void **state)
 			    sizeof drifted[i][k]);
 		assert_true(compare(&c, &d3d, &w));
 	}
-	claim_bound("a rotation with one 0", &w, 0x1p-245 / TRUTH_RULE);
+	assert_errors("a rotation with one 0", &w, 0x1p-245 / TRUTH_TOLERANCE);
 }
 
-/* From eye (1,2,3) to the origin, x . eye and y . eye are 0. */
-static void recorded(void **state)
+/* Compares elements with digits of bc. As the camera looks from (1, 2, 3) to the
+ * origin, x . eye and y . eye are 0. */
+static void elements_by_bc(void **state)
 {
 	const struct camera c = { .eye = { 1, 2, 3 }, .up = { 0, 1, 0 } };
 	struct map m;
@@ -234,28 +235,28 @@ static void recorded(void **state)
 	assert_null(camera_map(&c, &d3d, false, &m));
 	assert_number(element(&m, 3, 0), 0);
 	assert_number(element(&m, 3, 1), 0);
-	/* sqrt(14), -3/sqrt(10), 5/sqrt(35), -1/sqrt(14) by bc */
+	/* sqrt(14), -3/sqrt(10), 5/sqrt(35) and -1/sqrt(14) */
 	assert_number(element(&m, 3, 2), 3.7416573867739413855837487323165);
 	assert_number(element(&m, 0, 0), -0.94868329805051379959966806332981);
 	assert_number(element(&m, 1, 1), 0.84515425472851657750961832736594);
 	assert_number(element(&m, 0, 2), -0.26726124191242438468455348087975);
 }
 
-/* Returns 2^100 sin^2 of the angle between up and the gaze. */
-static double nearness(const struct camera *c)
+/* Returns 2^100 times the squared sine of the angle between up and the gaze. */
+static double scaled_sine_squared(const struct camera *c)
 {
 	real g[3], u[3], x[3];
 
-	set(g, 3, c->at);
-	set(u, 3, c->up);
+	set_reals(g, 3, c->at);
+	set_reals(u, 3, c->up);
 	cross(u, g, x);
-	return mpfr_get_d(mul(number(0x1p100),
-			      over(dot(x, x, 3),
+	return mpfr_get_d(mul(real_of(0x1p100),
+			      divide(dot(x, x, 3),
 				  mul(dot(u, u, 3), dot(g, g, 3)))),
 	    MPFR_RNDN);
 }
 
-static void parallel(void **state)
+static void up_parallel_to_the_gaze(void **state)
 {
 	int refusals = 0;
 
@@ -271,11 +272,11 @@ static void parallel(void **state)
 			c.up[k] = -2 * c.at[k];
 		}
 		c.up[0] *= 1 + ldexp(sample_below(16), -52);
-		double near = nearness(&c);
+		double near = scaled_sine_squared(&c);
 		const char *why = camera_map(&c, &d3d, false, &m);
 
 		if (near < 1)
-			claim_refused(why, "/camera/up");
+			assert_reason(why, "/camera/up");
 		else
 			assert_null(why);
 		refusals += near < 1;
@@ -284,7 +285,8 @@ static void parallel(void **state)
 	assert_in_range(refusals, 100, 400);
 }
 
-/* A camera by its pose is the same backwards. */
+/* The map of a camera with a pose is the inverse of the map of a camera with the same
+ * matrix as "matrix". */
 static void pose_is_the_inverse(void **state)
 {
 	(void)state;
@@ -321,8 +323,9 @@ static double determinant(const double m[4][4])
 	return sum;
 }
 
-/* The 24 rotations of a cube, stretched along its axes. Their quaternions have one, two
- * or four numbers of the same size, and the others are 0. */
+/* Cameras whose matrices are the 24 rotations of a cube, stretched along the axes.
+ * Their quaternions have one, two or four numbers of the same size, and the others are
+ * 0. */
 static void turns_of_a_cube(void **state)
 {
 	int turns = 0;
@@ -348,77 +351,80 @@ static void turns_of_a_cube(void **state)
 	assert_int_equal(turns, 24);
 }
 
-static void refused(struct camera c, bool inverse, const char *member)
+static void assert_camera_refused(struct camera c, bool inverse,
+    const char *member)
 {
 	struct map m;
 
-	claim_refused(camera_map(&c, &d3d, inverse, &m), member);
+	assert_reason(camera_map(&c, &d3d, inverse, &m), member);
 }
 
-static void all_refused(void **state)
+static void refused_cameras(void **state)
 {
 	struct camera c = { .eye = { 1, 2, 3 },
 		.at = { 1, 2, 3 },
 		.up = { 0, 1, 0 } };
 
 	(void)state;
-	refused(c, false, "/camera/at");
+	assert_camera_refused(c, false, "/camera/at");
 	memcpy(c.at, (double[]){ 1, 5, 3 }, sizeof c.at);
-	refused(c, true, "/camera/up");
+	assert_camera_refused(c, true, "/camera/up");
 	memset(c.up, 0, sizeof c.up);
-	refused(c, false, "/camera/up");
+	assert_camera_refused(c, false, "/camera/up");
 	c.kind = CAMERA_GAZE;
 	memset(c.at, 0, sizeof c.at);
-	refused(c, false, "/camera/gaze");
+	assert_camera_refused(c, false, "/camera/gaze");
 	c.kind = CAMERA_ORIENTATION;
-	refused(c, false, "/camera/orientation");
+	assert_camera_refused(c, false, "/camera/orientation");
 	c.kind = CAMERA_TRANSLATION;
-	refused(c, true, "/camera/orientation");
+	assert_camera_refused(c, true, "/camera/orientation");
 	c.kind = CAMERA_RVEC;
 	c.rvec[1] = nextafter(2 * PI, 7);
-	refused(c, false, "/camera/rvec: is longer than 2 pi");
+	assert_camera_refused(c, false, "/camera/rvec: is longer than 2 pi");
 	c.kind = CAMERA_RVEC_TRANSLATION;
-	refused(c, true, "/camera/rvec: is longer than 2 pi");
+	assert_camera_refused(c, true, "/camera/rvec: is longer than 2 pi");
 	set_diagonal(&c, 1, 1, -1);
-	refused(c, false, "/camera/matrix: its determinant is not positive");
+	assert_camera_refused(c, false,
+	    "/camera/matrix: its determinant is not positive");
 	c.kind = CAMERA_POSE;
-	refused(c, true, "/camera/pose: its determinant is not positive");
+	assert_camera_refused(c, true,
+	    "/camera/pose: its determinant is not positive");
 	set_diagonal(&c, 1, 1, 0);
-	refused(c, false, "/camera/matrix");
+	assert_camera_refused(c, false, "/camera/matrix");
 	c.kind = CAMERA_POSE;
-	refused(c, false, "/camera/pose");
+	assert_camera_refused(c, false, "/camera/pose");
 	c.orthonormalize = false;
-	refused(c, false, "/camera/pose: singular");
-	refused(c, true, "/camera/pose: singular");
+	assert_camera_refused(c, false, "/camera/pose: singular");
+	assert_camera_refused(c, true, "/camera/pose: singular");
 	c.matrix[0][3] = 1;
-	refused(c, true, "/camera/pose: " NOT_AFFINE);
+	assert_camera_refused(c, true, "/camera/pose: " NOT_AFFINE);
 	c.matrix[0][3] = 0;
 	c.kind = CAMERA_MATRIX;
 	c.orthonormalize = false;
-	refused(c, true, "/camera/matrix");
+	assert_camera_refused(c, true, "/camera/matrix");
 	c.matrix[2][2] = 1;
 	c.matrix[0][3] = 1e-9;
-	refused(c, false, "/camera/matrix: " NOT_AFFINE);
+	assert_camera_refused(c, false, "/camera/matrix: " NOT_AFFINE);
 	c.matrix[3][0] = 1e-9;
-	refused(c, false, "/camera/matrix: " NOT_AFFINE);
+	assert_camera_refused(c, false, "/camera/matrix: " NOT_AFFINE);
 	set_diagonal(&c, 1, 1e-140, 1e-150);
-	refused(c, false, "/camera/matrix");
+	assert_camera_refused(c, false, "/camera/matrix");
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(random_ones),
+		cmocka_unit_test(random_cameras),
 		cmocka_unit_test(rotation_is_nearest),
-		cmocka_unit_test(nearest_exactly),
+		cmocka_unit_test(nearest_rotation_of_permutations),
 		cmocka_unit_test(turns_of_a_cube),
-		cmocka_unit_test(no_ghosts),
-		cmocka_unit_test(no_rolled_ghosts),
-		cmocka_unit_test(no_nearest_ghosts),
-		cmocka_unit_test(recorded),
-		cmocka_unit_test(parallel),
+		cmocka_unit_test(zeros_of_whole_numbers),
+		cmocka_unit_test(zeros_of_rolled_cameras),
+		cmocka_unit_test(zeros_of_nearest_rotations),
+		cmocka_unit_test(elements_by_bc),
+		cmocka_unit_test(up_parallel_to_the_gaze),
 		cmocka_unit_test(pose_is_the_inverse),
-		cmocka_unit_test(all_refused),
+		cmocka_unit_test(refused_cameras),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,57 +1,57 @@
 /* SPDX-License-Identifier: MIT */
-/* This header includes what every test of core needs: cmocka, and claims of
- * bounds. */
-#ifndef CLAIM_H
-#define CLAIM_H
+/* Assertions about errors, maps and refusals. Includes cmocka for the tests of core. */
+#ifndef CLAIMS_H
+#define CLAIMS_H
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
+#include "numbers.h"
 #include "sample.h"
 #include "truth.h"
 
-static inline void claim(const char *what, double worst, double bound)
+static inline void assert_at_most(const char *what, double worst, double bound)
 {
-	print_message("%s: %.3g, claimed %.3g\n", what, worst, bound);
-	assert_true(worst <= bound);
+	print_message("%s: %.3g, at most %.3g\n", what, worst, bound);
+	if (!(worst <= bound))
+		fail_msg("%s: came %.17g, expected at most %.17g", what, worst,
+		    bound);
 }
 
-/* Claims of the maps that were compared: every element is the nearest double and
- * float, but for the few that TRUTH_RULE excuses, and within EX_ROUND_BOUND u^2; sums are
- * within their errors, and these below the rule's; zeros are where the truth has
- * zeros. */
-static inline void claim_bound(const char *what, const struct worst *w,
+/* Asserts what truth_compare found in many maps. Every element is the nearest double
+ * and the nearest float, but for at most 1 % that TRUTH_TOLERANCE excuses. The pair of
+ * doubles of an element is within EX_ROUND_BOUND 2^-106. Every sum is within its own
+ * bound of the error. The largest such bound, in units of TRUTH_TOLERANCE times the
+ * size of the element, is at most bound. An element is 0 where the truth is 0. */
+static inline void assert_errors(const char *what, const struct worst *w,
     double bound)
 {
 	const int *n = w->verdicts;
 
-	print_message("%s: %d numbers, %d within the rule\n", what,
-	    n[NEAREST] + n[RULED], n[RULED]);
-	assert_int_equal(n[WRONG], 0);
-	assert_true(n[NEAREST] > 0 && n[RULED] <= n[NEAREST] / 100);
-	claim("dd", w->error, EX_ROUND_BOUND);
-	assert_int_equal(w->beyond, 0);
-	claim("errors", w->bound, bound);
-	assert_int_equal(w->ghosts, 0);
+	print_message("%s: %d numbers, %d within the tolerance\n", what,
+	    n[NEAREST] + n[WITHIN_TOLERANCE], n[WITHIN_TOLERANCE]);
+	if (n[WRONG] > 0 || w->beyond_error > 0 || w->false_nonzeros > 0)
+		fail_msg("%s: expected nearest elements, came %d wrong, %d "
+			 "beyond their error, %d not 0 where the truth is 0",
+		    what, n[WRONG], w->beyond_error, w->false_nonzeros);
+	assert_true(n[NEAREST] > 0 && n[WITHIN_TOLERANCE] <= n[NEAREST] / 100);
+	assert_at_most("errors of pairs of doubles", w->pair_error,
+	    EX_ROUND_BOUND);
+	assert_at_most("bounds of errors", w->sum_bound, bound);
 }
 
-static inline void claim_maps(const char *what, const struct worst *w)
+static inline void assert_maps(const char *what, const struct worst *w)
 {
-	claim_bound(what, w, 0.5);
+	assert_errors(what, w, 0.5);
 }
 
-/* Claims that a reason begins with a member or more, up to a colon or semicolon. */
-static inline void claim_refused(const char *why, const char *begins)
+/* Asserts that the reason of a refusal begins with this JSON pointer, or with more of
+ * the reason. A colon, a semicolon or the end of the reason follows. */
+static inline void assert_reason(const char *why, const char *begins)
 {
-	assert_non_null(why);
-	assert_memory_equal(why, begins, strlen(begins));
-	assert_non_null(strchr(":;", why[strlen(begins)]));
+	size_t n = strlen(begins);
+
+	if (why == NULL)
+		fail_msg("expected a refusal of %s, came none", begins);
+	if (strncmp(why, begins, n) != 0 || strchr(":;", why[n]) == NULL)
+		fail_msg("expected a refusal of %s, came: %s", begins, why);
 }
 
 #endif

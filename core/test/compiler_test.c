@@ -1,56 +1,57 @@
 /* SPDX-License-Identifier: MIT */
-/* gcc 12 compiles this code wrongly without the flags of the Makefile. If one
- * of these tests fails, no output of this compiler is to be trusted. */
+/* gcc 12 compiles these functions wrongly without the flags of the Makefile. If a test
+ * fails, the output of a program of this compiler is not to be trusted. */
 #include "claims.h"
-#include "numbers.h"
 
-/* Hides a function from its callers, in gcc's words or in clang's. */
+/* Keeps gcc, or clang, from analysing and inlining a function. */
 #if __has_attribute(noipa)
 #define OPAQUE __attribute__((noipa))
 #else
 #define OPAQUE __attribute__((noinline))
 #endif
 
-struct cell {
+struct pair {
 	double hi, lo;
 };
 
-struct table {
-	struct cell m[5][4];
+struct pairs {
+	struct pair m[5][4];
 	double sum[5][4];
 };
 
-OPAQUE static double value(double a)
+OPAQUE static double same_value(double a)
 {
 	return a;
 }
 
-OPAQUE static struct cell cell(double a, double b)
+OPAQUE static struct pair pair(double a, double b)
 {
-	return (struct cell){ a, b };
+	return (struct pair){ a, b };
 }
 
-/* From -O1 on, gcc 12 leaves sum as it was: it counts the addresses of the loop from 0,
- * where the call makes both maps and columns known. */
-static __attribute__((noinline)) void combine(struct table *r, int j,
-    const struct table *m, int k)
+/* From -O1 on, gcc 12 does not store to sum without the flags: it counts the addresses
+ * in the loop from 0, as the calls make the arguments known. */
+static __attribute__((noinline)) void combine(struct pairs *r, int j,
+    const struct pairs *m, int k)
 {
 	for (int i = 0; i < 5; i++) {
-		double x = value(m->m[i][k].hi) + value(m->m[i][k].lo);
-		double w = value(m->m[i][3].hi) + value(m->m[i][3].lo);
+		double x = same_value(m->m[i][k].hi) +
+		    same_value(m->m[i][k].lo);
+		double w = same_value(m->m[i][3].hi) +
+		    same_value(m->m[i][3].lo);
 
-		r->m[i][j] = cell(x, w);
+		r->m[i][j] = pair(x, w);
 		r->sum[i][j] = m->sum[i][k] + m->sum[i][3];
 	}
 }
 
 static void loops_store(void **state)
 {
-	struct table m, r = { .sum = { { 0 } } };
+	struct pairs m, r = { .sum = { { 0 } } };
 
 	(void)state;
 	for (int i = 0; i < 20; i++) {
-		m.m[i / 4][i % 4] = (struct cell){ 1, 2 };
+		m.m[i / 4][i % 4] = (struct pair){ 1, 2 };
 		m.sum[i / 4][i % 4] = 5;
 	}
 	for (int k = 0; k < 4; k++)
@@ -61,7 +62,8 @@ static void loops_store(void **state)
 	}
 }
 
-/* At -O2, gcc 12 leaves them doubles: it makes a vector of them. */
+/* Without the flags, at -O2, gcc 12 does not round to float: it makes a vector of the
+ * two doubles. */
 OPAQUE static void round_two(double *restrict q, const double *p)
 {
 	q[0] = (double)(float)p[0];

@@ -1,13 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "../derive/frustum.h"
 #include "sample.h"
@@ -33,11 +25,11 @@ static real next_step_depth(double z, enum buffer b, bool up)
 	float f = (float)z;
 
 	if (b < BUFFER_FLOAT32)
-		return add(number(z),
-		    over(number(up ? 1 : -1), number(most[b])));
+		return add(real_of(z),
+		    divide(real_of(up ? 1 : -1), real_of(most[b])));
 	if (isinf(f) || (up ? (double)f <= z : (double)f >= z))
 		f = nextafterf(f, up ? HUGE_VALF : -HUGE_VALF);
-	return number((double)f);
+	return real_of((double)f);
 }
 
 /* Returns whether the depth at a distance from the plane is at or beyond the next step
@@ -49,23 +41,23 @@ static bool reaches_step(const struct projector *p, double distance,
 	real z = p->m[3][2], w = p->m[3][3];
 
 	for (int i = 0; i < 3; i++) {
-		real x = add(p->from[i], mul(p->along[i], number(distance)));
+		real x = add(p->from[i], mul(p->along[i], real_of(distance)));
 
 		z = add(z, mul(x, p->m[i][2]));
 		w = add(w, mul(x, p->m[i][3]));
 	}
-	real off = sub(over(z, w), next_step_depth(p->z, b, p->up));
+	real off = sub(divide(z, w), next_step_depth(p->z, b, p->up));
 	bool is = p->up ? mpfr_sgn(off) >= 0 : mpfr_sgn(off) <= 0;
 
 	real_release(mark);
 	return is;
 }
 
-/* The distance n / d from the origin of the normal to the point where ndc z is a; d > 0
- * if the point is visible. Let slope be the gradient of clip z along the normal, and w
- * the gradient of clip w in a perspective, where w is 0 at the origin, or the constant
- * w. In a perspective z + slope n / d = a w n / d, in a parallel projection z + slope n
- * / d = a w. */
+/* n / d is the distance from the origin of the normal to the point where ndc z is a. d
+ * is positive if the point is visible. Let z be clip z at the origin, and slope the
+ * gradient of clip z along the normal. In a perspective, where clip w is 0 at the
+ * origin, let w be the gradient of clip w: z + slope n / d = a w n / d. In a parallel
+ * projection, where w is constant, z + slope n / d = a w. */
 struct quotient {
 	real n, d;
 };
@@ -73,15 +65,15 @@ struct quotient {
 static struct quotient normal_distance(real z, real slope, real w,
     bool parallel, double a)
 {
-	struct quotient p = { z, sub(mul(number(a), w), slope) };
+	struct quotient p = { z, sub(mul(real_of(a), w), slope) };
 
 	if (parallel)
-		p = (struct quotient){ sub(mul(number(a), w), z), slope };
+		p = (struct quotient){ sub(mul(real_of(a), w), z), slope };
 	if (mpfr_sgn(parallel ? p.d : p.n) < 0)
-		p = (struct quotient){ sub(number(0), p.n),
-			sub(number(0), p.d) };
+		p = (struct quotient){ sub(real_of(0), p.n),
+			sub(real_of(0), p.d) };
 	if (is_zero(p.d, slope))
-		p.d = number(0);
+		p.d = real_of(0);
 	return p;
 }
 
@@ -102,7 +94,7 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 	for (int i = 0; i < 3; i++) {
 		gradient[i] = p->m[i][2];
 		normal[i] = p->m[i][parallel ? 2 : 3];
-		p->from[i] = over(eye[i], eye[3]);
+		p->from[i] = divide(eye[i], eye[3]);
 		z = add(z, mul(p->from[i], gradient[i]));
 	}
 	real w = p->m[3][3];
@@ -121,8 +113,9 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 	int inward = mpfr_sgn(sub(mul(to.n, at.d), mul(at.n, to.d)));
 
 	for (int i = 0; i < 3; i++) {
-		p->from[i] = add(p->from[i], mul(normal[i], over(at.n, at.d)));
-		p->along[i] = mul(normal[i], number(inward));
+		p->from[i] = add(p->from[i],
+		    mul(normal[i], divide(at.n, at.d)));
+		p->along[i] = mul(normal[i], real_of(inward));
 	}
 	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
 	p->z = deep ? s->viewport.max_z : s->viewport.min_z;
@@ -152,7 +145,7 @@ static double first_distance(const struct projector *p, enum buffer b,
 	return end;
 }
 
-static double step_of(const struct scene *s, enum buffer b, bool far)
+static double plane_step(const struct scene *s, enum buffer b, bool far)
 {
 	struct picture p;
 
@@ -222,10 +215,10 @@ static void infinite_far_has_steps(void **state)
 	(void)state;
 	/* depth 1 - 1/z is 1/65535 at z = 65535/65534 */
 	assert_null(picture_of(&s, &p));
-	assert_number(step_of(&s, BUFFER_UNORM16, false), 1.0 / 65534);
-	assert_number(step_of(&s, BUFFER_FLOAT32, false), 0x1p-149);
+	assert_number(plane_step(&s, BUFFER_UNORM16, false), 1.0 / 65534);
+	assert_number(plane_step(&s, BUFFER_FLOAT32, false), 0x1p-149);
 	for (enum buffer b = 0; b < BUFFERS; b++)
-		assert_true(isnan(step_of(&s, b, true)) != 0);
+		assert_true(isnan(plane_step(&s, b, true)) != 0);
 	/* steps from depth 1/2 at z = 2 to 1/2 - 1/65535 and 1/2 - 2^-25 */
 	assert_number(depth_step_at(&p.depth, BUFFER_UNORM16, 2), 4.0 / 65537);
 	assert_number(depth_step_at(&p.depth, BUFFER_FLOAT32, 2),
@@ -233,7 +226,7 @@ static void infinite_far_has_steps(void **state)
 	/* reversed depth 1/z is 1 - 2^-24 at z = 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
 	assert_null(picture_of(&s, &p));
-	assert_number(step_of(&s, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
+	assert_number(plane_step(&s, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
 	/* 1/3 is between two floats */
 	float up = (float)(1.0 / 3);
 
@@ -253,22 +246,22 @@ static void a_range_below_a_step_has_none(void **state)
 		enum buffer b = (enum buffer)(i / 2);
 
 		s.viewport.min_z = 1;
-		assert_true(isnan(step_of(&s, b, i % 2)) != 0);
+		assert_true(isnan(plane_step(&s, b, i % 2)) != 0);
 		s.viewport.min_z = 1 - 0x1p-24;
 		assert_true(
-		    isnan(step_of(&s, b, i % 2)) == (b != BUFFER_FLOAT32));
+		    isnan(plane_step(&s, b, i % 2)) == (b != BUFFER_FLOAT32));
 		s.viewport.min_z = 1 - 0x1p-23;
 		assert_true(
-		    isnan(step_of(&s, b, i % 2)) == (b == BUFFER_UNORM16));
+		    isnan(plane_step(&s, b, i % 2)) == (b == BUFFER_UNORM16));
 	}
 	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;
 	s.viewport.max_z = -1;
-	assert_true(step_of(&s, BUFFER_FLOAT32, false) > 0);
+	assert_true(plane_step(&s, BUFFER_FLOAT32, false) > 0);
 	s.viewport.min_z = 1e38;
 	s.viewport.max_z = nextafter(1e38, 2e38);
-	assert_true(isnan(step_of(&s, BUFFER_FLOAT32, false)) != 0);
-	assert_true(isnan(step_of(&s, BUFFER_FLOAT32, true)) != 0);
+	assert_true(isnan(plane_step(&s, BUFFER_FLOAT32, false)) != 0);
+	assert_true(isnan(plane_step(&s, BUFFER_FLOAT32, true)) != 0);
 }
 
 int main(void)

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The OUT_ bits for the edges of a 2D window agree with the signs that MPFR
- * computes. */
+/* The OUT_ bits of the edges of a 2D window, which frustum_outside returns, agree with
+ * the signs that MPFR computes. */
 #include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"
 
-/* Samples points on the edges, rounded in the space from, the next doubles, and other
- * points. */
+/* Samples points on the edges, rounded to doubles of the space from, points at the
+ * doubles next to these, and others. */
 static void sample_edges(const struct scene *s, enum flat_space from,
     struct block *b)
 {
@@ -20,7 +20,7 @@ static void sample_edges(const struct scene *s, enum flat_space from,
 		image.in[sample_below(2)][i] = sample_below(2) ? 1 : -1;
 	}
 	assert_null(flat_transform(s, FLAT_NDC, from, &t));
-	carry_all(&t, &image, POINTS);
+	map_block_exactly(&t, &image, POINTS);
 	for (size_t i = 0; i < POINTS; i++)
 		for (int j = 0; j < 2; j++) {
 			double on = image.out[j][i];
@@ -39,18 +39,18 @@ struct count {
 	size_t edges, on;
 };
 
-/* Compares the OUT_ bits out with the signs of 1 + x, 1 - x, 1 + y and 1 - y in ndc,
- * which are not negative inside. */
+/* Compares the OUT_ bits of a point with the signs of 1 + x, 1 - x, 1 + y and 1 - y in
+ * ndc. No sign is negative inside. */
 static void check_edges(const struct truth *to_ndc, const double p[2],
     unsigned out, struct count *c)
 {
 	const double at[4] = { p[0], p[1], 0, 1 };
 
 	for (int k = 0; k < 4; k++) {
-		struct form one = form_of(1);
-		struct form x = truth_column(to_ndc, k / 2, at);
-		int sign = truth_sign(k & 1 ? form_sub(one, x) :
-					      form_add(one, x),
+		struct sized one = sized_of(1);
+		struct sized x = truth_column(to_ndc, k / 2, at);
+		int sign = truth_sign(k & 1 ? sized_sub(one, x) :
+					      sized_add(one, x),
 		    NULL);
 
 		assert_int_equal(out >> k & 1, sign < 0);
@@ -63,7 +63,7 @@ static void check_edges(const struct truth *to_ndc, const double p[2],
 static void check_block(const struct scene *s, enum flat_space from,
     const struct frustum *f, const struct block *b, struct count *c)
 {
-	/* a third coordinate is ignored */
+	/* frustum_outside_all ignores the third coordinate */
 	static double nans[POINTS_BLOCK];
 	unsigned char all[POINTS];
 	struct truth t;
@@ -100,8 +100,8 @@ static void edges_agree_with_mpfr(void **state)
 		enum flat_space from = sample_below(3);
 		int mark = real_mark();
 
-		kernels_choose(copies[k %
-		    COPIES]); /* the last choice stays if this one is refused */
+		/* the last choice stays if the processor lacks this one */
+		kernels_choose(copies[k % COPIES]);
 		sample_flat(&s.window, &s.device, e[k % 4]);
 		if (flat_frustum_of(&s, from, &f) == NULL) {
 			sample_edges(&s, from, &b);
@@ -118,8 +118,8 @@ static unsigned out_at(const struct frustum *f, double x, double y)
 	return frustum_outside(f, (double[4]){ x, y });
 }
 
-/* The doubles next to an edge are outside, however small the window is, and however far
- * from the origin. */
+/* The doubles next to an edge are outside, however small the window is, and however
+ * far it is from the origin. */
 static void tiny_windows_are_exact(void **state)
 {
 	struct scene s = { .window = { .center = { 1e150, -1e150 },
@@ -135,12 +135,13 @@ static void tiny_windows_are_exact(void **state)
 	assert_int_equal(out_at(&f, 1e150, -1e150), 0);
 	assert_int_equal(out_at(&f, right, -1e150), OUT_RIGHT);
 	assert_int_equal(out_at(&f, left, -1e150), OUT_LEFT);
-	/* an ulp at 1e150 is 1.8e134, more than half the window */
+	/* at 1e150 doubles are 1.8e134 apart, more than half the height */
 	assert_int_equal(out_at(&f, 1e150, -right), OUT_BOTTOM);
 	assert_int_equal(out_at(&f, 1e150, -left), OUT_TOP);
 }
 
-/* Top is the top of the window, wherever y of the device begins. */
+/* OUT_TOP is above the window, in devices with the origin at the top and at the
+ * bottom. */
 static void top_is_up(void **state)
 {
 	struct scene s = { .window = { .width = 4, .height = 2, .zoom = 1 },
@@ -165,7 +166,7 @@ static void refusals(void **state)
 	struct frustum f;
 
 	(void)state;
-	claim_refused(flat_frustum_of(&s, FLAT_WINDOW, &f), "/window/right");
+	assert_reason(flat_frustum_of(&s, FLAT_WINDOW, &f), "/window/right");
 }
 
 int main(void)

@@ -5,7 +5,6 @@
 
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
 /* Sets the lower and upper corner of the view volume in ndc. */
 static void corners_of(const struct scene *s, real low[3], real high[3])
@@ -13,8 +12,8 @@ static void corners_of(const struct scene *s, real low[3], real high[3])
 	truth_limits(s, high);
 	low[0] = negative(high[0]);
 	low[1] = negative(high[1]);
-	low[2] = number(truth_answer(s)->depth_minus_one ? -1 : 0);
-	high[2] = number(1);
+	low[2] = real_of(truth_answer(s)->depth_minus_one ? -1 : 0);
+	high[2] = real_of(1);
 }
 
 /* Samples points of the view volume, many on its faces, rounded to doubles. */
@@ -27,24 +26,24 @@ static void sample_inside(const struct scene *s, struct block *b)
 	truth_scene(s, SPACE_CLIP, SPACE_MODEL, &truth);
 	for (int i = 0; i < POINTS; i++) {
 		int mark = real_mark();
-		real at[4] = { [3] = number(1) }, h[4];
+		real at[4] = { [3] = real_of(1) }, h[4];
 
 		for (int j = 0; j < 3; j++) {
 			unsigned side = sample_below(4);
 			double t = side < 2 ? side : sample_unit();
 
-			at[j] = add(mul(low[j], number(1 - t)),
-			    mul(high[j], number(t)));
+			at[j] = add(mul(low[j], real_of(1 - t)),
+			    mul(high[j], real_of(t)));
 		}
 		for (int j = 0; j < 4; j++) {
 			real column[4];
 
 			for (int k = 0; k < 4; k++)
-				column[k] = truth.all.m[k][j];
+				column[k] = truth.product.m[k][j];
 			h[j] = dot(at, column, 4);
 		}
 		for (int j = 0; j < 3; j++) {
-			double x = mpfr_get_d(over(h[j], h[3]), MPFR_RNDN);
+			double x = mpfr_get_d(divide(h[j], h[3]), MPFR_RNDN);
 
 			/* coordinates of points are at most MAGNITUDE_MAX */
 			b->in[j][i] = fabs(x) <= MAGNITUDE_MAX ? x : 0;
@@ -59,7 +58,7 @@ static bool is_inside(const struct scene *s, const struct truth *to_clip,
     const double p[4])
 {
 	real low[3], high[3];
-	struct form w;
+	struct sized w;
 
 	corners_of(s, low, high);
 	for (int j = 0; j < 3; j++)
@@ -69,7 +68,7 @@ static bool is_inside(const struct scene *s, const struct truth *to_clip,
 	if (truth_sign(w, NULL) <= 0)
 		return false;
 	for (int j = 0; j < 3; j++) {
-		real x = over(truth_column(to_clip, j, p).value, w.value);
+		real x = divide(truth_column(to_clip, j, p).value, w.value);
 
 		if (mpfr_cmp(x, low[j]) < 0 || mpfr_cmp(x, high[j]) > 0)
 			return false;
@@ -94,9 +93,9 @@ static double worst_of(const struct scene *s, const struct transform *t,
 		if (inside)
 			image_of(truth, t, p, &image);
 		for (int j = 0; j < 3 && inside; j++) {
-			real exact = over(image.n[j].value, image.d.value);
+			real exact = divide(image.n[j].value, image.d.value);
 			double error = fabs(
-			    mpfr_get_d(sub(exact, number(b->out[j][i])),
+			    mpfr_get_d(sub(exact, real_of(b->out[j][i])),
 				MPFR_RNDA));
 
 			assert_true(error <= bound);
@@ -147,7 +146,7 @@ static void bounds_hold(void **state)
 		for (int i = 0; i < 3; i++) {
 			if (isnan(bound[i]))
 				continue;
-			carry(&t, (enum precision)i, &b, POINTS);
+			map_block(&t, (enum precision)i, &b, POINTS);
 			double w = worst_of(&s, &t, &truth, &b, bound[i],
 			    &n[i]);
 

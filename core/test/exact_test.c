@@ -1,48 +1,47 @@
 /* SPDX-License-Identifier: MIT */
-/* Against MPFR: sums and products exact, the rest within the bounds that exact.h
- * claims. */
+/* Sums and products of core/exact/exact.c are exact, and quotients, roots and rounding
+ * are within the bounds that exact.h gives. MPFR has the truth. */
 #include "arithmetic.h"
 #include "claims.h"
-#include "numbers.h"
 
 enum { TRIES = 3000 };
 
-static ex positive(ex a)
+static ex absolute(ex a)
 {
 	a.sign = a.n > 0;
 	return a;
 }
 
-/* Returns a polynomial of numbers from 10^-e to 10^e; its last steps may cancel all but
- * the smallest of its terms. */
+/* Returns a polynomial in numbers from 10^-e to 10^e, and sets *exact to its value by
+ * MPFR. The last steps may cancel all but the smallest of its terms. */
 static ex polynomial(int e, real *exact)
 {
 	ex a = ex_of(0);
-	real r = number(0);
+	real r = real_of(0);
 
 	for (int i = 0; i < 6; i++) {
 		double x = sample_number(e), y = sample_number(e);
 
 		if (sample_below(3) == 0) {
 			a = ex_mul(a, ex_of(x));
-			r = mul(r, number(x));
+			r = mul(r, real_of(x));
 		}
 		a = ex_add(a, ex_mul(ex_of(x), ex_sub(ex_of(y), ex_of(x))));
-		r = add(r, mul(number(x), sub(number(y), number(x))));
+		r = add(r, mul(real_of(x), sub(real_of(y), real_of(x))));
 		if (sample_below(3) == 0) {
 			ex b = ex_mul(ex_sub(ex_of(x), ex_of(-y)), ex_of(y));
 
 			a = ex_sub(ex_add(a, b), ex_neg(b));
 			r = add(r,
-			    mul(number(2),
-				mul(number(y), add(number(x), number(y)))));
+			    mul(real_of(2),
+				mul(real_of(y), add(real_of(x), real_of(y)))));
 		}
 	}
 	*exact = r;
 	return a;
 }
 
-static dd round_of(ex a)
+static dd round_to_pair(ex a)
 {
 	return ex_round(&a);
 }
@@ -51,10 +50,10 @@ static double relative(real got, real exact)
 {
 	if (mpfr_zero_p(exact))
 		return mpfr_zero_p(got) ? 0 : (double)INFINITY;
-	return fabs(mpfr_get_d(over(sub(got, exact), exact), MPFR_RNDN));
+	return fabs(mpfr_get_d(divide(sub(got, exact), exact), MPFR_RNDN));
 }
 
-static void exact(void **state)
+static void sums_are_exact(void **state)
 {
 	(void)state;
 	sample_seed(1);
@@ -63,23 +62,23 @@ static void exact(void **state)
 		real r;
 		ex a = polynomial(i % 20, &r);
 
-		assert_true(mpfr_equal_p(number_ex(a), r));
+		assert_true(mpfr_equal_p(real_of_ex(a), r));
 		assert_int_equal(a.sign, mpfr_sgn(r));
-		assert_true(mpfr_equal_p(number_ex(ex_neg(a)), negative(r)));
+		assert_true(mpfr_equal_p(real_of_ex(ex_neg(a)), negative(r)));
 		assert_int_equal(ex_sub(a, a).sign, 0);
 		real_release(mark);
 	}
 }
 
-/* Magnitudes as far apart as products of four numbers of a document. */
-static void wide(void **state)
+/* Tests magnitudes as far apart as products of four numbers of a document. */
+static void wide_magnitudes(void **state)
 {
 	(void)state;
 	sample_seed(2);
 	for (int i = 0; i < TRIES; i++) {
 		int mark = real_mark();
 		ex a = ex_of(0);
-		real r = number(0);
+		real r = real_of(0);
 
 		for (int j = 0; j < 6; j++) {
 			double x = sample_number(150), y = sample_number(150);
@@ -89,17 +88,17 @@ static void wide(void **state)
 			    ex_mul(ex_mul(ex_of(x), ex_of(y)),
 				ex_sub(ex_of(x), ex_of(z))));
 			r = add(r,
-			    mul(mul(number(x), number(y)),
-				sub(number(x), number(z))));
+			    mul(mul(real_of(x), real_of(y)),
+				sub(real_of(x), real_of(z))));
 		}
-		assert_true(mpfr_equal_p(number_ex(a), r));
+		assert_true(mpfr_equal_p(real_of_ex(a), r));
 		real_release(mark);
 	}
 }
 
-/* Returns up to n words, of which many cause carries and wrong guesses of a quotient's
- * digits: 0, all bits, or bits at the ends. */
-static ex words(int n)
+/* Returns a number of up to n words. Many words are 0, all bits, or bits at the ends,
+ * which cause carries and wrong guesses of a quotient's digits. */
+static ex sample_words(int n)
 {
 	static const uint64_t odd[] = { 0, 1, UINT64_MAX, UINT64_MAX - 1,
 		(uint64_t)1 << 63, ((uint64_t)1 << 63) - 1 };
@@ -118,7 +117,7 @@ static ex words(int n)
 	return sample_below(2) ? a : ex_neg(a);
 }
 
-static void divided(void **state)
+static void quotients_and_roots(void **state)
 {
 	double quotient = 0, square = 0;
 
@@ -126,18 +125,19 @@ static void divided(void **state)
 	sample_seed(3);
 	for (int i = 0; i < 20 * TRIES; i++) {
 		int mark = real_mark();
-		ex a = words(8), b = words(8), p = ex_mul(a, b);
-		real x = number_ex(a), y = number_ex(b);
+		ex a = sample_words(8), b = sample_words(8), p = ex_mul(a, b);
+		real x = real_of_ex(a), y = real_of_ex(b);
 
-		assert_true(mpfr_equal_p(number_ex(p), mul(x, y)));
-		assert_true(mpfr_equal_p(number_ex(ex_add(a, b)), add(x, y)));
+		assert_true(mpfr_equal_p(real_of_ex(p), mul(x, y)));
+		assert_true(mpfr_equal_p(real_of_ex(ex_add(a, b)), add(x, y)));
 		assert_int_equal(ex_compare(a, b),
 		    (mpfr_cmp(x, y) > 0) - (mpfr_cmp(x, y) < 0));
 		if (b.sign != 0)
 			quotient = fmax(quotient,
-			    relative(number_ex(ex_quotient(a, b)), over(x, y)));
+			    relative(real_of_ex(ex_quotient(a, b)),
+				divide(x, y)));
 		square = fmax(square,
-		    relative(number_ex(ex_sqrt(positive(a))),
+		    relative(real_of_ex(ex_sqrt(absolute(a))),
 			root(magnitude(x))));
 		a = ex_truncate(a, 2);
 		b = ex_truncate(b, 3);
@@ -145,23 +145,25 @@ static void divided(void **state)
 			assert_int_equal(ex_compare(a,
 					     ex_quotient(ex_mul(a, b), b)),
 			    0);
-		assert_int_equal(ex_compare(positive(b), ex_sqrt(ex_mul(b, b))),
+		assert_int_equal(ex_compare(absolute(b), ex_sqrt(ex_mul(b, b))),
 		    0);
 		real_release(mark);
 	}
-	claim("ex_quotient, in 2^-703", quotient * 0x1p703, 1);
-	claim("ex_sqrt, in 2^-703", square * 0x1p703, 1);
+	assert_at_most("ex_quotient, in 2^-703", quotient * 0x1p703, 1);
+	assert_at_most("ex_sqrt, in 2^-703", square * 0x1p703, 1);
 }
 
-/* A divisor times a midpoint of two doubles, or a little more or less than that: few
- * words of the quotient and whether anything remains tell which is nearest. */
-static void divided_midpoints(void **state)
+/* Divides a divisor times a midpoint of two doubles, or a little more or less than
+ * that. Two words of the quotient, and whether there is a remainder, tell which double
+ * is nearest. */
+static void quotients_at_midpoints(void **state)
 {
 	(void)state;
 	sample_seed(5);
 	for (int i = 0; i < 20 * TRIES; i++) {
 		double even = 0x1p52 + 2 * sample_below(1000);
-		ex q, b = words(4), middle = ex_add(ex_of(even), ex_of(0.5));
+		ex q, b = sample_words(4),
+		      middle = ex_add(ex_of(even), ex_of(0.5));
 		int side = (int)sample_below(3) - 1, e = -700;
 
 		if (b.sign == 0)
@@ -177,7 +179,7 @@ static void divided_midpoints(void **state)
 }
 
 /* Rounds to doubles and floats, normal and subnormal, at and near midpoints. */
-static void rounded(void **state)
+static void rounding(void **state)
 {
 	double round = 0, first = 0;
 
@@ -188,12 +190,12 @@ static void rounded(void **state)
 		real x;
 		ex a = polynomial(i % 20, &x);
 
-		round = fmax(round, relative(number_dd(round_of(a)), x));
-		first = fmax(first, relative(number_ex(ex_truncate(a, 3)), x));
+		round = fmax(round, relative(real_of_dd(round_to_pair(a)), x));
+		first = fmax(first, relative(real_of_ex(ex_truncate(a, 3)), x));
 		real_release(mark);
 	}
-	claim("ex_round", round * 0x1p106, EX_ROUND_BOUND);
-	claim("ex_truncate of 3", first, 0x1p-128);
+	assert_at_most("ex_round", round * 0x1p106, EX_ROUND_BOUND);
+	assert_at_most("ex_truncate of 3", first, 0x1p-128);
 	for (int i = 0; i < 20 * TRIES; i++) {
 		int mark = real_mark(), e = (int)sample_below(2300) - 1150;
 		double d = ldexp(1 + sample_unit(), e);
@@ -209,7 +211,7 @@ static void rounded(void **state)
 		near = ex_add(near,
 		    ex_shift(ex_of((double)sample_below(3) - 1),
 			e - 60 - (int)sample_below(900)));
-		real exact = number_ex(near);
+		real exact = real_of_ex(near);
 
 		assert_number(ex_double(near), mpfr_get_d(exact, MPFR_RNDN));
 		assert_true(ex_nearest(&near, true) ==
@@ -219,28 +221,28 @@ static void rounded(void **state)
 	}
 }
 
-/* Beyond and at the ends of the range of doubles. */
-static void range(void **state)
+/* Tests results beyond the range of doubles and at its ends. */
+static void ends_of_the_range(void **state)
 {
 	ex big = ex_of(0x1p1000), small = ex_of(0x1p-1000);
 	ex huge = ex_mul(big, ex_mul(big, big)), tiny = ex_mul(small, small);
 
 	(void)state;
-	assert_true(isinf(round_of(huge).hi));
-	assert_true(isinf(round_of(ex_sqrt(ex_mul(huge, huge))).hi));
-	assert_number(round_of(ex_quotient(huge, huge)).hi, 1);
-	assert_number(round_of(ex_mul(huge, tiny)).hi, 0x1p1000);
-	assert_number(round_of(tiny).hi, 0);
+	assert_true(isinf(round_to_pair(huge).hi));
+	assert_true(isinf(round_to_pair(ex_sqrt(ex_mul(huge, huge))).hi));
+	assert_number(round_to_pair(ex_quotient(huge, huge)).hi, 1);
+	assert_number(round_to_pair(ex_mul(huge, tiny)).hi, 0x1p1000);
+	assert_number(round_to_pair(tiny).hi, 0);
 	assert_int_equal(ex_neg(tiny).sign, -1);
-	assert_number(round_of(ex_quotient(tiny, small)).hi, 0x1p-1000);
-	assert_number(round_of(ex_sqrt(tiny)).hi, 0x1p-1000);
-	assert_number(round_of(ex_shift(tiny, 1000)).hi, 0x1p-1000);
-	assert_true(!isfinite(round_of(ex_quotient(big, ex_of(0))).hi));
+	assert_number(round_to_pair(ex_quotient(tiny, small)).hi, 0x1p-1000);
+	assert_number(round_to_pair(ex_sqrt(tiny)).hi, 0x1p-1000);
+	assert_number(round_to_pair(ex_shift(tiny, 1000)).hi, 0x1p-1000);
+	assert_true(!isfinite(round_to_pair(ex_quotient(big, ex_of(0))).hi));
 }
 
-/* Terms that are farther apart than there is room for: words below the EX_WORDS of
- * the largest are lost, and nothing else. */
-static void apart(void **state)
+/* Tests terms that are farther apart than EX_WORDS words: only the words of a sum
+ * below its first EX_WORDS words are lost. */
+static void terms_far_apart(void **state)
 {
 	ex one = ex_add(ex_of(1), ex_shift(ex_of(1), 70)), r;
 
@@ -251,22 +253,22 @@ static void apart(void **state)
 		const ex *const a[] = { &one, &far },
 				*const b[] = { &one, &far };
 		const ex *const c[] = { &one, &less };
-		real x = mul(number_ex(one), number_ex(one));
-		real y = mul(number_ex(far), number_ex(far));
-		real z = add(number_ex(one), number_ex(far));
+		real x = mul(real_of_ex(one), real_of_ex(one));
+		real y = mul(real_of_ex(far), real_of_ex(far));
+		real z = add(real_of_ex(one), real_of_ex(far));
 
-		assert_true(relative(number_ex(ex_add(one, far)), z) == 0);
+		assert_true(relative(real_of_ex(ex_add(one, far)), z) == 0);
 		ex_dot(2, a, b, INT_MIN, &r);
-		assert_true(relative(number_ex(r), add(x, y)) == 0);
+		assert_true(relative(real_of_ex(r), add(x, y)) == 0);
 		ex_dot(2, a, c, INT_MIN, &r);
-		assert_true(relative(number_ex(r), sub(x, y)) == 0);
+		assert_true(relative(real_of_ex(r), sub(x, y)) == 0);
 		real_release(mark);
 	}
 }
 
-/* Of a sum that is too wide, words are dropped: this is no overflow if all of them are
- * below the least that is wanted. */
-static void dropped(void **state)
+/* A sum that is too wide loses its last words. This is an overflow only if a lost word
+ * is not below the least word that the caller asks for. */
+static void overflow_of_wide_sums(void **state)
 {
 	const ex near = ex_of(1), far = ex_shift(near, 2 * 64 * EX_WORDS);
 	const ex *const a[] = { &near, &far }, *const b[] = { &near, &near };
@@ -274,7 +276,8 @@ static void dropped(void **state)
 
 	(void)state;
 	(void)ex_has_overflowed();
-	ex_dot(2, a, b, 3 * 64, &r); /* the sum has room from word 3 */
+	ex_dot(2, a, b, 3 * 64,
+	    &r); /* the sum has room for word 3 and those above */
 	assert_false(ex_has_overflowed());
 	ex_dot(2, a, b, 3 * 64 - 1, &r);
 	assert_true(ex_has_overflowed());
@@ -291,7 +294,8 @@ static void zeros(void **state)
 	assert_int_equal(ex_mul(zero, ex_of(5)).sign, 0);
 	assert_int_equal(ex_quotient(zero, ex_of(-3)).sign, 0);
 	assert_int_equal(ex_sqrt(zero).sign, 0);
-	assert_true(round_of(zero).hi == 0 && !signbit(round_of(zero).hi));
+	assert_true(
+	    round_to_pair(zero).hi == 0 && !signbit(round_to_pair(zero).hi));
 	assert_int_not_equal(rest.sign, 0);
 	assert_true(ex_divide(&zero, &third, 2, &q));
 	assert_false(ex_divide(&third, &zero, 2, &q));
@@ -301,14 +305,14 @@ static void zeros(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(exact),
-		cmocka_unit_test(wide),
-		cmocka_unit_test(divided),
-		cmocka_unit_test(divided_midpoints),
-		cmocka_unit_test(rounded),
-		cmocka_unit_test(range),
-		cmocka_unit_test(apart),
-		cmocka_unit_test(dropped),
+		cmocka_unit_test(sums_are_exact),
+		cmocka_unit_test(wide_magnitudes),
+		cmocka_unit_test(quotients_and_roots),
+		cmocka_unit_test(quotients_at_midpoints),
+		cmocka_unit_test(rounding),
+		cmocka_unit_test(ends_of_the_range),
+		cmocka_unit_test(terms_far_apart),
+		cmocka_unit_test(overflow_of_wide_sums),
 		cmocka_unit_test(zeros),
 	};
 

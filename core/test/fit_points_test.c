@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* No point is farther along a direction than the one that is found, by MPFR,
- * for any order of the points, any pieces and any processor. */
+/* The extremes of a cloud of points: no point is farther along a direction, by MPFR,
+ * for any order of the points, any division into pieces and any processor. */
 #include "../derive/fit.h"
 
 #include "../points/transform.h"
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
 enum { CLOUD = 300, ROOM = 304, PIECES = 3 };
 
@@ -15,8 +14,9 @@ struct cloud {
 	double p[CLOUD][3];
 };
 
-/* Samples points close to a plane through the first point along two other directions:
- * ties but for rounding, and on a lattice exact ties. */
+/* Samples points close to a plane through the first point along two other directions.
+ * They are equally far along the normal of the plane but for rounding, or exactly if
+ * they are on a lattice. */
 static void sample_plane(struct cloud *c, const struct directions *d)
 {
 	double u[3], v[3];
@@ -96,17 +96,17 @@ static void add_cloud(const struct cloud *c, const struct directions *d,
 }
 
 /* Returns how much farther p is than q. */
-static struct form farther_by(const struct direction *d, const double p[3],
+static struct sized farther_by(const struct direction *d, const double p[3],
     const double q[3])
 {
-	struct form sum = form_of(0);
+	struct sized sum = sized_of(0);
 
 	for (int i = 0; i < 3; i++) {
-		struct form m = { number_ex(d->exact[i].value),
-			magnitude(number_ex(d->exact[i].value)) };
+		struct sized m = { real_of_ex(d->exact[i].value),
+			magnitude(real_of_ex(d->exact[i].value)) };
 
-		sum = form_add(sum,
-		    form_mul(m, form_sub(form_of(p[i]), form_of(q[i]))));
+		sum = sized_add(sum,
+		    sized_mul(m, sized_sub(sized_of(p[i]), sized_of(q[i]))));
 	}
 	return sum;
 }
@@ -116,8 +116,8 @@ static bool has_nan(const double p[3])
 	return isnan(p[0]) || isnan(p[1]) || isnan(p[2]);
 }
 
-static void claim_farthest(const struct cloud *c, const struct directions *d,
-    const struct extremes *e)
+static void assert_none_farther(const struct cloud *c,
+    const struct directions *d, const struct extremes *e)
 {
 	for (int j = 0; j < d->n; j++) {
 		size_t found = 0, points = 0;
@@ -172,7 +172,7 @@ static void farthest_many(int n, int e)
 		assert_true(kernels_choose("baseline"));
 		sample_cloud(&c, &d, e);
 		add_cloud(&c, &d, &first);
-		claim_farthest(&c, &d, &first);
+		assert_none_farther(&c, &d, &first);
 		for (int k = 0; k < COPIES; k++) {
 			kernels_choose(copies[k]);
 			shuffle(&c);
@@ -216,7 +216,7 @@ static void assert_farther(const double m[3], const double p[3],
 	}
 }
 
-static void hairs_count(void **state)
+static void small_differences_decide(void **state)
 {
 	static const double cases[][3][3] = {
 		/* all digits decide */
@@ -259,7 +259,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(none_is_farther),
-		cmocka_unit_test(hairs_count),
+		cmocka_unit_test(small_differences_decide),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -14,10 +14,10 @@ struct cloud {
 
 /* The linear function of a plane: the gradient in model space, and the constant. */
 struct plane {
-	struct form slope[4];
+	struct sized slope[4];
 };
 
-static struct plane column(const struct truth *t, int j)
+static struct plane plane_of_column(const struct truth *t, int j)
 {
 	struct plane p;
 
@@ -31,40 +31,40 @@ static struct plane combine(const struct plane *a, double sign,
     const struct plane *b, real factor)
 {
 	struct plane p;
-	struct form f = { factor, magnitude(factor) };
+	struct sized f = { factor, magnitude(factor) };
 
 	for (int i = 0; i < 4; i++)
-		p.slope[i] = form_add(form_mul(form_of(sign), a->slope[i]),
-		    form_mul(f, b->slope[i]));
+		p.slope[i] = sized_add(sized_mul(sized_of(sign), a->slope[i]),
+		    sized_mul(f, b->slope[i]));
 	return p;
 }
 
-static struct form at_point(const struct plane *p, const struct cloud *c,
+static struct sized value_at_point(const struct plane *p, const struct cloud *c,
     size_t n)
 {
-	struct form v = p->slope[3];
+	struct sized v = p->slope[3];
 
 	for (int i = 0; i < 3; i++)
-		v = form_add(v, form_mul(form_of(c->in[i][n]), p->slope[i]));
+		v = sized_add(v, sized_mul(sized_of(c->in[i][n]), p->slope[i]));
 	return v;
 }
 
 /* Returns the least value of a function on the bounds or, if there is a cloud, on its
  * points. */
-static struct form least(const struct plane *p, const struct bounds *b,
+static struct sized least(const struct plane *p, const struct bounds *b,
     const struct cloud *c)
 {
-	struct form lowest = p->slope[3];
+	struct sized lowest = p->slope[3];
 
 	for (size_t n = 0; n < c->n; n++) {
-		struct form at = at_point(p, c, n);
+		struct sized at = value_at_point(p, c, n);
 
 		if (n == 0 || mpfr_less_p(at.value, lowest.value))
 			lowest = at;
 	}
 	if (c->n > 0)
 		return lowest;
-	struct form v = p->slope[3];
+	struct sized v = p->slope[3];
 
 	for (int i = 0; i < 3; i++) {
 		bool up = mpfr_sgn(p->slope[i].value) > 0;
@@ -72,15 +72,15 @@ static struct form least(const struct plane *p, const struct bounds *b,
 		    up                ? b->min[i] :
 					b->max[i];
 
-		v = form_add(v, form_mul(form_of(at), p->slope[i]));
+		v = sized_add(v, sized_mul(sized_of(at), p->slope[i]));
 	}
 	if (b->sphere)
-		v = form_sub(v,
-		    form_mul(form_of(b->radius), form_length(p->slope)));
+		v = sized_sub(v,
+		    sized_mul(sized_of(b->radius), sized_length(p->slope)));
 	return v;
 }
 
-static double value(real a)
+static double nearest_double(real a)
 {
 	return mpfr_get_d(a, MPFR_RNDN);
 }
@@ -92,7 +92,7 @@ struct fitted {
 	struct scene s;
 	const struct bounds *b;
 	struct cloud cloud; /* empty if b is not of points */
-	struct form gap[6];
+	struct sized gap[6];
 };
 
 /* Returns how much the function of side plane k of a perspective grows at a fixed point
@@ -100,13 +100,13 @@ struct fitted {
 static real slope(const struct scene *s, int k, real limit)
 {
 	real m[4][4];
-	double sign = truth_gaze(&s->convention);
+	double sign = truth_gaze_sign(&s->convention);
 
 	truth_matrix(s, SPACE_VIEW, SPACE_CLIP, m);
-	real x = mul(number(sign), m[2][k / 2]);
+	real x = mul(real_of(sign), m[2][k / 2]);
 
-	return add(mul(number(k % 2 ? -1 : 1), x),
-	    mul(limit, mul(number(sign), m[2][3])));
+	return add(mul(real_of(k % 2 ? -1 : 1), x),
+	    mul(limit, mul(real_of(sign), m[2][3])));
 }
 
 static double farthest(const double eye[3])
@@ -114,7 +114,7 @@ static double farthest(const double eye[3])
 	return fmax(fabs(eye[0]), fmax(fabs(eye[1]), fabs(eye[2])));
 }
 
-static void measure_sides(struct fitted *f)
+static void measure_side_gaps(struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
 	bool persp = p->type == PROJECTION_PERSP;
@@ -123,44 +123,45 @@ static void measure_sides(struct fitted *f)
 
 	truth_limits(&f->s, limit);
 	truth_scene(&f->s, SPACE_MODEL, SPACE_CLIP, &t);
-	struct plane w = column(&t, 3);
+	struct plane w = plane_of_column(&t, 3);
 
 	for (int k = 0; k < 4; k++) {
-		struct plane x = column(&t, k / 2);
+		struct plane x = plane_of_column(&t, k / 2);
 		real unit = persp ? slope(&f->s, k, limit[k / 2]) :
-				    number(2 / (k < 2 ? p->width : p->height));
+				    real_of(2 / (k < 2 ? p->width : p->height));
 
 		x = combine(&x, k % 2 ? -1 : 1, &w, limit[k / 2]);
 		f->gap[k] = least(&x, f->b, &f->cloud);
-		f->gap[k].value = over(f->gap[k].value, unit);
-		f->gap[k].size = over(f->gap[k].size, unit);
+		f->gap[k].value = divide(f->gap[k].value, unit);
+		f->gap[k].size = divide(f->gap[k].size, unit);
 	}
 }
 
-static void measure(struct fitted *f)
+static void measure_gaps(struct fitted *f)
 {
 	const struct scene *s = &f->s;
 	struct truth t;
 
-	measure_sides(f);
+	measure_side_gaps(f);
 	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &t);
 	for (int k = 4; k < 6; k++) {
-		double sign = truth_gaze(&s->convention) * (k == 4 ? 1 : -1);
-		struct plane z = column(&t, 2);
+		double sign = truth_gaze_sign(&s->convention) *
+		    (k == 4 ? 1 : -1);
+		struct plane z = plane_of_column(&t, 2);
 
-		z = combine(&z, sign, &z, number(0));
-		f->gap[k] = form_add(least(&z, f->b, &f->cloud),
-		    form_of(k == 4 ? -s->projection.near : s->projection.far));
+		z = combine(&z, sign, &z, real_of(0));
+		f->gap[k] = sized_add(least(&z, f->b, &f->cloud),
+		    sized_of(k == 4 ? -s->projection.near : s->projection.far));
 		/* w of intrinsics may be z plus a constant */
 		if (s->projection.type == PROJECTION_PERSP &&
 		    s->projection.extent == EXTENT_INTRINSICS)
-			f->gap[k] = form_add(f->gap[k],
-			    form_of((k == 4 ? 1 : -1) *
+			f->gap[k] = sized_add(f->gap[k],
+			    sized_of((k == 4 ? 1 : -1) *
 				s->projection.intrinsics[2][3]));
 	}
 }
 
-static bool holds(const struct fitted *f)
+static bool contains_bounds(const struct fitted *f)
 {
 	bool doubtful;
 
@@ -172,13 +173,14 @@ static bool holds(const struct fitted *f)
 
 /* Returns whether the gap is less than the distance from v to the next double inward,
  * so that no double is tighter. */
-static bool is_tight(struct form gap, double v, double inward)
+static bool is_tight(struct sized gap, double v, double inward)
 {
-	struct form ulp = form_sub(form_of(nextafter(v, inward)), form_of(v));
+	struct sized ulp = sized_sub(sized_of(nextafter(v, inward)),
+	    sized_of(v));
 	bool doubtful;
 
 	ulp.value = magnitude(ulp.value);
-	return truth_sign(form_sub(ulp, gap), &doubtful) > 0 || doubtful;
+	return truth_sign(sized_sub(ulp, gap), &doubtful) > 0 || doubtful;
 }
 
 /* Returns whether the bounds have an extent between planes k and k + 1, which are at
@@ -187,7 +189,7 @@ static bool is_filled(const struct fitted *f, int k, double distance)
 {
 	real gaps = add(f->gap[k].value, f->gap[k + 1].value);
 
-	return value(gaps) < distance * (1 - 0x1p-30);
+	return nearest_double(gaps) < distance * (1 - 0x1p-30);
 }
 
 static bool depth_tight(const struct fitted *f)
@@ -202,22 +204,22 @@ static bool depth_tight(const struct fitted *f)
 /* Returns the size of the numbers whose rounding can change gap k. */
 static double rounded_size(const struct fitted *f, int k)
 {
-	return farthest(f->s.camera.eye) + value(f->gap[k].size);
+	return farthest(f->s.camera.eye) + nearest_double(f->gap[k].size);
 }
 
 /* Returns whether opposite gaps are equal but for rounding. */
 static bool is_centered(const struct fitted *f)
 {
 	for (int k = 0; k < 4; k += 2)
-		if (fabs(value(sub(f->gap[k].value, f->gap[k + 1].value))) >
-		    0x1p-48 * rounded_size(f, k))
+		if (fabs(nearest_double(sub(f->gap[k].value,
+			f->gap[k + 1].value))) > 0x1p-48 * rounded_size(f, k))
 			return false;
 	return true;
 }
 
-/* Returns whether width and height are the tightest doubles. With an aspect only one
- * has to be tight, from which the other side follows. */
-static bool sides_tight(const struct fitted *f)
+/* Returns whether width and height are the tightest doubles. With an aspect, only one
+ * of width and height has to be tight: the aspect gives the other. */
+static bool sides_are_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
 	bool tight[2];
@@ -226,37 +228,40 @@ static bool sides_tight(const struct fitted *f)
 	truth_limits(&f->s, limit);
 	for (int j = 0; j < 2; j++) {
 		double side = j == 0 ? p->width : p->height;
-		const struct form *gap = &f->gap[2 * j];
-		struct form less = mpfr_less_p(gap[1].value, gap[0].value) ?
+		const struct sized *gap = &f->gap[2 * j];
+		struct sized less = mpfr_less_p(gap[1].value, gap[0].value) ?
 		    gap[1] :
 		    gap[0];
-		real twice = over(number(2), limit[j]);
+		real twice = divide(real_of(2), limit[j]);
 
 		/* the side is too large by 2 gap / limit */
-		tight[j] = !is_filled(f, 2 * j, side * value(limit[j])) ||
-		    is_tight(form_mul(less, (struct form){ twice, twice }),
+		tight[j] = !is_filled(f, 2 * j,
+			       side * nearest_double(limit[j])) ||
+		    is_tight(sized_mul(less, (struct sized){ twice, twice }),
 			side, 0);
 	}
 	if (p->aspect[1] == 0 || (tight[0] && tight[1]))
 		return tight[0] && tight[1];
-	real aspect = over(number(p->aspect[0]), number(p->aspect[1]));
+	real aspect = divide(real_of(p->aspect[0]), real_of(p->aspect[1]));
 
 	return tight[0] ?
-	    value(over(number(p->width), aspect)) == p->height :
-	    tight[1] && value(mul(number(p->height), aspect)) == p->width;
+	    nearest_double(divide(real_of(p->width), aspect)) == p->height :
+	    tight[1] &&
+		nearest_double(mul(real_of(p->height), aspect)) == p->width;
 }
 
 /* Returns whether the eye is as near as a side plane or near_ratio allows, but for the
  * rounding of the eye, also across the gaze. */
-static bool eye_tight(const struct fitted *f)
+static bool eye_is_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
 
-	if (mpfr_cmp(number(p->near),
-		mul(number(p->near_ratio), number(p->far))) < 0)
+	if (mpfr_cmp(real_of(p->near),
+		mul(real_of(p->near_ratio), real_of(p->far))) < 0)
 		return false;
 	for (int k = 0; k < 4; k++)
-		if (value(f->gap[k].value) <= 0x1p-48 * rounded_size(f, k))
+		if (nearest_double(f->gap[k].value) <=
+		    0x1p-48 * rounded_size(f, k))
 			return true;
 	return p->near - p->near_ratio * p->far <= 0x1p-48 * rounded_size(f, 5);
 }
@@ -273,14 +278,15 @@ static bool is_balanced(const struct fitted *f)
 		real low = mul(f->gap[k].value, slope(&f->s, k, limit[k / 2]));
 		real high = mul(f->gap[k + 1].value,
 		    slope(&f->s, k + 1, limit[k / 2]));
-		real all = add(mul(number(rounded_size(f, k)),
+		real all = add(mul(real_of(rounded_size(f, k)),
 				   slope(&f->s, k, limit[k / 2])),
-		    mul(number(rounded_size(f, k + 1)),
+		    mul(real_of(rounded_size(f, k + 1)),
 			slope(&f->s, k + 1, limit[k / 2])));
 
-		if (fabs(value(sub(low, high))) > 0x1p-48 * value(all))
+		if (fabs(nearest_double(sub(low, high))) >
+		    0x1p-48 * nearest_double(all))
 			return false;
-		touches |= value(low) <= 0x1p-48 * value(all);
+		touches |= nearest_double(low) <= 0x1p-48 * nearest_double(all);
 	}
 	return touches ||
 	    f->s.projection.near -
@@ -288,7 +294,7 @@ static bool is_balanced(const struct fitted *f)
 	    0x1p-48 * rounded_size(f, 5);
 }
 
-static unsigned flags(const struct scene *s, const struct fitted *f)
+static unsigned out_bits(const struct scene *s, const struct fitted *f)
 {
 	struct frustum frustum;
 	unsigned out = 0;
@@ -309,7 +315,7 @@ static unsigned flags(const struct scene *s, const struct fitted *f)
 
 /* Returns whether near and far would cut the bounds if they were one double tighter, as
  * the OUT_ bits say. A step from 0 is too small for the bits. */
-static bool flags_tight(const struct fitted *f)
+static bool near_and_far_are_tight(const struct fitted *f)
 {
 	struct scene near = f->s, far = f->s;
 
@@ -318,8 +324,8 @@ static bool flags_tight(const struct fitted *f)
 	if (!(near.projection.near < far.projection.far) ||
 	    !is_filled(f, 4, far.projection.far - near.projection.near))
 		return true;
-	return (f->s.projection.near == 0 || flags(&near, f) & OUT_NEAR) &&
-	    (f->s.projection.far == 0 || flags(&far, f) & OUT_FAR);
+	return (f->s.projection.near == 0 || out_bits(&near, f) & OUT_NEAR) &&
+	    (f->s.projection.far == 0 || out_bits(&far, f) & OUT_FAR);
 }
 
 static void sample_bounds(struct bounds *b, int e)
@@ -452,17 +458,17 @@ static int fit_many(int n, int e, bool points)
 			continue;
 		if (fit_scene(&f.s, has_eye, &b) != NULL)
 			continue;
-		measure(&f);
-		assert_true(holds(&f));
-		assert_int_equal(flags(&f.s, &f), 0);
+		measure_gaps(&f);
+		assert_true(contains_bounds(&f));
+		assert_int_equal(out_bits(&f.s, &f), 0);
 		assert_true(depth_tight(&f));
 		if (p->type == PROJECTION_PERSP && points && !has_eye)
 			assert_true(is_balanced(&f));
 		else if (p->type == PROJECTION_PERSP)
-			assert_true(eye_tight(&f));
+			assert_true(eye_is_tight(&f));
 		else
-			assert_true(is_centered(&f) && sides_tight(&f));
-		assert_true(flags_tight(&f));
+			assert_true(is_centered(&f) && sides_are_tight(&f));
+		assert_true(near_and_far_are_tight(&f));
 		real_release(mark);
 		fitted++;
 	}

@@ -1,38 +1,37 @@
 /* SPDX-License-Identifier: MIT */
-/* The window that fit finds holds its bounds, and no double is tighter, by MPFR
- * and by the flags. */
+/* The window that fit finds holds its bounds, and no smaller double for a side does,
+ * by MPFR and by the OUT_ bits. */
 #include "../derive/fit.h"
 
 #include "../derive/frustum.h"
 #include "claims.h"
-#include "numbers.h"
 
-static double nearest(real a)
+static double nearest_double(real a)
 {
 	return mpfr_get_d(a, MPFR_RNDN);
 }
 
 static void range_of(const struct bounds *b, int axis, real *low, real *high)
 {
-	real c = number(b->center[axis]), r = number(b->radius);
+	real c = real_of(b->center[axis]), r = real_of(b->radius);
 
-	*low = b->sphere ? sub(c, r) : number(b->min[axis]);
-	*high = b->sphere ? add(c, r) : number(b->max[axis]);
+	*low = b->sphere ? sub(c, r) : real_of(b->min[axis]);
+	*high = b->sphere ? add(c, r) : real_of(b->max[axis]);
 }
 
 /* Returns the least side for a center and the bounds low and high: twice the larger
  * distance from the center, over 1 less both margins. */
 static double least_side(real low, real high, double center, double margin)
 {
-	real below = sub(number(center), low),
-	     above = sub(high, number(center));
+	real below = sub(real_of(center), low),
+	     above = sub(high, real_of(center));
 	real most = mpfr_greater_p(below, above) ? below : above;
-	real room = sub(number(1), number(2 * margin));
+	real room = sub(real_of(1), real_of(2 * margin));
 
-	return mpfr_get_d(over(mul(number(2), most), room), MPFR_RNDU);
+	return mpfr_get_d(divide(mul(real_of(2), most), room), MPFR_RNDU);
 }
 
-static void expect(const struct scene *s, const struct bounds *b,
+static void expected_window(const struct scene *s, const struct bounds *b,
     struct window *w)
 {
 	double *const side[2] = { &w->width, &w->height };
@@ -43,20 +42,22 @@ static void expect(const struct scene *s, const struct bounds *b,
 		extent[i] = sub(high[i], low[i]);
 	}
 	for (int i = 0; i < 2; i++) {
-		real half = mul(extent[1 - i], number(0x1p-21));
+		real half = mul(extent[1 - i], real_of(0x1p-21));
 
 		if (mpfr_zero_p(extent[i])) {
 			low[i] = sub(low[i], half);
 			high[i] = add(high[i], half);
 		}
-		w->center[i] = nearest(over(add(low[i], high[i]), number(2)));
+		w->center[i] = nearest_double(
+		    divide(add(low[i], high[i]), real_of(2)));
 		*side[i] = least_side(low[i], high[i], w->center[i], s->margin);
 	}
 	if (!s->has_device)
 		return;
-	real shape = over(number(s->device.width), number(s->device.height));
-	double wide = nearest(mul(number(w->height), shape));
-	double high_enough = nearest(over(number(w->width), shape));
+	real shape = divide(real_of(s->device.width),
+	    real_of(s->device.height));
+	double wide = nearest_double(mul(real_of(w->height), shape));
+	double high_enough = nearest_double(divide(real_of(w->width), shape));
 
 	if (wide > w->width)
 		w->width = wide;
@@ -73,7 +74,8 @@ static void sample_bounds(struct bounds *b, int e)
 
 		if (sample_below(4) == 0)
 			c = a;
-		if (sample_below(4) == 0) /* bounds of a few ulps */
+		if (sample_below(4) ==
+		    0) /* bounds of a few units in the last place */
 			c = a * (1 + sample_below(9) * 0x1p-50);
 		b->center[i] = a;
 		b->min[i] = fmin(a, c);
@@ -81,7 +83,7 @@ static void sample_bounds(struct bounds *b, int e)
 	}
 }
 
-static bool holds(const struct scene *s, const struct bounds *b)
+static bool window_holds(const struct scene *s, const struct bounds *b)
 {
 	struct frustum f;
 	unsigned out = 0;
@@ -96,13 +98,14 @@ static bool holds(const struct scene *s, const struct bounds *b)
 
 /* Returns whether the window holds the bounds with the side along axis one double
  * smaller. */
-static bool holds_less(const struct scene *s, const struct bounds *b, int axis)
+static bool smaller_window_holds(const struct scene *s, const struct bounds *b,
+    int axis)
 {
 	struct scene less = *s;
 	double *side = axis == 0 ? &less.window.width : &less.window.height;
 
 	*side = nextafter(*side, 0);
-	return holds(&less, b);
+	return window_holds(&less, b);
 }
 
 static bool is_flat(const struct bounds *b)
@@ -127,16 +130,17 @@ static void fit_many(int e, int n)
 		if (fit_window(&s, &b) == NULL) {
 			const struct window *w = &s.window;
 
-			expect(&s, &b, &want);
+			expected_window(&s, &b, &want);
 			assert_number(w->center[0], want.center[0]);
 			assert_number(w->center[1], want.center[1]);
 			assert_number(w->width, want.width);
 			assert_number(w->height, want.height);
 			assert_true(!w->by_edges && w->zoom == 1);
-			assert_true(s.has_window && holds(&s, &b));
+			assert_true(s.has_window && window_holds(&s, &b));
 			if (!b.sphere && s.margin == 0 && !is_flat(&b)) {
-				bool less[2] = { holds_less(&s, &b, 0),
-					holds_less(&s, &b, 1) };
+				bool less[2] = { smaller_window_holds(&s, &b,
+						     0),
+					smaller_window_holds(&s, &b, 1) };
 
 				assert_false(less[0] && less[1]);
 				assert_true(s.has_device || !less[0]);
@@ -161,7 +165,7 @@ static void windows_are_the_least(void **state)
 	fit_many(149, 500);
 }
 
-/* One end is so small beside the other that the middle is rounded: the exact side is
+/* One end is so small beside the other that their middle is rounded. The exact side is
  * slightly more than a double, and is rounded up. */
 static void sides_are_rounded_up(void **state)
 {
@@ -181,7 +185,7 @@ static void assert_refused_as(const struct bounds *b, const char *begins)
 {
 	struct scene s = { 0 };
 
-	claim_refused(fit_window(&s, b), begins);
+	assert_reason(fit_window(&s, b), begins);
 }
 
 static void refusals(void **state)
@@ -201,7 +205,7 @@ static void refusals(void **state)
 	assert_refused_as(&b, "/bounds");
 	b = (struct bounds){ .max = { 1e-151, 1e-151 } };
 	assert_refused_as(&b, "/bounds");
-	/* a third coordinate is ignored */
+	/* fit_window ignores the third coordinate */
 	struct scene s = { 0 };
 
 	b = (struct bounds){ .min = { 0, 0, 1 }, .max = { 1, 1, 0 } };
@@ -220,12 +224,12 @@ static void check_shown(const struct scene *s, const struct window_extent *w)
 		const double at[4] = { end, end, 0, 1 };
 
 		assert_int_equal(truth_verdict(w->edge[k],
-				     truth_column(&back, k / 2, at), form_of(1),
-				     false),
+				     truth_column(&back, k / 2, at),
+				     sized_of(1), false),
 		    NEAREST);
 		assert_int_equal(truth_verdict(w->scale[k / 2],
 				     truth_element(&out, k / 2, k / 2),
-				     form_of(1), false),
+				     sized_of(1), false),
 		    NEAREST);
 	}
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The planes of the view volume that points are outside of have the signs of
- * MPFR. */
+/* The OUT_ bits of frustum_outside, one for each plane of the view volume, agree with
+ * the signs that MPFR computes. */
 #include "../derive/frustum.h"
 
 #include "claims.h"
@@ -19,15 +19,15 @@ static void onto_planes(const struct scene *s, enum space from, struct block *b)
 			image.in[j][i] = sample_between(-1, 1);
 		image.in[sample_below(3)][i] = (double)sample_below(3) - 1;
 	}
-	carry_all(&t, &image, POINTS);
+	map_block_exactly(&t, &image, POINTS);
 	for (size_t i = 0; i < POINTS; i += 2)
 		for (int j = 0; j < 3 && !isnan(image.out[0][i]); j++)
 			b->in[j][i] = image.out[j][i];
 }
 
-static struct form limit_of(real limit)
+static struct sized sized_limit(real limit)
 {
-	return (struct form){ limit, magnitude(limit) };
+	return (struct sized){ limit, magnitude(limit) };
 }
 
 /* Returns whether depth is reversed. The near plane of a matrix, as the manual says,
@@ -43,28 +43,29 @@ static bool is_reversed(const struct scene *s)
 	if (s->projection.type != PROJECTION_MATRIX)
 		return s->projection.reverse_z;
 	truth_scene(s, SPACE_CLIP, SPACE_VIEW, &back);
-	struct form w = form_sub(truth_column(&back, 3, near),
+	struct sized w = sized_sub(truth_column(&back, 3, near),
 	    truth_column(&back, 3, far));
 
 	if (truth_sign(w, NULL) != 0)
 		return truth_sign(w, NULL) < 0;
 	/* w is constant, of either sign */
-	struct form z = form_sub(truth_column(&back, 2, far),
+	struct sized z = sized_sub(truth_column(&back, 2, far),
 	    truth_column(&back, 2, near));
 	const double(*m)[4] = s->projection.matrix;
 
-	/* depth is not reversed if the matrix contains a camera */
+	/* such a matrix contains a camera: its depth is not reversed */
 	if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0)
 		return false;
-	int along = truth_sign(form_mul(z, truth_column(&back, 3, near)), NULL);
+	int along = truth_sign(sized_mul(z, truth_column(&back, 3, near)),
+	    NULL);
 
-	return along == -truth_gaze(truth_answer(s));
+	return along == -truth_gaze_sign(truth_answer(s));
 }
 
-/* Sets form to the functions of left, right, bottom, top, near and far at the point q
- * of clip space. */
-static void planes_of(const struct scene *s, const struct form q[4],
-    struct form form[6])
+/* Sets plane to the functions of the planes left, right, bottom, top, near and far at
+ * the point q of clip space. They are not negative inside. */
+static void planes_of(const struct scene *s, const struct sized q[4],
+    struct sized plane[6])
 {
 	bool reversed = is_reversed(s);
 	real limits[2];
@@ -72,18 +73,18 @@ static void planes_of(const struct scene *s, const struct form q[4],
 	truth_limits(s, limits);
 	for (int k = 0; k < 6; k++) {
 		bool high = k & 1;
-		struct form limit = k < 4 ? limit_of(limits[k / 2]) :
-					    form_of(1);
+		struct sized limit = k < 4 ? sized_limit(limits[k / 2]) :
+					     sized_of(1);
 
 		if ((k == 2 || k == 3) && truth_answer(s)->ndc_y_down)
 			high = !high;
 		if (k >= 4 && reversed)
 			high = !high;
 		if (k >= 4 && !high && !truth_answer(s)->depth_minus_one)
-			limit = form_of(0);
-		limit = form_mul(limit, q[3]);
-		form[k] = high ? form_sub(limit, q[k / 2]) :
-				 form_add(limit, q[k / 2]);
+			limit = sized_of(0);
+		limit = sized_mul(limit, q[3]);
+		plane[k] = high ? sized_sub(limit, q[k / 2]) :
+				  sized_add(limit, q[k / 2]);
 	}
 }
 
@@ -95,7 +96,7 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
     const struct truth *to_view, bool back, const double p[4], unsigned out,
     struct count *c)
 {
-	struct form q[4], form[6];
+	struct sized q[4], plane[6];
 	bool doubtful;
 
 	for (int j = 0; j < 4; j++)
@@ -110,11 +111,11 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	assert_int_equal(out == OUT_BEHIND, w <= 0);
 	if (w <= 0)
 		return;
-	planes_of(s, q, form);
+	planes_of(s, q, plane);
 	if (projection_is_open(&s->projection))
 		assert_false(out & (OUT_NEAR | OUT_FAR));
 	for (int k = 0; k < (projection_is_open(&s->projection) ? 4 : 6); k++) {
-		int sign = truth_sign(form[k], &doubtful);
+		int sign = truth_sign(plane[k], &doubtful);
 
 		doubtful &= to_clip->irrational;
 		c->planes++;
@@ -197,14 +198,14 @@ static void planes_agree_with_mpfr(void **state)
 		real_release(mark);
 	}
 	print_message("%zu planes, on %zu of them the point; %zu within the "
-		      "rule\n",
+		      "tolerance\n",
 	    c.planes, c.on, c.doubtful);
 	assert_true(
 	    c.planes > 10000 && c.on > 500 && c.doubtful < c.planes / 1000);
 }
 
-/* One unit in the last place off a plane, and far smaller distances that doubles
- * can tell. */
+/* Points one unit in the last place from a plane, and at far smaller distances that
+ * doubles can tell from 0. */
 static void tiny_distances_are_exact(void **state)
 {
 	struct scene s = { .has_world = true,
@@ -232,8 +233,9 @@ static void tiny_distances_are_exact(void **state)
 	}
 }
 
-/* The points have such magnitudes that products underflow, overflow, or neither. There
- * are more points than a call of the kernel takes. */
+/* Many points give the same bits at once and one by one. Their magnitudes let products
+ * underflow, overflow, or neither. There are more points than a call of the kernel
+ * takes. */
 static void all_points_agree_with_each(void **state)
 {
 	enum { MANY = 1000 };
@@ -245,8 +247,8 @@ static void all_points_agree_with_each(void **state)
 	(void)state;
 	sample_seed(2);
 	for (int k = 0; k < 300; k++) {
-		kernels_choose(copies[k / 6 %
-		    4]); /* the last choice stays if this one is refused */
+		/* the last choice stays if the processor lacks this one */
+		kernels_choose(copies[k / 6 % 4]);
 		sample_scene(&s, k % 3 * 4);
 		bool homogeneous = k % 5 == 0 && s.has_viewport;
 		enum space from = homogeneous ? SPACE_DEVICE : SPACE_WORLD;

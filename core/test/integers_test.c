@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* core/exact/exact.c against GMP: sums, products, quotients, roots and rounding of
- * numbers of every length that there is room for.
- * usage: integers_test [COUNT]; a thousand times as many as COUNT says. */
+/* Sums, products, quotients, roots and rounding of core/exact/exact.c against GMP, for
+ * numbers of every length up to EX_WORDS. The command integers_test COUNT makes most
+ * tests try 1000 COUNT numbers; without COUNT it is 20. */
 #include "claims.h"
 
 #include <gmp.h>
@@ -12,9 +12,10 @@
 
 static int tries = 20;
 
-/* Returns a number of n words, of which many cause carries and wrong guesses of digits.
- * Four products of 54 words and 14 have room with these exponents. */
-static ex words(int n)
+/* Returns a number of n words, many of which cause carries and wrong guesses of
+ * digits. The exponents leave room for the sum of four products of a number of 54
+ * words with one of 14. */
+static ex sample_words(int n)
 {
 	static const uint64_t odd[] = { 0, 1, UINT64_MAX, UINT64_MAX - 1,
 		(uint64_t)1 << 63, ((uint64_t)1 << 63) - 1 };
@@ -33,12 +34,12 @@ static ex words(int n)
 	return a;
 }
 
-static ex any(int most)
+static ex sample_up_to(int most)
 {
-	return words(1 + (int)sample_below((unsigned)most));
+	return sample_words(1 + (int)sample_below((unsigned)most));
 }
 
-/* Sets z to a 2^(64 up), which is whole. */
+/* Sets z to a times 2^(64 up), which must be an integer. */
 static void set_integer(mpz_t z, const ex *a, int up)
 {
 	mpz_import(z, (size_t)a->n, -1, 8, 0, 0, a->word);
@@ -47,20 +48,20 @@ static void set_integer(mpz_t z, const ex *a, int up)
 		mpz_neg(z, z);
 }
 
-static void assert_integer(const ex *a, int up, const mpz_t want)
+static void assert_integer(const ex *a, int up, const mpz_t expected)
 {
 	mpz_t got;
 
 	mpz_init(got);
 	if (a->n > 0)
 		set_integer(got, a, up);
-	assert_int_equal(mpz_cmp(got, want), 0);
-	assert_int_equal(a->sign, mpz_sgn(want));
+	assert_int_equal(mpz_cmp(got, expected), 0);
+	assert_int_equal(a->sign, mpz_sgn(expected));
 	assert_true(a->n == 0 || (a->word[0] != 0 && a->word[a->n - 1] != 0));
 	mpz_clear(got);
 }
 
-enum { UP = 64 }; /* more than exponents are below 0 */
+enum { UP = 64 }; /* makes every number an integer: no exponent is below -64 */
 
 static void sums_and_products(void **state)
 {
@@ -78,8 +79,8 @@ static void sums_and_products(void **state)
 
 		mpz_set_si(z, 0);
 		for (int k = 0; k < n; k++) {
-			a[k] = any(EX_WORDS / 2 - 1);
-			b[k] = any(EX_WORDS / 2 - 41);
+			a[k] = sample_up_to(EX_WORDS / 2 - 1);
+			b[k] = sample_up_to(EX_WORDS / 2 - 41);
 			p[k] = &a[k];
 			q[k] = &b[k];
 			set_integer(x[k], &a[k], UP);
@@ -103,8 +104,8 @@ static void sums_and_products(void **state)
 	mpz_clear(z);
 }
 
-/* A product without room for all its words says so, and no other does. */
-static void room(void **state)
+/* ex_has_overflowed is true only after a product that has no room for all its words. */
+static void overflow_of_products(void **state)
 {
 	mpz_t x, y;
 
@@ -112,7 +113,7 @@ static void room(void **state)
 	sample_seed(2);
 	mpz_inits(x, y, NULL);
 	for (int i = 0; i < 1000 * tries; i++) {
-		ex a = any(EX_WORDS), b = any(EX_WORDS), r;
+		ex a = sample_up_to(EX_WORDS), b = sample_up_to(EX_WORDS), r;
 
 		(void)ex_has_overflowed();
 		r = ex_mul(a, b);
@@ -130,7 +131,7 @@ static void room(void **state)
 	mpz_clears(x, y, NULL);
 }
 
-/* Quotients are cut off, and their last bit is 1 where something remains. */
+/* A quotient is truncated, and its last bit is 1 if there is a remainder. */
 static void quotients(void **state)
 {
 	mpz_t x, y, q, rest;
@@ -139,12 +140,12 @@ static void quotients(void **state)
 	sample_seed(3);
 	mpz_inits(x, y, q, rest, NULL);
 	for (int i = 0; i < 1000 * tries; i++) {
-		ex a = any(EX_WORDS), b = any(EX_WORDS), r;
+		ex a = sample_up_to(EX_WORDS), b = sample_up_to(EX_WORDS), r;
 		int n = 2 + (int)sample_below(EX_QUOTIENT_WORDS - 1);
 
 		if (sample_below(2)) {
-			a = any(EX_WORDS / 2);
-			b = any(EX_WORDS / 2);
+			a = sample_up_to(EX_WORDS / 2);
+			b = sample_up_to(EX_WORDS / 2);
 			a = ex_mul(a, b);
 		}
 		bool exact = ex_divide(&a, &b, n, &r);
@@ -175,7 +176,7 @@ static void roots(void **state)
 	mpz_inits(x, y, NULL);
 	for (int i = 0; i < 10 * tries; i++)
 		for (int n = 1; n <= EX_WORDS; n++) {
-			ex a = words(n);
+			ex a = sample_words(n);
 
 			a.sign = 1;
 			ex r = ex_sqrt(a);
@@ -191,7 +192,7 @@ static void roots(void **state)
 	mpz_clears(x, y, NULL);
 }
 
-static void rounded(void **state)
+static void rounding(void **state)
 {
 	mpz_t x;
 	mpfr_t f;
@@ -201,7 +202,7 @@ static void rounded(void **state)
 	mpz_init(x);
 	mpfr_init2(f, 64 * EX_WORDS);
 	for (int i = 0; i < 1000 * tries; i++) {
-		ex a = any(EX_WORDS);
+		ex a = sample_up_to(EX_WORDS);
 
 		a.e = -a.n - (int)sample_below(17) + (int)sample_below(17);
 		set_integer(x, &a, -a.e);
@@ -218,10 +219,10 @@ int main(int argc, char **argv)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(sums_and_products),
-		cmocka_unit_test(room),
+		cmocka_unit_test(overflow_of_products),
 		cmocka_unit_test(quotients),
 		cmocka_unit_test(roots),
-		cmocka_unit_test(rounded),
+		cmocka_unit_test(rounding),
 	};
 
 	if (argc > 1)

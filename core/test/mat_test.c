@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Composition and inversion of bare matrices, against MPFR. */
+/* Products and inverses of matrices, by core/exact/map.c, against MPFR. */
 #include "claims.h"
 
 enum { TRIES = 100 };
@@ -15,14 +15,15 @@ static void any_matrix(struct projection *p, bool affine, int e)
 		p->matrix[i][3] = sample_number(e);
 }
 
-/* All elements are in the range of doubles. */
-static void compare(const struct truth *t, const struct map *m, struct worst *w)
+/* Compares a map with the truth if its elements are in the range of doubles. */
+static void compare_if_finite(const struct truth *t, const struct map *m,
+    struct worst *w)
 {
 	if (map_is_finite(m))
 		truth_compare(t, m, w);
 }
 
-static void inverse_of(int e, struct worst *w)
+static void check_inverses(int e, struct worst *w)
 {
 	struct scene s = { .has_world = true };
 	struct map m;
@@ -32,12 +33,12 @@ static void inverse_of(int e, struct worst *w)
 	any_matrix(&s.projection, false, e);
 	if (map_inverse(s.projection.matrix, &m)) {
 		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &t);
-		compare(&t, &m, w);
+		compare_if_finite(&t, &m, w);
 	}
 	sample_affine(s.world, e);
 	if (map_inverse(s.world, &m)) {
 		truth_scene(&s, SPACE_WORLD, SPACE_MODEL, &t);
-		compare(&t, &m, w);
+		compare_if_finite(&t, &m, w);
 		for (int j = 0; j < 3; j++)
 			assert_true(m.origin[j] == s.world[3][j]);
 	}
@@ -51,11 +52,11 @@ static void inverses(void **state)
 	(void)state;
 	sample_seed(1);
 	for (int i = 0; i < 4 * TRIES; i++)
-		inverse_of(magnitudes[i % 4], &w);
-	claim_maps("inverse", &w);
+		check_inverses(magnitudes[i % 4], &w);
+	assert_maps("inverse", &w);
 }
 
-static void singular(void **state)
+static void singular_matrices_are_refused(void **state)
 {
 	struct map m;
 
@@ -66,7 +67,7 @@ static void singular(void **state)
 		int row = (int)sample_below(3);
 
 		sample_affine(a, 0);
-		/* the sums must be exact */
+		/* so that sums of multiples of rows are exact */
 		for (int k = 0; k < 16; k++)
 			a[k / 4][k % 4] = rint(a[k / 4][k % 4] * 4096);
 		for (int j = 0; j < 4; j++)
@@ -99,14 +100,14 @@ static void products(void **state)
 			truth_projection(&t, &p, &d3d);
 		}
 		truth_compose(&t);
-		compare(&t, &m, &w);
+		compare_if_finite(&t, &m, &w);
 		real_release(mark);
 	}
-	claim_maps("product of three", &w);
+	assert_maps("product of three", &w);
 }
 
 /* A matrix times its inverse is exactly the identity. */
-static void round_trips(void **state)
+static void products_with_inverses(void **state)
 {
 	(void)state;
 	sample_seed(4);
@@ -126,7 +127,7 @@ static void round_trips(void **state)
 	}
 }
 
-static void assert_same(const struct map *a, const struct map *b)
+static void assert_same_map(const struct map *a, const struct map *b)
 {
 	assert_memory_equal(a->origin, b->origin, sizeof a->origin);
 	for (int k = 0; k < 16; k++)
@@ -134,7 +135,7 @@ static void assert_same(const struct map *a, const struct map *b)
 		    element(a, k / 4, k % 4) == element(b, k / 4, k % 4));
 }
 
-static void identity(void **state)
+static void products_with_identity(void **state)
 {
 	struct scene s;
 	struct map one, a, b;
@@ -146,20 +147,20 @@ static void identity(void **state)
 	assert_null(scene_map(&s, SPACE_WORLD, SPACE_VIEW, &a));
 	b = one;
 	map_multiply(&b, &a, false);
-	assert_same(&a, &b);
+	assert_same_map(&a, &b);
 	b = a;
 	map_multiply(&b, &one, false);
-	assert_same(&a, &b);
+	assert_same_map(&a, &b);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(inverses),
-		cmocka_unit_test(singular),
+		cmocka_unit_test(singular_matrices_are_refused),
 		cmocka_unit_test(products),
-		cmocka_unit_test(round_trips),
-		cmocka_unit_test(identity),
+		cmocka_unit_test(products_with_inverses),
+		cmocka_unit_test(products_with_identity),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* A search for points whose images are hard to round: each climbs toward the
- * midpoint of two doubles, or floats, in some coordinate, as near as Euclid's
- * algorithm brings it; on the way every copy of the kernels must be right. */
+/* Searches for points whose images are hard to round. Each search moves a point by
+ * whole units in the last place of its coordinates, so that one coordinate of the
+ * image approaches the midpoint of two doubles, or of two floats. The moves are chosen
+ * as in Euclid's algorithm. Every copy of the kernels must round the images of all
+ * points on the way correctly. */
 #include <stdlib.h>
 
 #include "claims.h"
@@ -9,46 +11,48 @@
 
 enum { STEPS = 60 };
 
-/* The scene, its coordinate, and the digits of what it is rounded to. */
-struct hill {
+/* A transform with its truth, the coordinate of the image, and how many binary digits
+ * the format has to which it is rounded. */
+struct search {
 	struct transform t;
 	struct truth truth;
 	int j, bits;
 };
 
-/* Returns the distance of coordinate j from the nearest midpoint, in units in the last
- * place, from -1/2 to 1/2; 1 if there is no midpoint. */
-static double height(const struct hill *h, const double p[4])
+/* Returns how far coordinate j of the image of p is from the nearest midpoint, in
+ * units in the last place, from -1/2 to 1/2. Returns 1 if p has no image or the
+ * coordinate is 0. */
+static double midpoint_distance(const struct search *h, const double p[4])
 {
 	int mark = real_mark();
 	struct image image;
 	double r = 1;
 
 	image_of(&h->truth, &h->t, p, &image);
-	if (image.seen && truth_sign(image.n[h->j], NULL) != 0) {
-		real v = over(image.n[h->j].value, image.d.value);
+	if (image.exists && truth_sign(image.n[h->j], NULL) != 0) {
+		real v = divide(image.n[h->j].value, image.d.value);
 
 		mpfr_mul_2si(v, v, h->bits - mpfr_get_exp(v), MPFR_RNDN);
 		mpfr_frac(v, v, MPFR_RNDN);
-		r = mpfr_get_d(sub(magnitude(v), number(0.5)), MPFR_RNDN) *
+		r = mpfr_get_d(sub(magnitude(v), real_of(0.5)), MPFR_RNDN) *
 		    mpfr_sgn(v);
 	}
 	real_release(mark);
 	return r;
 }
 
-static double wrapped(double a)
+static double without_integer(double a)
 {
 	return a - rint(a);
 }
 
-/* The number of units in the last place of each coordinate, and by how much
- * they lift a point. */
+/* A move of a point by this many units in the last place of each coordinate, and how
+ * much the move changes the distance from the midpoint. */
 struct move {
-	double ulps[4], lift;
+	double ulps[4], change;
 };
 
-static void moved(const double p[4], const struct move *m, double times,
+static void move_point(const double p[4], const struct move *m, double times,
     double q[4])
 {
 	for (int i = 0; i < 4; i++) {
@@ -58,26 +62,28 @@ static void moved(const double p[4], const struct move *m, double times,
 	}
 }
 
-static void lift(const struct hill *h, const double p[4], struct move *m)
+static void measure_change(const struct search *h, const double p[4],
+    struct move *m)
 {
 	double q[4];
 
-	moved(p, m, 1, q);
-	m->lift = wrapped(height(h, q) - height(h, p));
+	move_point(p, m, 1, q);
+	m->change = without_integer(
+	    midpoint_distance(h, q) - midpoint_distance(h, p));
 }
 
-/* Subtracts from a the multiple of b that makes the lift of the rest least. */
-static void reduce(const struct hill *h, const double p[4], struct move *a,
+/* Subtracts a multiple of b from a so that the change of the rest is least. */
+static void reduce(const struct search *h, const double p[4], struct move *a,
     const struct move *b)
 {
-	double times = rint(a->lift / b->lift);
+	double times = rint(a->change / b->change);
 
 	for (int i = 0; i < 4; i++)
 		a->ulps[i] -= times * b->ulps[i];
-	lift(h, p, a);
+	measure_change(h, p, a);
 }
 
-static bool is_small(const struct move *m)
+static bool is_move_small(const struct move *m)
 {
 	for (int i = 0; i < 4; i++)
 		if (fabs(m->ulps[i]) > 0x1p40)
@@ -85,50 +91,51 @@ static bool is_small(const struct move *m)
 	return true;
 }
 
-static int by_lift(const void *a, const void *b)
+static int by_change(const void *a, const void *b)
 {
-	double x = fabs(((const struct move *)a)->lift);
-	double y = fabs(((const struct move *)b)->lift);
+	double x = fabs(((const struct move *)a)->change);
+	double y = fabs(((const struct move *)b)->change);
 
 	return (x < y) - (x > y);
 }
 
-static void keep(struct block *b, size_t i, const double p[4])
+static void store_point(struct block *b, size_t i, const double p[4])
 {
 	for (int k = 0; k < 4; k++)
 		b->in[k][i] = p[k];
 }
 
-/* Fills a block with a point and its way to the midpoint; returns how near the last
- * point is. */
-static double climb(const struct hill *h, double p[4], struct block *b,
-    size_t *n)
+/* Fills a block with the point p and the n - 1 points on its way to a midpoint.
+ * Returns the distance of the last point from the midpoint, or 1 if p has no image or
+ * the coordinate is 0. */
+static double approach_midpoint(const struct search *h, double p[4],
+    struct block *b, size_t *n)
 {
 	struct move m[4] = { 0 };
-	double best = height(h, p);
+	double best = midpoint_distance(h, p);
 
-	keep(b, 0, p);
+	store_point(b, 0, p);
 	*n = 1;
 	for (int k = 0; k < 4; k++) {
 		m[k].ulps[k] = k < h->t.in;
-		lift(h, p, &m[k]);
+		measure_change(h, p, &m[k]);
 	}
 	for (int step = 0; step < STEPS && best != 0 && best != 1; step++) {
 		int last = 3;
 		double q[4];
 
-		qsort(m, 4, sizeof *m, by_lift);
-		while (last > 0 && m[last].lift == 0)
+		qsort(m, 4, sizeof *m, by_change);
+		while (last > 0 && m[last].change == 0)
 			last--;
-		if (m[last].lift == 0 || !is_small(&m[last]))
+		if (m[last].change == 0 || !is_move_small(&m[last]))
 			break;
-		moved(p, &m[last], -rint(best / m[last].lift), q);
-		double now = height(h, q);
+		move_point(p, &m[last], -rint(best / m[last].change), q);
+		double now = midpoint_distance(h, q);
 
 		if (fabs(now) < fabs(best)) {
 			best = now;
 			memcpy(p, q, sizeof q);
-			keep(b, (*n)++, p);
+			store_point(b, (*n)++, p);
 		}
 		if (last > 0)
 			reduce(h, p, &m[(int)sample_below((unsigned)last)],
@@ -137,14 +144,16 @@ static double climb(const struct hill *h, double p[4], struct block *b,
 	return fabs(best);
 }
 
-/* Counts the points that the fast phase leaves undecided. */
+/* Counts of coordinates, of points that a kernel took, of those among them that it
+ * left undecided, of searches, and of searches that ended within 2^-20 of a midpoint.
+ * least is the least distance but 0. */
 struct count {
 	struct tally tally;
-	size_t points, accurate, climbs, near;
+	size_t points, undecided, searches, near;
 	double least;
 };
 
-static void judge_copies(const struct hill *h, struct block *b, size_t n,
+static void judge_copies(const struct search *h, struct block *b, size_t n,
     struct count *c)
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
@@ -158,16 +167,16 @@ static void judge_copies(const struct hill *h, struct block *b, size_t n,
 		if (fast != NULL) {
 			fast(&h->t.for_kernel, in, out, n);
 			for (size_t i = 0; i < n; i++)
-				c->accurate += isnan(b->out[0][i]) != 0;
+				c->undecided += isnan(b->out[0][i]) != 0;
 			c->points += n;
 		}
-		carry_all(&h->t, b, n);
+		map_block_exactly(&h->t, b, n);
 		judge_block(&h->truth, &h->t, b, n, false, &c->tally);
 	}
 	judge_block(&h->truth, &h->t, b, n, true, &c->tally);
 }
 
-static void climb_from(struct hill *h, const struct block *start, size_t i,
+static void search_from(struct search *h, const struct block *start, size_t i,
     struct count *c)
 {
 	static struct block way;
@@ -176,21 +185,21 @@ static void climb_from(struct hill *h, const struct block *start, size_t i,
 
 	h->j = (int)sample_below((unsigned)h->t.out);
 	h->bits = sample_below(4) == 0 ? 24 : 53;
-	point_of(start, i, p);
-	double end = climb(h, p, &way, &n);
+	block_point(start, i, p);
+	double end = approach_midpoint(h, p, &way, &n);
 
 	if (end == 1)
 		return;
 	judge_copies(h, &way, n, c);
-	c->climbs++;
+	c->searches++;
 	c->near += end < 0x1p-20;
 	if (end > 0)
 		c->least = fmin(c->least, end);
 }
 
-static void climb_hills(int e, int scenes)
+static void search_scenes(int e, int scenes)
 {
-	static struct hill h;
+	static struct search h;
 	static struct block start;
 	struct count c = { .least = 1 };
 	struct scene s;
@@ -204,33 +213,33 @@ static void climb_hills(int e, int scenes)
 		if (sample_transform(e, &s, &from, &h.t, &h.truth)) {
 			sample_points(&s, from, &start, 8);
 			for (size_t i = 0; i < 8; i++)
-				climb_from(&h, &start, i, &c);
+				search_from(&h, &start, i, &c);
 		}
 		real_release(mark);
 	}
-	print_message("10^%d: %zu points climbed, %zu to within 2^-20 units in "
+	print_message("10^%d: %zu searches, %zu to within 2^-20 units in "
 		      "the last place of a midpoint, the nearest to 2^%.0f; "
-		      "%.3g %% of the kernels' points took the accurate "
-		      "phase; %zu of %zu coordinates wrong\n",
-	    e, c.climbs, c.near, log2(c.least),
-	    100.0 * (double)c.accurate / (double)c.points, c.tally.n[WRONG],
+		      "%.3g %% of the kernels' points were left "
+		      "undecided; %zu of %zu coordinates wrong\n",
+	    e, c.searches, c.near, log2(c.least),
+	    100.0 * (double)c.undecided / (double)c.points, c.tally.n[WRONG],
 	    c.tally.n[NEAREST] + c.tally.n[WRONG]);
 	assert_int_equal(c.tally.n[WRONG], 0);
-	assert_true(c.near > c.climbs / 4);
+	assert_true(c.near > c.searches / 4);
 }
 
-static void hard_points(void **state)
+static void images_near_midpoints(void **state)
 {
 	(void)state;
-	climb_hills(0, 60);
-	climb_hills(3, 60);
-	climb_hills(9, 40);
+	search_scenes(0, 60);
+	search_scenes(3, 60);
+	search_scenes(9, 40);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(hard_points),
+		cmocka_unit_test(images_near_midpoints),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

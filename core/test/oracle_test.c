@@ -1,24 +1,21 @@
 /* SPDX-License-Identifier: MIT */
-/* Random scenes, any two spaces, every format and every copy of the kernels:
- * how many coordinates are not the double, or the float, nearest to the
- * exact value?
- *
- *	oracle_test [COORDINATES [SEED]]
- */
+/* Counts the coordinates that are not the double, or the float, nearest to the true
+ * value, in random scenes, between any two spaces, for every copy of the kernels.
+ * usage: oracle_test [COORDINATES [SEED]] */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "points.h"
 
-/* Counts of coordinates by their result; and of the points that a kernel took and of
- * those that it left to the accurate phase. */
+/* Counts of coordinates by their verdict, of points that a kernel took, and of those
+ * among them that it left undecided. */
 struct count {
 	struct tally tally;
-	size_t points, accurate;
+	size_t points, undecided;
 };
 
-static void count_accurate(const struct transform *t, struct block *b,
+static void count_undecided(const struct transform *t, struct block *b,
     struct count *c)
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
@@ -30,7 +27,7 @@ static void count_accurate(const struct transform *t, struct block *b,
 	c->points += POINTS;
 	fast(&t->for_kernel, in, out, POINTS);
 	for (int i = 0; i < POINTS; i++)
-		c->accurate += isnan(b->out[0][i]) != 0;
+		c->undecided += isnan(b->out[0][i]) != 0;
 }
 
 static void try_scene(int e, struct count *c)
@@ -50,8 +47,8 @@ static void try_scene(int e, struct count *c)
 		for (int i = 0; i < COPIES; i++) {
 			if (!kernels_choose(copies[i]))
 				continue;
-			count_accurate(&t, &b, c);
-			carry_all(&t, &b, POINTS);
+			count_undecided(&t, &b, c);
+			map_block_exactly(&t, &b, POINTS);
 			judge_block(&truth, &t, &b, POINTS, false, &c->tally);
 		}
 		judge_block(&truth, &t, &b, POINTS, true, &c->tally);
@@ -59,25 +56,26 @@ static void try_scene(int e, struct count *c)
 	real_release(mark);
 }
 
-/* Tries scenes with magnitudes of 10^-e to 10^e, or round numbers for a
- * negative e. Returns how many results are wrong. */
+/* Tries scenes with magnitudes of 10^-e to 10^e, or with round numbers if e is
+ * negative. Returns how many coordinates are wrong. */
 static size_t try_scenes(int e, size_t coordinates)
 {
 	struct count c = { 0 };
 	const size_t *n = c.tally.n;
 
-	while (n[NEAREST] + n[RULED] + n[WRONG] < coordinates)
+	while (n[NEAREST] + n[WITHIN_TOLERANCE] + n[WRONG] < coordinates)
 		try_scene(e, &c);
 	char what[16] = "round";
 
 	if (e >= 0)
 		snprintf(what, sizeof what, "10^%d", e);
 	printf("%s - %s: of %zu coordinates %zu not the nearest, %zu "
-	       "within the rule; %.3g %% of the kernels' points took the "
-	       "accurate phase\n",
+	       "within the tolerance; %.3g %% of the kernels' points were left "
+	       "undecided\n",
 	    n[WRONG] == 0 ? "ok" : "not ok", what,
-	    n[NEAREST] + n[RULED] + n[WRONG], n[WRONG], n[RULED],
-	    100.0 * (double)c.accurate / (double)c.points);
+	    n[NEAREST] + n[WITHIN_TOLERANCE] + n[WRONG], n[WRONG],
+	    n[WITHIN_TOLERANCE],
+	    100.0 * (double)c.undecided / (double)c.points);
 	fflush(stdout);
 	return n[WRONG];
 }

@@ -4,7 +4,6 @@
 #include "../points/transform.h"
 
 #include "claims.h"
-#include "numbers.h"
 
 /* Returns the largest difference, in ndc, between images under s and under r, the scene
  * that inspect prints, at points of the view volume. Their maps are equal but for a
@@ -93,7 +92,8 @@ static void to_matrices(struct scene *s)
 	s->projection.type = PROJECTION_MATRIX;
 }
 
-/* The parameters of a matrix are those that it was made of, but for rounding. */
+/* The parameters that inspect finds in a matrix are those that the matrix was made of,
+ * but for rounding. */
 static void matrices_give_their_parameters(void **state)
 {
 	struct scene s;
@@ -128,32 +128,34 @@ static void matrices_give_their_parameters(void **state)
 	assert_true(n > 100);
 }
 
-static void check(double got, struct form n, struct form d, int tally[VERDICTS])
+static void count_verdict(double got, struct sized n, struct sized d,
+    int tally[VERDICTS])
 {
 	tally[truth_verdict(got, n, d, false)]++;
 }
 
-/* Computes by the inverse map the homogeneous point of view space where side plane side
- * meets near or far, and the other ndc coordinate is 0. */
+/* Computes, by the inverse map, the homogeneous point of view space where the side
+ * plane with number side meets the near or far plane and the other of x and y in ndc
+ * is 0. */
 static void corner_at(const struct scene *s, const struct truth *back,
-    const real limit[2], bool reversed, bool far, int side, struct form h[4])
+    const real limit[2], bool reversed, bool far, int side, struct sized h[4])
 {
 	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
 	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	const double sign[4] = { -1, 1, -up, up };
-	struct form at = form_mul((struct form){ limit[side / 2],
-				      limit[side / 2] },
-	    form_of(sign[side]));
+	struct sized at = sized_mul((struct sized){ limit[side / 2],
+					limit[side / 2] },
+	    sized_of(sign[side]));
 
 	for (int j = 0; j < 4; j++)
-		h[j] = form_add(truth_column(back, j,
-				    (double[]){ 0, 0, far != reversed ? 1 : low,
-					1 }),
-		    form_mul(at, truth_element(back, side / 2, j)));
+		h[j] = sized_add(truth_column(back, j,
+				     (double[]){ 0, 0,
+					 far != reversed ? 1 : low, 1 }),
+		    sized_mul(at, truth_element(back, side / 2, j)));
 }
 
 static void corner_of(const struct scene *s, const struct truth *back,
-    bool reversed, bool far, int side, struct form h[4])
+    bool reversed, bool far, int side, struct sized h[4])
 {
 	real limit[2];
 
@@ -167,14 +169,14 @@ static void check_edges(const struct scene *s, const struct truth *back,
     const struct picture *r, int tally[VERDICTS])
 {
 	const struct projection *p = &r->scene.projection;
-	const real one[2] = { number(1), number(1) };
+	const real one[2] = { real_of(1), real_of(1) };
 	const double edge[4] = { p->left, p->right, p->bottom, p->top };
 
 	if (!r->has_scene || p->extent != EXTENT_EDGES ||
 	    p->type == PROJECTION_OBLIQUE)
 		return;
 	for (int side = 0; side < 4; side++) {
-		struct form h[4], n, d, eye[2];
+		struct sized h[4], n, d, eye[2];
 
 		corner_at(s, back, one, r->reverse_z, p->near != r->near, side,
 		    h);
@@ -183,11 +185,12 @@ static void check_edges(const struct scene *s, const struct truth *back,
 		eye[0] = truth_element(back, 2, side / 2);
 		eye[1] = truth_element(back, 2, 3);
 		if (p->type == PROJECTION_PERSP) {
-			n = form_sub(form_mul(n, eye[1]), form_mul(eye[0], d));
-			d = form_mul(d, eye[1]);
+			n = sized_sub(sized_mul(n, eye[1]),
+			    sized_mul(eye[0], d));
+			d = sized_mul(d, eye[1]);
 		}
-		check(copysign(edge[side],
-			  mpfr_sgn(n.value) * mpfr_sgn(d.value)),
+		count_verdict(copysign(edge[side],
+				  mpfr_sgn(n.value) * mpfr_sgn(d.value)),
 		    n, d, tally);
 	}
 }
@@ -199,14 +202,14 @@ static void check_distance(const struct scene *s, const struct truth *back,
 {
 	double got = far ? r->far : r->near;
 	const struct projection *p = &s->projection;
-	struct form h[4], eye[4];
+	struct sized h[4], eye[4];
 
 	if (projection_is_tilted(p)) {
 		if (far && isinf(p->far))
 			assert_true(isinf(got));
 		else
-			check(got, form_of(far ? p->far : p->near),
-			    truth_slope(p), tally);
+			count_verdict(got, sized_of(far ? p->far : p->near),
+			    truth_w_gradient(p), tally);
 		return;
 	}
 
@@ -214,17 +217,17 @@ static void check_distance(const struct scene *s, const struct truth *back,
 	for (int j = 0; j < 4; j++)
 		eye[j] = truth_element(back, 2, j);
 	if (truth_sign(eye[3], NULL) == 0) {
-		got *= truth_gaze(truth_answer(s));
-		check(got, h[2], h[3], tally);
+		got *= truth_gaze_sign(truth_answer(s));
+		count_verdict(got, h[2], h[3], tally);
 	} else if (truth_sign(h[3], NULL) == 0) {
 		assert_true(isinf(got));
 	} else {
-		struct form n = form_sub(form_mul(h[2], eye[3]),
-		    form_mul(eye[2], h[3]));
-		struct form d = form_mul(h[3], eye[3]);
+		struct sized n = sized_sub(sized_mul(h[2], eye[3]),
+		    sized_mul(eye[2], h[3]));
+		struct sized d = sized_mul(h[3], eye[3]);
 
 		got = copysign(got, mpfr_sgn(n.value) * mpfr_sgn(d.value));
-		check(got, n, d, tally);
+		count_verdict(got, n, d, tally);
 	}
 }
 
@@ -242,22 +245,23 @@ static void check_frustum_planes(const struct scene *s, const struct picture *r,
 	truth_scene(s, SPACE_WORLD, SPACE_CLIP, &t);
 	truth_limits(s, limit);
 	for (int k = 0; k < 6; k++) {
-		struct form v[4],
-		    most = form_of(sign[k] < 0 || c->depth_minus_one);
+		struct sized v[4],
+		    most = sized_of(sign[k] < 0 || c->depth_minus_one);
 
 		if (k < 4)
-			most = (struct form){ limit[k / 2], limit[k / 2] };
+			most = (struct sized){ limit[k / 2], limit[k / 2] };
 		for (int i = 0; i < 4; i++)
-			v[i] = form_add(form_mul(most, truth_element(&t, i, 3)),
-			    form_mul(form_of(sign[k]),
+			v[i] = sized_add(sized_mul(most,
+					     truth_element(&t, i, 3)),
+			    sized_mul(sized_of(sign[k]),
 				truth_element(&t, i, k / 2)));
-		struct form length = form_length(v);
+		struct sized length = sized_length(v);
 
 		for (int i = 0; i < 4; i++)
 			if (truth_sign(length, NULL) != 0 &&
 			    !(k >= 4 && projection_is_open(&s->projection)))
-				check(r->frustum_plane[k][i], v[i], length,
-				    tally);
+				count_verdict(r->frustum_plane[k][i], v[i],
+				    length, tally);
 			else
 				assert_true(isnan(r->frustum_plane[k][i]));
 	}
@@ -288,7 +292,7 @@ static void numbers_are_nearest(void **state)
 	for (int k = 0; k < 400; k++) {
 		int mark = real_mark();
 		struct truth back;
-		struct form h[4];
+		struct sized h[4];
 
 		sample_scene(&s, k % 3 * 10);
 		sample_answer(&s);
@@ -307,23 +311,23 @@ static void numbers_are_nearest(void **state)
 		for (int side = 0; side < 4; side++) {
 			corner_of(&s, &back, r.reverse_z, false, side, h);
 			if (!isnan(r.near_edge[side]))
-				check(r.near_edge[side], h[side / 2], h[3],
-				    tally[1]);
+				count_verdict(r.near_edge[side], h[side / 2],
+				    h[3], tally[1]);
 		}
 		real_release(mark);
 	}
 	for (int i = 0; i < 4; i++)
-		print_message("%s: %d numbers, %d within the rule, %d "
+		print_message("%s: %d numbers, %d within the tolerance, %d "
 			      "wrong\n",
-		    what[i], tally[i][NEAREST] + tally[i][RULED],
-		    tally[i][RULED], tally[i][WRONG]);
+		    what[i], tally[i][NEAREST] + tally[i][WITHIN_TOLERANCE],
+		    tally[i][WITHIN_TOLERANCE], tally[i][WRONG]);
 	for (int i = 0; i < 4; i++) {
 		assert_true(told > 10 && tally[i][NEAREST] > 200);
 		assert_int_equal(tally[i][WRONG], 0);
 	}
 }
 
-/* near, far, reverse_z and edges of a document are found again. */
+/* inspect finds near, far, reverse_z and the edges of a document again. */
 static void parameters_are_found_again(void **state)
 {
 	struct scene s;
@@ -362,8 +366,8 @@ static void parameters_are_found_again(void **state)
 	assert_true(n > 300);
 }
 
-/* Puts the camera into the matrix of the projection, each element the nearest
- * double. */
+/* Multiplies the camera into the matrix of the projection, with each element the
+ * nearest double. */
 static void to_one_matrix(struct scene *s)
 {
 	struct map clip;
@@ -378,12 +382,12 @@ static void to_one_matrix(struct scene *s)
 	s->has_camera = false;
 }
 
-static real at(real gradient[4], real point[3])
+static real value_at(real gradient[4], real point[3])
 {
 	return add(dot(gradient, point, 3), gradient[3]);
 }
 
-static void check_real(double got, real exact, int tally[2])
+static void count_nearest(double got, real exact, int tally[2])
 {
 	tally[got == mpfr_get_d(exact, MPFR_RNDN)]++;
 }
@@ -405,17 +409,17 @@ static void check_combined(const struct scene *s, const struct picture *r,
 	real g[4][4], m[4][4], back[4][4], eye[3], n[3], up[3], right[3];
 
 	for (int i = 0; i < 16; i++)
-		m[i / 4][i % 4] = number(s->projection.matrix[i / 4][i % 4]);
+		m[i / 4][i % 4] = real_of(s->projection.matrix[i / 4][i % 4]);
 	for (int i = 0; i < 4 && c->ndc_y_down; i++)
 		m[i][1] = negative(m[i][1]);
 	set_inverse(back, m);
 	for (int i = 0; i < 16; i++)
 		g[i / 4][i % 4] = m[i % 4][i / 4];
 	for (int i = 0; i < 3; i++) {
-		eye[i] = over(back[2][i], back[2][3]);
+		eye[i] = divide(back[2][i], back[2][3]);
 		n[i] = g[3][i];
 	}
-	real w = root(dot(n, n, 3)), depth = at(g[2], eye);
+	real w = root(dot(n, n, 3)), depth = value_at(g[2], eye);
 
 	normalise(n, 3);
 	for (int i = 0; i < 3; i++)
@@ -424,24 +428,24 @@ static void check_combined(const struct scene *s, const struct picture *r,
 	cross(up, n, right);
 	for (int i = 0; i < 3; i++) {
 		right[i] = c->right_handed ? negative(right[i]) : right[i];
-		check_real(camera->eye[i], eye[i], tally);
-		check_real(camera->at[i], n[i], tally);
-		check_real(camera->up[i], up[i], tally);
+		count_nearest(camera->eye[i], eye[i], tally);
+		count_nearest(camera->at[i], n[i], tally);
+		count_nearest(camera->up[i], up[i], tally);
 	}
 	real d[2];
 
 	for (int i = 0; i < 2; i++) {
 		double k = (i == 1) != r->reverse_z ? 1 : first;
 
-		d[i] = over(depth, sub(mul(number(k), w), dot(g[2], n, 3)));
+		d[i] = divide(depth, sub(mul(real_of(k), w), dot(g[2], n, 3)));
 		if (!isinf(distance[i]))
-			check_real(distance[i], d[i], tally);
+			count_nearest(distance[i], d[i], tally);
 	}
 	for (int i = 0; i < 4; i++) {
 		real *axis = i < 2 ? right : up, *x = g[i / 2];
-		real off = sub(mul(number(i % 2 ? 1 : -1), w), dot(x, n, 3));
+		real off = sub(mul(real_of(i % 2 ? 1 : -1), w), dot(x, n, 3));
 
-		check_real(edge[i], over(mul(off, d[0]), dot(x, axis, 3)),
+		count_nearest(edge[i], divide(mul(off, d[0]), dot(x, axis, 3)),
 		    tally);
 	}
 }

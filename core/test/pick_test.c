@@ -4,14 +4,13 @@
 
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
-/* The distance of model points from the near plane along the gaze, computed in the
- * document's convention. */
+/* The distance of model points from the near plane along the gaze, in the convention
+ * of the document: the difference of a column of view and near, divided by divisor. */
 struct distance {
 	struct truth view;
-	int column; /* the column of view that is the depth */
-	struct form near, over;
+	int column; /* 2, or the column of clip w if the gaze is not along z */
+	struct sized near, divisor;
 	bool upward;
 };
 
@@ -21,39 +20,39 @@ static void distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;
 	bool volume = p->type == PROJECTION_VOLUME;
-	double gaze = truth_gaze(&s->convention);
+	double gaze = truth_gaze_sign(&s->convention);
 
 	struct scene own = *s;
 
 	own.answer = NULL;
 	truth_scene(&own, SPACE_MODEL, SPACE_VIEW, &d->view);
 	d->column = 2;
-	d->over = form_of(1);
+	d->divisor = sized_of(1);
 	if (projection_is_tilted(p)) {
 		truth_scene(&own, SPACE_MODEL, SPACE_CLIP, &d->view);
 		d->column = 3;
-		d->near = form_of(p->near);
+		d->near = sized_of(p->near);
 		d->upward = p->far > p->near;
-		d->over = truth_slope(p);
+		d->divisor = truth_w_gradient(p);
 		return;
 	}
-	/* w at the eye */
+	/* the constant term of w, of intrinsics */
 	double w = p->type == PROJECTION_PERSP &&
 		p->extent == EXTENT_INTRINSICS ?
 	    p->intrinsics[2][3] :
 	    0;
-	d->near = form_of(volume ? p->z_near : gaze * p->near);
+	d->near = sized_of(volume ? p->z_near : gaze * p->near);
 	if (!volume)
-		d->near = form_sub(d->near, form_of(gaze * w));
+		d->near = sized_sub(d->near, sized_of(gaze * w));
 	d->upward = volume ? p->z_far > p->z_near :
 			     (p->far > p->near) == (gaze > 0);
 }
 
-static struct form distance_at(const struct distance *d, const double p[4])
+static struct sized distance_at(const struct distance *d, const double p[4])
 {
-	struct form z = truth_column(&d->view, d->column, p);
+	struct sized z = truth_column(&d->view, d->column, p);
 
-	return d->upward ? form_sub(z, d->near) : form_sub(d->near, z);
+	return d->upward ? sized_sub(z, d->near) : sized_sub(d->near, z);
 }
 
 static bool sample_picker(int e, struct scene *s, struct transform *t,
@@ -75,31 +74,31 @@ static void check_distances(const struct picker *k, const struct distance *d,
 		double p[4] = { b->in[0][i], b->in[1][i], b->in[2][i], 1 };
 		double q[4] = { b->in[0][0], b->in[1][0], b->in[2][0], 1 };
 		int mark = real_mark();
-		struct form at = distance_at(d, p);
+		struct sized at = distance_at(d, p);
 		bool doubtful;
 		int order;
 
-		verdicts[truth_verdict(pick_distance(k, p), at, d->over,
+		verdicts[truth_verdict(pick_distance(k, p), at, d->divisor,
 		    false)]++;
-		order = truth_sign(form_sub(at, distance_at(d, q)), &doubtful);
+		order = truth_sign(sized_sub(at, distance_at(d, q)), &doubtful);
 		if (order == 0 || !doubtful)
 			assert_int_equal(pick_compare(k, p, q), order);
 		real_release(mark);
 	}
 }
 
-/* Returns whether the image N / w is within the radius of at. */
+/* Returns whether the image, n / d, is within the radius of at, the picked position. */
 static bool is_within(const struct picker *k, const struct image *image,
     bool *doubtful)
 {
-	struct form d = form_mul(form_of(k->radius), image->d);
+	struct sized d = sized_mul(sized_of(k->radius), image->d);
 
-	d = form_mul(d, form_sub(form_of(0), d));
+	d = sized_mul(d, sized_sub(sized_of(0), d));
 	for (int j = 0; j < 2; j++) {
-		struct form off = form_sub(image->n[j],
-		    form_mul(form_of(k->at[j]), image->d));
+		struct sized off = sized_sub(image->n[j],
+		    sized_mul(sized_of(k->at[j]), image->d));
 
-		d = form_add(d, form_mul(off, off));
+		d = sized_add(d, sized_mul(off, off));
 	}
 	return truth_sign(d, doubtful) <= 0;
 }
@@ -108,7 +107,7 @@ static bool is_within(const struct picker *k, const struct image *image,
 static void check_radius(struct picker *k, const struct truth *truth,
     struct block *b, size_t n[2])
 {
-	carry_all(k->to_device, b, POINTS);
+	map_block_exactly(k->to_device, b, POINTS);
 	k->at[0] = b->out[0][0];
 	k->at[1] = b->out[1][0];
 	k->radius = hypot(b->out[0][1] - k->at[0], b->out[1][1] - k->at[1]);
@@ -124,9 +123,9 @@ static void check_radius(struct picker *k, const struct truth *truth,
 		double p[4], device[2] = { b->out[0][i], b->out[1][i] };
 		bool doubtful;
 
-		point_of(b, i, p);
+		block_point(b, i, p);
 		image_of(truth, k->to_device, p, &image);
-		if (image.seen && !isnan(device[0])) {
+		if (image.exists && !isnan(device[0])) {
 			bool within = is_within(k, &image, &doubtful);
 
 			n[within]++;
@@ -164,11 +163,14 @@ static void random_scenes(void **state)
 		check_radius(&k, &truth, &b, n);
 		real_release(mark);
 	}
-	print_message("%d distances, %d within the rule; %zu points within, "
-		      "%zu not\n",
-	    verdicts[NEAREST] + verdicts[RULED], verdicts[RULED], n[1], n[0]);
+	print_message(
+	    "%d distances, %d within the tolerance; %zu points within, "
+	    "%zu not\n",
+	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE],
+	    verdicts[WITHIN_TOLERANCE], n[1], n[0]);
 	assert_int_equal(verdicts[WRONG], 0);
-	assert_true(verdicts[NEAREST] > 5000 && verdicts[RULED] < 10);
+	assert_true(
+	    verdicts[NEAREST] > 5000 && verdicts[WITHIN_TOLERANCE] < 10);
 	assert_true(n[0] > 1000 && n[1] > 300);
 }
 

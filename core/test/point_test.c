@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* The accurate phase for one point: ties, zeros, the eye plane, nan. */
+/* Tests point_exact, which computes one point with sums of core/exact, for ties,
+ * zeros, the eye plane and nan. Most cases also test the kernels. */
 #include "../points/transform.h"
 
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
-/* Compares a point with MPFR, as doubles and as floats. */
+/* Compares the image of a point, as doubles and as floats, with MPFR. */
 static void check_point(const struct truth *truth, const struct transform *t,
     const double p[4], struct tally *tally)
 {
@@ -43,19 +43,19 @@ static void random_points(void **state)
 			for (size_t i = 0; i < POINTS; i++) {
 				double p[4];
 
-				point_of(&b, i, p);
+				block_point(&b, i, p);
 				check_point(&truth, &t, p, &tally);
 			}
 		}
 		real_release(mark);
 	}
-	print_message("%zu numbers, %zu within the rule\n", tally.n[NEAREST],
-	    tally.n[RULED]);
+	print_message("%zu numbers, %zu within the tolerance\n",
+	    tally.n[NEAREST], tally.n[WITHIN_TOLERANCE]);
 	assert_int_equal(tally.n[WRONG], 0);
 	assert_true(tally.n[NEAREST] > 10000);
 }
 
-static void transform_by(const double m[3][4], struct transform *t)
+static void transform_of_rows(const double m[3][4], struct transform *t)
 {
 	double all[4][4] = { [3] = { 0, 0, 0, 1 } };
 
@@ -82,13 +82,14 @@ static void assert_image(const struct transform *t, double x, double y,
 			continue;
 		for (int j = 0; j < 3; j++)
 			b.in[j][0] = p[j];
-		carry_all(t, &b, 1);
+		map_block_exactly(t, &b, 1);
 		for (int j = 0; j < 3; j++)
 			assert_number(b.out[j][0], expected[j]);
 	}
 }
 
-/* No sum of given numbers is too small to count. */
+/* The rows of each matrix are the formulas of x, y and z. Numbers that are given are
+ * exact, so that no part of a sum is too small to decide a tie or a sign. */
 static void sums_of_given_numbers(void **state)
 {
 	static const double cancelling[3][4] = { { 1, 1, 1, 0 },
@@ -100,19 +101,19 @@ static void sums_of_given_numbers(void **state)
 	struct transform t;
 
 	(void)state;
-	transform_by(cancelling, &t);
+	transform_of_rows(cancelling, &t);
 	assert_image(&t, 1e32, -1e32, 3, (double[]){ 3, 0x3p-1000, 3 });
 	assert_image(&t, 1e150, -1e150, 0, (double[]){ 0, 0, 1e-150 });
-	transform_by(tied, &t);
+	transform_of_rows(tied, &t);
 	assert_image(&t, 1, 0, 1, (double[]){ 1, 1 + 0x1p-52, 1 });
 	assert_image(&t, -1, 0, 1,
 	    (double[]){ -1 + 0x1p-53, -1 + 0x1p-53, -1 + 0x1p-53 });
-	transform_by(odd, &t);
+	transform_of_rows(odd, &t);
 	assert_image(&t, 1, 0x1p-60, 0, (double[]){ 3, 1, 1 });
 	assert_image(&t, 1, -0x1p-60, 0, (double[]){ 3, 1, 1 - 0x1p-53 });
 }
 
-/* 1 is found beside 2^310 times a difference of roots that is 0. */
+/* The image is 1 plus 2^310 times a difference of roots that is 0: it is exactly 1. */
 static void one_beside_a_zero_of_roots(void **state)
 {
 	struct sum root = sum_sqrt(sum_of_double(2));
@@ -137,8 +138,8 @@ static void one_beside_a_zero_of_roots(void **state)
 		}
 }
 
-/* The divisor of such sums is exact on the way back, too, through any scene of
- * round numbers. */
+/* Images in scenes of round numbers are the nearest doubles and floats. The divisor is
+ * exact also in maps from the device back to other spaces. */
 static void quotients_of_given_numbers(void **state)
 {
 	static struct transform t;
@@ -155,7 +156,7 @@ static void quotients_of_given_numbers(void **state)
 
 		sample_round_points(&b, POINTS);
 		if (sample_transform(-1, &s, &from, &t, &truth)) {
-			carry_all(&t, &b, POINTS);
+			map_block_exactly(&t, &b, POINTS);
 			judge_block(&truth, &t, &b, POINTS, false, &tally);
 			judge_block(&truth, &t, &b, POINTS, true, &tally);
 		}
@@ -166,8 +167,8 @@ static void quotients_of_given_numbers(void **state)
 	assert_true(tally.n[NEAREST] > 20000);
 }
 
-/* Products of 1e-150 and 1e-165 that cancel or add up to something, and results
- * that are subnormal, midway among them. */
+/* Products below the range of doubles add up to numbers within it, or cancel, and
+ * results are subnormal, some midway between two doubles. */
 static void underflow(void **state)
 {
 	static const double m[3][4] = { { 1e-150, -1e-150, 1e150, 0 },
@@ -175,11 +176,11 @@ static void underflow(void **state)
 	struct transform t;
 
 	(void)state;
-	transform_by(m, &t);
+	transform_of_rows(m, &t);
 	assert_image(&t, 1e-165, 1e-165, 1e-300,
 	    (double[]){ 1e150 * 1e-300, 0x1p-500 * 1e-165 + 0x1p-1074,
 		0x1p-500 * 1e-165 });
-	/* the images are 1.5, 0.5 and 2.5 times the least double */
+	/* y and z are 1.5 and 0.5, then 2.5 times the least double */
 	assert_image(&t, 0x1p-575, 0, 0,
 	    (double[]){ 0x1p-575 * 1e-150, 0x1p-1073, 0 });
 	assert_image(&t, 0x5p-575, 0, 0,
@@ -190,9 +191,9 @@ static void underflow(void **state)
 	    (double[]){ 0x1p-524 * 1e-150, 0x1p-1024 + 0x1p-1074, 0x1p-1024 });
 }
 
-/* A camera that looks along (0, 1, 1): y / w = (y - z) / (y + z), though both are
- * divided by the root of 2. At a viewport's 1 + ndc y / 2 the odd multiples of
- * 2^-53 lie midway between doubles. */
+/* The camera looks along (0, 1, 1), so that y / w = (y - z) / (y + z), where both sums
+ * are divided by the root of 2. With y + z = 1, y of the device is 1 + k 2^-53, which
+ * is midway between two doubles if k is odd and positive. */
 static void ties_of_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
@@ -219,7 +220,7 @@ static void ties_of_irrational_parts(void **state)
 	for (int k = -99; k < 100; k++) {
 		double y = 0.5 + k * 0x1p-53, z = 0.5 - k * 0x1p-53, q[4];
 		int mark = real_mark();
-		real exact = add(number(1), number(k * 0x1p-53));
+		real exact = add(real_of(1), real_of(k * 0x1p-53));
 
 		if (y - z != k * 0x1p-52) {
 			real_release(mark);
@@ -232,8 +233,8 @@ static void ties_of_irrational_parts(void **state)
 	}
 }
 
-/* The scene turns by 45 degrees before a parallel projection: x = (z - y) / 2
- * comes from a sine times the root of 1/2. */
+/* The camera rolls by 45 degrees before a parallel projection, so that x of the device
+ * is 1 + (z - y) / 2, a sum whose factors are a sine and the root of 1/2. */
 static void ties_of_different_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
@@ -261,11 +262,11 @@ static void ties_of_different_irrational_parts(void **state)
 			b.in[1][i] = (100 - i) * 0x1p-52;
 			b.in[2][i] = -b.in[1][i];
 		}
-		carry_all(&t, &b, 200);
+		map_block_exactly(&t, &b, 200);
 		for (int i = 0; i < 200; i++) {
 			int mark = real_mark();
-			real exact = sub(number(1),
-			    number((100 - i) * 0x1p-53));
+			real exact = sub(real_of(1),
+			    real_of((100 - i) * 0x1p-53));
 
 			assert_number(b.out[0][i],
 			    mpfr_get_d(exact, MPFR_RNDN));
@@ -274,7 +275,7 @@ static void ties_of_different_irrational_parts(void **state)
 	}
 }
 
-/* On the eye plane, behind it, and at nan there is no image. */
+/* There is no image of points on the eye plane or behind it, nor of points with nan. */
 static void no_image(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_PERSP,
@@ -300,12 +301,13 @@ static void no_image(void **state)
 				b.in[1][k] = k == 4 ? (double)NAN : 0;
 				b.in[2][k] = k == 5 ? (double)NAN : z[i];
 			}
-			carry_all(&t, &b, 8);
+			map_block_exactly(&t, &b, 8);
 			for (size_t k = 0; k < 8; k++)
 				for (int j = 0; j < 3; j++) {
 					bool none = i < 5 || (k > 2 && k < 6);
 
-					/* depth is beyond the range near 0 */
+					/* depth is beyond the range of doubles at the
+					 * least z */
 					none |= j == 2 && i == 5;
 					assert_int_equal(isnan(b.out[j][k]) !=
 						0,

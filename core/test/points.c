@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-void carry(const struct transform *t, enum precision precision, struct block *b,
-    size_t n)
+void map_block(const struct transform *t, enum precision precision,
+    struct block *b, size_t n)
 {
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
@@ -13,18 +13,18 @@ void carry(const struct transform *t, enum precision precision, struct block *b,
 	points_map(t, precision, in, out, n);
 }
 
-void carry_all(const struct transform *t, struct block *b, size_t n)
+void map_block_exactly(const struct transform *t, struct block *b, size_t n)
 {
-	carry(t, PRECISION_EXACT, b, n);
+	map_block(t, PRECISION_EXACT, b, n);
 }
 
-void point_of(const struct block *b, size_t i, double p[4])
+void block_point(const struct block *b, size_t i, double p[4])
 {
 	for (int j = 0; j < 4; j++)
 		p[j] = b->in[j][i];
 }
 
-static double coordinate(const struct scene *s, enum space from, int j)
+static double sample_coordinate(const struct scene *s, enum space from, int j)
 {
 	double d = sample_number(sample_below(4) == 0 ? 6 : 1);
 
@@ -43,7 +43,7 @@ void sample_points(const struct scene *s, enum space from, struct block *b,
 {
 	for (size_t i = 0; i < n; i++)
 		for (int j = 0; j < 4; j++)
-			b->in[j][i] = coordinate(s, from, j);
+			b->in[j][i] = sample_coordinate(s, from, j);
 }
 
 void sample_round_points(struct block *b, size_t n)
@@ -87,7 +87,7 @@ bool sample_transform(int e, struct scene *s, enum space *from,
 	return true;
 }
 
-/* A device point's fourth number is its 1/w; a flat one's z and w are 0 and 1. */
+/* A device point's fourth number is 1/w. In a flat space z is 0 and w is 1. */
 void image_of(const struct truth *truth, const struct transform *t,
     const double p[4], struct image *r)
 {
@@ -95,7 +95,7 @@ void image_of(const struct truth *truth, const struct transform *t,
 	double at[4] = { p[0], p[1], t->in > 2 ? p[2] : 0, given ? p[3] : 1 };
 	bool whole = true;
 
-	*r = (struct image){ .d = form_of(1) };
+	*r = (struct image){ .d = sized_of(1) };
 	for (int i = 0; i < t->in; i++)
 		whole &= !isnan(p[i]);
 	if (!whole)
@@ -104,12 +104,12 @@ void image_of(const struct truth *truth, const struct transform *t,
 		r->n[j] = truth_column(truth, j, at);
 	if (t->divide)
 		r->d = t->reciprocal && t->out == 4 ?
-		    form_of(p[3]) :
+		    sized_of(p[3]) :
 		    truth_column(truth, 3, at);
 	int sign = truth_sign(r->d, &r->doubtful);
 
 	r->doubtful &= truth->irrational;
-	r->seen = t->front ? sign > 0 : sign != 0;
+	r->exists = t->front ? sign > 0 : sign != 0;
 }
 
 void judge_image(const struct image *image, int coordinates, const double *got,
@@ -120,13 +120,21 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 	for (int j = 0; j < coordinates; j++)
 		none &= isnan(got[j]);
 	for (int j = 0; j < coordinates; j++)
-		if (image->seen && !(image->doubtful && none))
+		if (image->exists && !(image->doubtful && none))
 			tally->n[truth_verdict(got[j], image->n[j], image->d,
 			    single)]++;
 		else
 			tally->n[none           ? NEAREST :
-				image->doubtful ? RULED :
+				image->doubtful ? WITHIN_TOLERANCE :
 						  WRONG]++;
+}
+
+static double true_coordinate(const struct image *image, int j, bool single)
+{
+	real v = divide(image->n[j].value, image->d.value);
+
+	return single ? (double)mpfr_get_flt(v, MPFR_RNDN) :
+			mpfr_get_d(v, MPFR_RNDN);
 }
 
 static void judge_point(const struct truth *truth, const struct transform *t,
@@ -137,13 +145,19 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 
 	image_of(truth, t, p, &image);
 	judge_image(&image, t->out, got, single, &here);
-	/* of given numbers alone, and back by them, nothing is too small to count */
-	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && !truth->irrational)) {
-		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
-		    p[0], p[1], p[2], p[3], (int)t->kind, got[0], got[1],
-		    got[2], got[3]);
-		here.n[WRONG] += here.n[RULED];
-		here.n[RULED] = 0;
+	/* In a rational scene TRUTH_TOLERANCE excuses nothing, as sums of the numbers
+	 * in the document are exact. */
+	if (here.n[WRONG] > 0 ||
+	    (here.n[WITHIN_TOLERANCE] > 0 && !truth->irrational)) {
+		fprintf(stderr, "point %a %a %a %a, kernel %d:\n", p[0], p[1],
+		    p[2], p[3], (int)t->kind);
+		for (int j = 0; j < t->out; j++)
+			fprintf(stderr, "  expected %a, came %a\n",
+			    image.exists ? true_coordinate(&image, j, single) :
+					   (double)NAN,
+			    got[j]);
+		here.n[WRONG] += here.n[WITHIN_TOLERANCE];
+		here.n[WITHIN_TOLERANCE] = 0;
 	}
 	for (int v = 0; v < VERDICTS; v++)
 		tally->n[v] += here.n[v];
@@ -156,7 +170,7 @@ void judge_block(const struct truth *truth, const struct transform *t,
 		int mark = real_mark();
 		double p[4], got[4] = { 0 };
 
-		point_of(b, i, p);
+		block_point(b, i, p);
 		for (int j = 0; j < t->out; j++) {
 			got[j] = b->out[j][i];
 			if (single && !isnan(got[j]))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Blocks of points for tests, and their exact images. */
-#ifndef BLOCK_H
-#define BLOCK_H
+#ifndef POINTS_TEST_H
+#define POINTS_TEST_H
 
 #include "../points/transform.h"
 #include "sample.h"
@@ -14,52 +14,58 @@ struct block {
 	double in[4][POINTS_BLOCK], out[4][POINTS_BLOCK];
 };
 
+/* The names of the copies of the kernels, each for a kind of processor. */
 static const char *const copies[] = { "baseline", "avx2", "avx512", "neon" };
 
 enum { COPIES = sizeof copies / sizeof *copies };
 
-void carry(const struct transform *, enum precision, struct block *, size_t n);
+/* Sets out to the images of n points of in. */
+void map_block(const struct transform *, enum precision, struct block *,
+    size_t n);
 
-/* Transforms n points of a block exactly. */
-void carry_all(const struct transform *, struct block *, size_t n);
+/* Calls map_block with PRECISION_EXACT. */
+void map_block_exactly(const struct transform *, struct block *, size_t n);
 
-void point_of(const struct block *, size_t i, double p[4]);
+void block_point(const struct block *, size_t i, double p[4]);
 
-/* Samples points about the target of the camera, some of them far, in its plane, or
- * equal to the eye. */
+/* Samples coordinates: from -1 to 2 in ndc and on the device, else with magnitudes from
+ * 0.1 to 10 or, one in four, from 1e-6 to 1e6. One in six is a whole number. In model
+ * and world space they are relative to the eye. */
 void sample_points(const struct scene *, enum space from, struct block *,
     size_t n);
 
-/* Samples whole numbers times powers of two far from one another: large ones often
- * cancel. */
+/* Samples whole numbers times 2^-300, 1 or 2^300. In sums of products the large terms
+ * often cancel. */
 void sample_round_points(struct block *, size_t n);
 
-/* Samples a transform of a scene between any two spaces, of any format, flat ones too,
- * and its truth; of round numbers if e is negative. Returns false if it is refused. */
+/* Samples a scene by sample_scene with e, or by sample_round_scene if e is negative,
+ * and the transform between two of its spaces or flat spaces, with its truth. Returns
+ * false if the transform is refused. */
 bool sample_transform(int e, struct scene *, enum space *from,
     struct transform *, struct truth *);
 
-/* The image of a point before the division: n[j] / d. */
+/* A point's image before the division: coordinate j is n[j] / d. */
 struct image {
-	struct form n[4], d;
-	bool seen;     /* there is one */
-	bool doubtful; /* within the rule it may be the other way round */
+	struct sized n[4], d;
+	bool
+	    exists; /* false on the eye plane, and behind it if transform.front */
+	bool
+	    doubtful; /* d is within TRUTH_TOLERANCE of 0, so exists may be wrong */
 };
 
 void image_of(const struct truth *, const struct transform *, const double p[4],
     struct image *);
 
-/* Counts of coordinates by their verdict. */
+/* The number of coordinates of each verdict. */
 struct tally {
 	size_t n[VERDICTS];
 };
 
-/* Judges an image; it must be nan if there is none. */
+/* Judges the coordinates of a computed image, which must be nan if exists is false. */
 void judge_image(const struct image *, int coordinates, const double *got,
     bool single, struct tally *);
 
-/* Judges the images of a block, or the floats as which they are printed; sets which
- * points are wrong. */
+/* Judges the images of a block; if single is true, their nearest floats. */
 void judge_block(const struct truth *, const struct transform *,
     const struct block *, size_t n, bool single, struct tally *);
 

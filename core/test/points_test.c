@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Blocks of points: every copy of the kernels, every cut, every precision. */
+/* Blocks of points by every copy of the kernels, with every precision, and points
+ * alone. */
 #include "claims.h"
 #include "points.h"
-#include "numbers.h"
 
-/* Cameras at small whole numbers looking at one another: the eye plane is
- * behind, and what is 0 prints as 0. */
-static void whole_numbers_have_no_ghosts(void **state)
+/* Cameras and targets at small whole numbers. Some points are on the eye plane, and a
+ * coordinate that is 0 comes out as 0. */
+static void zeros_of_whole_numbers(void **state)
 {
 	static struct block b;
 	struct scene s = { .has_camera = true };
@@ -37,12 +37,12 @@ static void whole_numbers_have_no_ghosts(void **state)
 			b.in[1][i] = (double)(i / 3 % 3) - 1;
 			b.in[2][i] = (double)(i / 9) - 1;
 		}
-		carry_all(&t, &b, 27);
+		map_block_exactly(&t, &b, 27);
 		truth_scene(&s, SPACE_WORLD, SPACE_NDC, &truth);
 		judge_block(&truth, &t, &b, 27, false, &tally);
 		real_release(mark);
 	}
-	assert_int_equal(tally.n[RULED] + tally.n[WRONG], 0);
+	assert_int_equal(tally.n[WITHIN_TOLERANCE] + tally.n[WRONG], 0);
 	assert_true(tally.n[NEAREST] > 100000);
 }
 
@@ -51,13 +51,13 @@ static bool sample_any(int e, struct scene *s, enum space *from,
 {
 	struct truth truth = { 0 };
 	int mark = real_mark();
-	bool good = sample_transform(e, s, from, t, &truth);
+	bool accepted = sample_transform(e, s, from, t, &truth);
 
 	real_release(mark);
-	return good;
+	return accepted;
 }
 
-static bool same(const struct block *a, const struct block *b, int out,
+static bool same_images(const struct block *a, const struct block *b, int out,
     size_t n)
 {
 	for (int j = 0; j < out; j++)
@@ -85,20 +85,20 @@ static void copies_give_the_same_bits(void **state)
 		sample_points(&s, from, &first, n);
 		for (int e = 0; e < 3; e++) {
 			kernels_choose("baseline");
-			carry(&t, (enum precision)e, &first, n);
+			map_block(&t, (enum precision)e, &first, n);
 			for (int c = 1; c < COPIES; c++) {
 				memcpy(&b, &first, sizeof b);
 				if (!kernels_choose(copies[c]))
 					continue;
-				carry(&t, (enum precision)e, &b, n);
-				assert_true(same(&first, &b, t.out, n));
+				map_block(&t, (enum precision)e, &b, n);
+				assert_true(same_images(&first, &b, t.out, n));
 			}
 		}
 	}
 }
 
-/* Images do not depend on how a block is cut. */
-static void points_depend_on_nothing_else(void **state)
+/* A point has the same image alone and in a block. */
+static void points_do_not_depend_on_blocks(void **state)
 {
 	static struct block whole, one;
 	static struct transform t;
@@ -112,21 +112,21 @@ static void points_depend_on_nothing_else(void **state)
 		if (!sample_any(k % 2 * 5, &s, &from, &t))
 			continue;
 		sample_points(&s, from, &whole, POINTS);
-		carry(&t, PRECISION_EXACT, &whole, POINTS);
+		map_block(&t, PRECISION_EXACT, &whole, POINTS);
 		for (size_t i = 0; i < POINTS; i++) {
 			for (int j = 0; j < 4; j++)
 				one.in[j][0] = whole.in[j][i];
-			carry(&t, PRECISION_EXACT, &one, 1);
+			map_block(&t, PRECISION_EXACT, &one, 1);
 			for (int j = 0; j < t.out; j++)
 				whole.out[j][0] = whole.out[j][i];
-			assert_true(same(&whole, &one, t.out, 1));
+			assert_true(same_images(&whole, &one, t.out, 1));
 		}
 	}
 }
 
-/* x' = x + 2^195 + z cot(45) cos(45) - cot(45) cos(45) over a divisor of 20:
- * exact terms do not make the difference zero. */
-static void none_is_of_what_is_irrational(void **state)
+/* x' = x + 2^195 + z cot(45) cos(45) - cot(45) cos(45). The last two terms have
+ * errors, so the noise of x' is not 0, although x and 2^195 are exact. */
+static void exact_terms_keep_the_noise_of_others(void **state)
 {
 	const struct scene s = {
 		.has_world = true,
@@ -147,16 +147,16 @@ static void none_is_of_what_is_irrational(void **state)
 	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_NDC, false, &t));
 	assert_number(t.for_kernel.hi[3][0], 0x1p195);
 	assert_true(t.for_kernel.least_noise[0] > 0);
-	assert_true(t.for_kernel.least_noise[0] < TRUTH_RULE);
+	assert_true(t.for_kernel.least_noise[0] < TRUTH_TOLERANCE);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(whole_numbers_have_no_ghosts),
+		cmocka_unit_test(zeros_of_whole_numbers),
 		cmocka_unit_test(copies_give_the_same_bits),
-		cmocka_unit_test(points_depend_on_nothing_else),
-		cmocka_unit_test(none_is_of_what_is_irrational),
+		cmocka_unit_test(points_do_not_depend_on_blocks),
+		cmocka_unit_test(exact_terms_keep_the_noise_of_others),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

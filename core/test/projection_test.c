@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* The projections and their inverses against MPFR, and refusals. */
 #include "claims.h"
-#include "numbers.h"
 
 static const struct convention d3d,
     gl = { true, true, true, false, true, false };
 
-/* Compares the projection and its inverse with the truth. Returns the reason if it is
- * refused. */
+/* Compares the matrix of a projection and its inverse with the truth. Returns the
+ * reason if the projection is refused. */
 static const char *compare(const struct projection *p,
     const struct convention *c, struct worst *w)
 {
@@ -30,7 +29,7 @@ static const char *compare(const struct projection *p,
 	return why;
 }
 
-static void projections(const char *what, int e, int tries)
+static void check_projections(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 	int refused = 0;
@@ -44,22 +43,22 @@ static void projections(const char *what, int e, int tries)
 		sample_convention(&c);
 		refused += compare(&p, &c, &w) != NULL;
 	}
-	claim_maps(what, &w);
+	assert_maps(what, &w);
 	assert_true(refused < tries / 4);
 }
 
-static void random_ones(void **state)
+static void random_projections(void **state)
 {
 	(void)state;
-	projections("ordinary", 0, 600);
-	projections("hostile, to 1e2", 2, 600);
-	projections("hostile, to 1e20", 20, 400);
-	projections("hostile, to 1e150", 150, 400);
+	check_projections("ordinary", 0, 600);
+	check_projections("hostile, to 1e2", 2, 600);
+	check_projections("hostile, to 1e20", 20, 400);
+	check_projections("hostile, to 1e150", 150, 400);
 }
 
-/* The matrix is right as the eye passes through infinity, and near 0, 90, 180
- * degrees. */
-static void through_zero(void **state)
+/* Volumes whose eye is at infinity, where inverse_eye_z is 0, or nearly there on both
+ * sides. */
+static void eyes_through_infinity(void **state)
 {
 	static const double tiny[] = { 0, 1e-150, 1e-30, 1e-16, 1e-9, 0.01 };
 	struct worst w = { 0 };
@@ -83,10 +82,10 @@ static void through_zero(void **state)
 		p.eye[2] = (i % 2 ? -1 : 1) * pow(10, 2 + 7 * i);
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
-	claim_maps("volume through q = 0", &w);
+	assert_maps("volume through q = 0", &w);
 }
 
-static void tapers(void **state)
+static void volumes_by_angle(void **state)
 {
 	struct worst w = { 0 };
 	struct projection p = {
@@ -108,10 +107,10 @@ static void tapers(void **state)
 		p.half_height = p.aspect[1] == 0 ? 2 : p.half_width;
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
-	claim_maps("volumes by angle", &w);
+	assert_maps("volumes by angle", &w);
 }
 
-static void angles(void **state)
+static void narrow_and_wide_angles(void **state)
 {
 	struct worst w = { 0 };
 	struct projection p = { .near = 1,
@@ -129,7 +128,7 @@ static void angles(void **state)
 			assert_null(compare(&p, &gl, &w));
 			p.far = 1 + pow(10, -k / 3);
 		}
-	claim_maps("narrow and wide angles", &w);
+	assert_maps("narrow and wide angles", &w);
 }
 
 static void map_for(const struct projection *p, struct map *m)
@@ -137,8 +136,8 @@ static void map_for(const struct projection *p, struct map *m)
 	assert_null(projection_map(p, &d3d, false, m));
 }
 
-/* Whole elements are exact; the digits of the others are from bc. */
-static void recorded(void **state)
+/* Elements that are short are exact, and others have the digits of bc. */
+static void elements_by_bc(void **state)
 {
 	struct projection p = { .type = PROJECTION_PERSP,
 		.angle = 90,
@@ -183,13 +182,13 @@ static void recorded(void **state)
 	    0.7071067811865475244008443621048490393);
 }
 
-static void refused(const struct projection *p, bool inverse,
+static void assert_projection_refused(const struct projection *p, bool inverse,
     const char *member)
 {
 	struct map m;
 
-	claim_refused(projection_map(p, &d3d, inverse, &m), member);
-	claim_refused(projection_map(p, &gl, inverse, &m), member);
+	assert_reason(projection_map(p, &d3d, inverse, &m), member);
+	assert_reason(projection_map(p, &gl, inverse, &m), member);
 }
 
 static void refusals(void **state)
@@ -212,35 +211,35 @@ static void refusals(void **state)
 	(void)state;
 	p.type = PROJECTION_PERSP;
 	p.near = 2;
-	refused(&p, false, "/projection/near");
+	assert_projection_refused(&p, false, "/projection/near");
 	p.type = PROJECTION_ORTHO;
-	refused(&p, false, "/projection/far");
+	assert_projection_refused(&p, false, "/projection/far");
 	p = good;
 	p.type = PROJECTION_PERSP;
 	p.left = 1;
-	refused(&p, false, "/projection/right");
+	assert_projection_refused(&p, false, "/projection/right");
 	p = good;
 	p.type = PROJECTION_OBLIQUE;
 	p.top = -1;
-	refused(&p, true, "/projection/top");
+	assert_projection_refused(&p, true, "/projection/top");
 	p.type = PROJECTION_VOLUME;
 	p.inverse_eye_z = 1;
-	refused(&p, false, "/projection/inverse_eye_z");
+	assert_projection_refused(&p, false, "/projection/inverse_eye_z");
 	p.inverse_eye_z = nextafter(1, 0);
 	assert_null(compare(&p, &d3d, &(struct worst){ 0 }));
 	p.eye_given_by = EYE_BY_POINT;
-	refused(&p, false, "/projection/eye");
+	assert_projection_refused(&p, false, "/projection/eye");
 	p.eye[2] = 0.5;
-	refused(&p, true, "/projection/eye");
+	assert_projection_refused(&p, true, "/projection/eye");
 	p.z_near = -1;
-	refused(&p, false, "/projection/z_far");
+	assert_projection_refused(&p, false, "/projection/z_far");
 	p.type = PROJECTION_MATRIX;
-	refused(&p, true, "/projection/matrix");
+	assert_projection_refused(&p, true, "/projection/matrix");
 }
 
-/* The last row of the transpose of a perspective is 0 0 1 0. A perspective with
- * w = z, and an affine matrix, may have that row, too. */
-static void transposed(void **state)
+/* The last row of a transposed perspective is 0 0 1 0 or 0 0 -1 0. A perspective with
+ * w = z or w = -z and an affine matrix may have this row, too: they are not refused. */
+static void transposed_matrices(void **state)
 {
 	static const struct {
 		double column[4], row[3];
@@ -267,7 +266,7 @@ static void transposed(void **state)
 			p.matrix[i][3] = cases[k].column[i];
 		for (int inverse = 0; inverse < 2 && cases[k].refused;
 		     inverse++)
-			refused(&p, inverse,
+			assert_projection_refused(&p, inverse,
 			    "/projection/matrix: is transposed");
 		if (!cases[k].refused)
 			assert_null(projection_map(&p, &d3d, false, &m));
@@ -277,13 +276,13 @@ static void transposed(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(random_ones),
-		cmocka_unit_test(through_zero),
-		cmocka_unit_test(tapers),
-		cmocka_unit_test(angles),
-		cmocka_unit_test(recorded),
+		cmocka_unit_test(random_projections),
+		cmocka_unit_test(eyes_through_infinity),
+		cmocka_unit_test(volumes_by_angle),
+		cmocka_unit_test(narrow_and_wide_angles),
+		cmocka_unit_test(elements_by_bc),
 		cmocka_unit_test(refusals),
-		cmocka_unit_test(transposed),
+		cmocka_unit_test(transposed_matrices),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,31 +1,32 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays: the nearest doubles and floats. */
+/* Rays, and the points where they meet planes, are the nearest doubles and floats to
+ * their true values by MPFR. */
 #include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"
 
-/* The homogeneous world point n of a device position and depth, and gain, the
- * derivative of n / w by depth times w squared, which is along the ray. */
+/* The homogeneous world point n of a position and depth on the device, and gain, which
+ * is the derivative of n / w by depth times w squared. gain is along the ray. */
 struct truth_ray {
-	struct form n[4], gain[3], length;
+	struct sized n[4], gain[3], length;
 };
 
 static void truth_ray(const struct truth *back, const double at[2],
     double depth, bool against, struct truth_ray *r)
 {
 	const double p[4] = { at[0], at[1], depth, 1 };
-	struct form sign = form_of(against ? -1 : 1);
+	struct sized sign = sized_of(against ? -1 : 1);
 
 	for (int j = 0; j < 4; j++)
 		r->n[j] = truth_column(back, j, p);
 	for (int j = 0; j < 3; j++) {
-		struct form a = form_mul(truth_element(back, 2, j), r->n[3]);
-		struct form b = form_mul(r->n[j], truth_element(back, 2, 3));
+		struct sized a = sized_mul(truth_element(back, 2, j), r->n[3]);
+		struct sized b = sized_mul(r->n[j], truth_element(back, 2, 3));
 
-		r->gain[j] = form_mul(sign, form_sub(a, b));
+		r->gain[j] = sized_mul(sign, sized_sub(a, b));
 	}
-	r->length = form_length(r->gain);
+	r->length = sized_length(r->gain);
 }
 
 /* A block of rays: x, y, the point and the direction. */
@@ -33,7 +34,7 @@ struct rays {
 	double at[2][POINTS_BLOCK], ray[6][POINTS_BLOCK];
 };
 
-static void cast(const struct ray_maker *r, bool single, size_t n,
+static void cast_block(const struct ray_maker *r, bool single, size_t n,
     struct rays *b)
 {
 	const double *const at[2] = { b->at[0], b->at[1] };
@@ -43,7 +44,8 @@ static void cast(const struct ray_maker *r, bool single, size_t n,
 	rays_cast(r, single, at, out, out + 3, n);
 }
 
-/* Checks a ray. Without near and far planes it begins where clip x, y and w are 0. */
+/* Checks a ray. If there are no near and far planes, it begins at the eye, where clip
+ * x, y and w are 0. */
 static void check_ray(const struct ray_maker *r, const struct truth *back,
     const struct truth *eye, bool against, const struct rays *b, size_t i,
     bool single, int verdicts[VERDICTS])
@@ -63,10 +65,10 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 			assert_true(isnan(point) && isnan(direction));
 			continue;
 		}
-		struct form n = eye != NULL ? truth_element(eye, 2, j) :
-					      ray.n[j];
-		struct form d = eye != NULL ? truth_element(eye, 2, 3) :
-					      ray.n[3];
+		struct sized n = eye != NULL ? truth_element(eye, 2, j) :
+					       ray.n[j];
+		struct sized d = eye != NULL ? truth_element(eye, 2, 3) :
+					       ray.n[3];
 
 		verdicts[truth_verdict(point, n, d, single)]++;
 		verdicts[truth_verdict(direction, ray.gain[j], ray.length,
@@ -76,7 +78,7 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 }
 
 /* Returns whether device depth falls along rays. */
-static bool against(const struct scene *s)
+static bool is_depth_against_rays(const struct scene *s)
 {
 	return (s->viewport.max_z > s->viewport.min_z) ==
 	    projection_is_reversed(&s->projection, &s->convention);
@@ -118,17 +120,20 @@ static void rays_are_exact(void **state)
 		truth_scene(&s, SPACE_CLIP, SPACE_WORLD, &eye);
 		for (int single = 0; single < 2; single++) {
 			sample_positions(&s.viewport, 10, &b);
-			cast(&r, single, 10, &b);
+			cast_block(&r, single, 10, &b);
 			for (size_t i = 0; i < 10; i++)
 				check_ray(&r, &back, open ? &eye : NULL,
-				    against(&s), &b, i, single, verdicts);
+				    is_depth_against_rays(&s), &b, i, single,
+				    verdicts);
 		}
 		real_release(mark);
 	}
-	print_message("%d numbers, %d within the rule\n",
-	    verdicts[NEAREST] + verdicts[RULED], verdicts[RULED]);
+	print_message("%d numbers, %d within the tolerance\n",
+	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE],
+	    verdicts[WITHIN_TOLERANCE]);
 	assert_int_equal(verdicts[WRONG], 0);
-	assert_true(verdicts[NEAREST] > 20000 && verdicts[RULED] < 10);
+	assert_true(
+	    verdicts[NEAREST] > 20000 && verdicts[WITHIN_TOLERANCE] < 10);
 }
 
 /* A ray does not depend on the other rays of its block. */
@@ -150,15 +155,15 @@ static void copies_give_the_same_rays(void **state)
 		sample_positions(&s.viewport, n, &first);
 		kernels_choose("baseline");
 		memcpy(&b, &first, sizeof b);
-		cast(&r, single, n, &first);
+		cast_block(&r, single, n, &first);
 		for (int c = 0; c < COPIES; c++) {
 			if (!kernels_choose(copies[c]))
 				continue;
-			cast(&r, single, n, &b);
+			cast_block(&r, single, n, &b);
 			for (int j = 0; j < 6; j++)
 				assert_memory_equal(first.ray[j], b.ray[j],
 				    n * sizeof(double));
-			cast(&r, single, 1, &b);
+			cast_block(&r, single, 1, &b);
 			for (int j = 0; j < 6; j++)
 				assert_memory_equal(first.ray[j], b.ray[j],
 				    sizeof(double));
@@ -179,7 +184,7 @@ static void no_position_no_ray(void **state)
 		sample_scene(&s, 0);
 	while (ray_maker_of(&s, &r) != NULL);
 	b.at[0][0] = (double)NAN;
-	cast(&r, false, 1, &b);
+	cast_block(&r, false, 1, &b);
 	for (int j = 0; j < 6; j++)
 		assert_true(isnan(b.ray[j][0]));
 }
@@ -191,38 +196,40 @@ static void truth_meeting(const struct truth *back, const struct truth *clip,
     const double plane[4], const double at[2], struct image *image)
 {
 	const double p[2][4] = { { at[0], at[1], 0, 1 }, { 0, 0, 1, 0 } };
-	struct form h[2][4], through[2], w = form_of(0);
-	bool even = true, doubtful;
+	struct sized h[2][4], through[2], w = sized_of(0);
+	bool w_is_constant = true, doubtful;
 
 	for (int k = 0; k < 2; k++) {
-		through[k] = form_of(0);
+		through[k] = sized_of(0);
 		for (int j = 0; j < 4; j++) {
 			h[k][j] = truth_column(back, j, p[k]);
-			through[k] = form_add(through[k],
-			    form_mul(form_of(plane[j]), h[k][j]));
+			through[k] = sized_add(through[k],
+			    sized_mul(sized_of(plane[j]), h[k][j]));
 		}
 	}
 	for (int j = 0; j < 4; j++) {
-		struct form n = form_of(0);
+		struct sized n = sized_of(0);
 
 		for (int k = 0; k < 4; k++)
 			if (k != j)
-				n = form_add(n,
-				    form_mul(form_of(plane[k]),
-					form_sub(form_mul(h[0][j], h[1][k]),
-					    form_mul(h[1][j], h[0][k]))));
+				n = sized_add(n,
+				    sized_mul(sized_of(plane[k]),
+					sized_sub(sized_mul(h[0][j], h[1][k]),
+					    sized_mul(h[1][j], h[0][k]))));
 		if (j < 3)
 			image->n[j] = n;
 		else
 			image->d = n;
-		w = form_add(w, form_mul(n, truth_element(clip, j, 3)));
+		w = sized_add(w, sized_mul(n, truth_element(clip, j, 3)));
 	}
 	for (int i = 0; i < 3; i++)
-		even &= truth_sign(truth_element(clip, i, 3), NULL) == 0;
-	int side = truth_sign(w, NULL), over = truth_sign(image->d, &doubtful);
+		w_is_constant &= truth_sign(truth_element(clip, i, 3), NULL) ==
+		    0;
+	int side = truth_sign(w, NULL);
+	int w_sign = truth_sign(image->d, &doubtful);
 
 	image->doubtful = doubtful;
-	image->seen = over != 0 && (even || side == over);
+	image->exists = w_sign != 0 && (w_is_constant || side == w_sign);
 }
 
 static void judge_meetings(const struct scene *s, enum space from,
@@ -241,7 +248,7 @@ static void judge_meetings(const struct scene *s, enum space from,
 	for (size_t i = 0; i < POINTS && from == SPACE_NDC; i++)
 		for (int k = 0; k < 2; k++)
 			block.in[k][i] = sample_between(-1, 1) * depth;
-	carry_all(t, &block, POINTS);
+	map_block_exactly(t, &block, POINTS);
 	for (size_t i = 0; i < POINTS; i++) {
 		const double at[2] = { block.in[0][i], block.in[1][i] };
 		double got[3] = { block.out[0][i], block.out[1][i],
@@ -291,10 +298,11 @@ static void planes_are_met(void **state)
 		real_release(mark);
 		n++;
 	}
-	print_message("%d planes, %zu numbers, %zu by the 2^-190 rule\n", n,
-	    tally.n[NEAREST] + tally.n[RULED], tally.n[RULED]);
+	print_message("%d planes, %zu numbers, %zu within the tolerance\n", n,
+	    tally.n[NEAREST] + tally.n[WITHIN_TOLERANCE],
+	    tally.n[WITHIN_TOLERANCE]);
 	assert_true(n > 300 && tally.n[NEAREST] > 10000);
-	assert_true(tally.n[RULED] < tally.n[NEAREST] / 100);
+	assert_true(tally.n[WITHIN_TOLERANCE] < tally.n[NEAREST] / 100);
 	assert_int_equal(tally.n[WRONG], 0);
 }
 

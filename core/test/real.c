@@ -4,17 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STORE = 1 << 16 };
+enum { REALS_MAX = 1 << 16 };
 
-/* The error of an element that low parts below 2^-1074 can cause. */
-#define LOST 0x1p-1068
+/* A bound of the error of low parts that underflow, which lose bits below 2^-1074. */
+#define LOW_PART_LOSS 0x1p-1068
 
-static mpfr_t store[STORE];
+static mpfr_t store[REALS_MAX];
 static int made, used;
 
-static real fresh(void)
+static real new_real(void)
 {
-	if (used == STORE)
+	if (used == REALS_MAX)
 		abort();
 	if (used == made)
 		mpfr_init2(store[made++], REAL_BITS);
@@ -34,56 +34,58 @@ void real_release(int mark)
 #define UNARY(name, type, operation)        \
 	real name(type a)                   \
 	{                                   \
-		real r = fresh();           \
+		real r = new_real();        \
 		operation(r, a, MPFR_RNDN); \
 		return r;                   \
 	}
 #define BINARY(name, operation)                \
 	real name(real a, real b)              \
 	{                                      \
-		real r = fresh();              \
+		real r = new_real();           \
 		operation(r, a, b, MPFR_RNDN); \
 		return r;                      \
 	}
 
-UNARY(number, double, mpfr_set_d)
+UNARY(real_of, double, mpfr_set_d)
 UNARY(negative, real, mpfr_neg)
 UNARY(magnitude, real, mpfr_abs)
 UNARY(root, real, mpfr_sqrt)
 BINARY(add, mpfr_add)
 BINARY(sub, mpfr_sub)
 BINARY(mul, mpfr_mul)
-BINARY(over, mpfr_div)
+BINARY(divide, mpfr_div)
+/* clang-format off */
+static UNARY(cube_root, real, mpfr_cbrt)
+static UNARY(sine_of, real, mpfr_sin)
+static UNARY(cosine_of, real, mpfr_cos)
+static UNARY(cotangent_of, real, mpfr_cot)
+    /* clang-format on */
 
-static UNARY(cube_root, real, mpfr_cbrt) static UNARY(sine_of, real,
-    mpfr_sin) static UNARY(cosine_of, real, mpfr_cos) static UNARY(cotangent_of,
-    real, mpfr_cot)
-
-    real number_ex(ex a)
+    real real_of_ex(ex a)
 {
-	real r = number(0);
+	real r = real_of(0);
 
 	for (int i = a.n - 1; i >= 0; i--) {
-		r = mul(r, number(0x1p64));
-		r = add(r, number(0x1p32 * (double)(a.word[i] >> 32)));
-		r = add(r, number((double)(uint32_t)a.word[i]));
+		r = mul(r, real_of(0x1p64));
+		r = add(r, real_of(0x1p32 * (double)(a.word[i] >> 32)));
+		r = add(r, real_of((double)(uint32_t)a.word[i]));
 	}
 	mpfr_mul_2si(r, r, 64 * a.e, MPFR_RNDN);
 	return a.sign < 0 ? negative(r) : r;
 }
 
-real number_dd(dd a)
+real real_of_dd(dd a)
 {
-	return add(number(a.hi), number(a.lo));
+	return add(real_of(a.hi), real_of(a.lo));
 }
 
 static real in_radians(double angle, bool radians, int part)
 {
-	real pi = fresh();
+	real pi = new_real();
 
 	mpfr_const_pi(pi, MPFR_RNDN);
-	return radians ? over(number(angle), number(part)) :
-			 over(mul(number(angle), pi), number(180.0 * part));
+	return radians ? divide(real_of(angle), real_of(part)) :
+			 divide(mul(real_of(angle), pi), real_of(180.0 * part));
 }
 
 real sine(double angle, bool radians)
@@ -101,30 +103,30 @@ real cotangent(double angle, bool radians, int part)
 	return cotangent_of(in_radians(angle, radians, part));
 }
 
-void set(real r[], int n, const double a[])
+void set_reals(real r[], int n, const double a[])
 {
 	for (int i = 0; i < n; i++)
-		r[i] = number(a == NULL ? 0 : a[i]);
+		r[i] = real_of(a == NULL ? 0 : a[i]);
 }
 
 void set_matrix(real r[4][4], double m[4][4])
 {
 	for (int i = 0; i < 4; i++)
-		set(r[i], 4, m[i]);
+		set_reals(r[i], 4, m[i]);
 }
 
-void set_unit(real r[4][4])
+void set_identity(real r[4][4])
 {
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			r[i][j] = number(i == j);
+			r[i][j] = real_of(i == j);
 }
 
-/* Returns the cofactor of row i and column j. A cofactor that cancels except
- * for rounding errors is 0. */
+/* Returns the cofactor of row i and column j, or 0 if only rounding errors are left of
+ * its sum. */
 static real cofactor(real m[4][4], int i, int j)
 {
-	real s = number(0), size = number(0);
+	real s = real_of(0), size = real_of(0);
 
 	for (int k = 1; k < 4; k++)
 		for (int l = 1; l < 3; l++) {
@@ -137,13 +139,13 @@ static real cofactor(real m[4][4], int i, int j)
 			size = add(size, magnitude(p));
 		}
 	if (is_zero(s, size))
-		return number(0);
+		return real_of(0);
 	return (i + j) % 2 ? negative(s) : s;
 }
 
 void set_inverse(real r[4][4], real m[4][4])
 {
-	real det = number(0), a[4][4];
+	real det = real_of(0), a[4][4];
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
@@ -151,12 +153,12 @@ void set_inverse(real r[4][4], real m[4][4])
 	for (int j = 0; j < 4; j++)
 		det = add(det, mul(m[0][j], a[j][0]));
 	for (int i = 0; i < 16; i++)
-		r[i / 4][i % 4] = over(a[i / 4][i % 4], det);
+		r[i / 4][i % 4] = divide(a[i / 4][i % 4], det);
 }
 
 real dot(real a[], real b[], int n)
 {
-	real s = number(0);
+	real s = real_of(0);
 
 	for (int i = 0; i < n; i++)
 		s = add(s, mul(a[i], b[i]));
@@ -175,15 +177,15 @@ void normalise(real a[], int n)
 	real length = root(dot(a, a, n));
 
 	for (int i = 0; i < n; i++)
-		a[i] = over(a[i], length);
+		a[i] = divide(a[i], length);
 }
 
-/* Sets X to (c X + inv(X)' / c) / 2 with c = |det X|^(-1/3). The steps converge to the
- * nearest rotation (Higham, "Computing the polar decomposition - with applications",
- * 1986). Returns how far X moved. */
+/* Does a step of Newton's iteration from X to its nearest rotation: X becomes (c X +
+ * inv(X)' / c) / 2 with c = |det X|^(-1/3) (Higham, "Computing the polar decomposition
+ * - with applications", 1986). Returns the sum of the changes of the elements. */
 static real polar_step(real x[4][4])
 {
-	real inverse[4][4], yz[3], change = number(0);
+	real inverse[4][4], yz[3], change = real_of(0);
 
 	set_inverse(inverse, x);
 	cross(x[1], x[2], yz);
@@ -191,9 +193,9 @@ static real polar_step(real x[4][4])
 
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 3; j++) {
-			real next = over(add(over(x[i][j], c),
-					     mul(inverse[j][i], c)),
-			    number(2));
+			real next = divide(add(divide(x[i][j], c),
+					       mul(inverse[j][i], c)),
+			    real_of(2));
 
 			change = add(change, magnitude(sub(next, x[i][j])));
 			mpfr_set(x[i][j], next, MPFR_RNDN);
@@ -213,12 +215,12 @@ void orthonormalise(real m[4][4])
 	}
 }
 
-/* The limit is two thirds of the bits: terms of 1e150 cubed and of 1e-150 cubed differ
- * by half of the bits. */
+/* The limit is size times 2^-2000. Rounding errors are about size times 2^-REAL_BITS. A
+ * product of two numbers from 1e-150 to 1e150 is more than 2^-1994 times any other. */
 bool is_zero(real a, real size)
 {
 	int mark = real_mark();
-	real least = fresh();
+	real least = new_real();
 
 	mpfr_mul_2si(least, size, -REAL_BITS / 3 * 2, MPFR_RNDN);
 	bool zero = mpfr_cmpabs(a, least) <= 0;
@@ -230,7 +232,7 @@ bool is_zero(real a, real size)
 double ulps(double printed, real exact)
 {
 	int mark = real_mark();
-	real off = magnitude(sub(number(printed), exact));
+	real off = magnitude(sub(real_of(printed), exact));
 	long e = mpfr_zero_p(exact) ? -1074 : mpfr_get_exp(exact) - 53;
 
 	mpfr_mul_2si(off, off, e > -1074 ? -e : 1074, MPFR_RNDN);
@@ -243,11 +245,12 @@ double ulps(double printed, real exact)
 double u2_error(dd got, real exact, double size)
 {
 	int mark = real_mark();
-	real off = magnitude(sub(number_dd(got), exact));
+	real off = magnitude(sub(real_of_dd(got), exact));
 	double r = 0;
 
-	if (mpfr_cmp_d(off, LOST) > 0)
-		r = mpfr_get_d(over(off, mul(number(0x1p-106), number(size))),
+	if (mpfr_cmp_d(off, LOW_PART_LOSS) > 0)
+		r = mpfr_get_d(divide(off,
+				   mul(real_of(0x1p-106), real_of(size))),
 		    MPFR_RNDN);
 	real_release(mark);
 	return r;

@@ -6,10 +6,10 @@
 #include <stdint.h>
 #include <string.h>
 
-/* splitmix64 */
+/* The state of the generator splitmix64. */
 static uint64_t state;
 
-static uint64_t next(void)
+static uint64_t next_random(void)
 {
 	uint64_t z = state += 0x9e3779b97f4a7c15;
 
@@ -25,12 +25,12 @@ void sample_seed(unsigned seed)
 
 unsigned sample_below(unsigned n)
 {
-	return (unsigned)(next() % n);
+	return (unsigned)(next_random() % n);
 }
 
 double sample_unit(void)
 {
-	return (double)(next() >> 11) * 0x1p-53;
+	return (double)(next_random() >> 11) * 0x1p-53;
 }
 
 double sample_between(double a, double b)
@@ -59,23 +59,23 @@ double sample_number(int e)
 	}
 }
 
-static double whole(unsigned most)
+static double whole_number(unsigned most)
 {
 	return (double)sample_below(2 * most + 1) - most;
 }
 
-static double ordinary(void)
+static double ordinary_number(void)
 {
-	return sample_below(2) ? whole(5) : sample_between(-10, 10);
+	return sample_below(2) ? whole_number(5) : sample_between(-10, 10);
 }
 
-static void vector(double v[3], int e)
+static void sample_vector(double v[3], int e)
 {
 	for (int i = 0; i < 3; i++)
-		v[i] = e > 0 ? sample_number(e) : ordinary();
+		v[i] = e > 0 ? sample_number(e) : ordinary_number();
 }
 
-static const struct convention known[5] = {
+static const struct convention named_conventions[5] = {
 	{ 0 },
 	{ true, true, true, false, true, false },
 	{ true, false, true, true, false, false },
@@ -85,7 +85,7 @@ static const struct convention known[5] = {
 
 void sample_convention(struct convention *c)
 {
-	*c = known[sample_below(5)];
+	*c = named_conventions[sample_below(5)];
 	if (sample_below(4) == 0) {
 		c->right_handed = sample_below(2);
 		c->depth_minus_one = sample_below(2);
@@ -95,8 +95,9 @@ void sample_convention(struct convention *c)
 	}
 }
 
-/* Moves a camera far from the origin, looking at something near. */
-static void stand_far(struct camera *c)
+/* Puts a camera up to 1e9 or 1e15 from the origin, and its target within 20 of the eye
+ * along each axis. */
+static void place_far(struct camera *c)
 {
 	double far = sample_below(2) ? 1e9 : 1e15;
 
@@ -106,8 +107,9 @@ static void stand_far(struct camera *c)
 	}
 }
 
-/* Sets up within 1e-12 to 1e-15 of the gaze. */
-static void look_along(struct camera *c)
+/* Sets up to nearly the direction of the gaze: elements differ by 1e-15 to 1e-12 of
+ * their size. */
+static void put_up_near_gaze(struct camera *c)
 {
 	double near = pow(10, sample_between(-15, -12));
 
@@ -120,9 +122,10 @@ static void look_along(struct camera *c)
 	}
 }
 
-/* Samples a rotation vector. Hostile: elements have mixed magnitudes; some vectors have
- * a length next to a multiple of pi / 2, where elements of the matrix are 0. */
-static void rotation_vector(double v[3], int e)
+/* Samples a rotation vector. If it is hostile, the magnitudes of its elements are
+ * mixed, and its length is often next to a multiple of pi / 2, where elements of the
+ * matrix are 0. */
+static void sample_rotation_vector(double v[3], int e)
 {
 	double square = 0, length = PI / 2 * (1 + sample_below(4));
 
@@ -142,31 +145,32 @@ void sample_camera(struct camera *c, int e)
 
 	memset(c, 0, sizeof *c);
 	c->kind = sample_below(8);
-	vector(c->eye, e);
-	vector(c->at, e);
-	vector(c->up, e);
+	sample_vector(c->eye, e);
+	sample_vector(c->at, e);
+	sample_vector(c->up, e);
 	if (sample_below(2))
 		memcpy(c->up, (double[]){ 0, 1, 0 }, sizeof c->up);
 	for (int i = 0; i < 4; i++)
-		c->orientation[i] = e > 0 ? sample_number(e) : ordinary();
+		c->orientation[i] = e > 0 ? sample_number(e) :
+					    ordinary_number();
 	if (c->kind == CAMERA_RVEC || c->kind == CAMERA_RVEC_TRANSLATION)
-		rotation_vector(c->rvec, e);
+		sample_rotation_vector(c->rvec, e);
 	sample_affine(c->matrix, e);
 	if (e > 0 && c->kind == CAMERA_AT && sample_below(2))
-		stand_far(c);
+		place_far(c);
 	if (e > 0 && c->kind < CAMERA_ORIENTATION && sample_below(2))
-		look_along(c);
+		put_up_near_gaze(c);
 	c->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
 	if (sample_below(3) == 0)
-		c->roll = 15 * whole(24);
+		c->roll = 15 * whole_number(24);
 	else if (sample_below(2))
 		c->roll = e > 0 ? sample_number(150) :
 				  sample_between(-180, 180);
 }
 
-/* Samples a matrix to orthonormalize: a rotation that has drifted. Hostile: hardly a
- * rotation, down to singular values 10^-14 times the largest. The determinant is
- * positive but for rounding errors. */
+/* Samples a matrix to orthonormalize: a rotation whose elements have errors of up to
+ * 1e-7 or 0.5 of their size. If it is hostile, a rotation with columns scaled by 1e-14
+ * to 1. The determinant is positive, unless rounding changed its sign. */
 void sample_orthonormalize(struct camera *c, int e)
 {
 	double q[4], norm = 0, stretch[3];
@@ -197,7 +201,7 @@ void sample_orthonormalize(struct camera *c, int e)
 		    (e > 0 ? stretch[i % 3] :
 			     1 + drift * sample_between(-1, 1));
 	}
-	vector(c->matrix[3], e > 0 ? 20 : 0);
+	sample_vector(c->matrix[3], e > 0 ? 20 : 0);
 	c->matrix[3][3] = 1;
 }
 
@@ -205,11 +209,11 @@ void sample_affine(double m[4][4], int e)
 {
 	memset(m, 0, 16 * sizeof m[0][0]);
 	for (int i = 0; i < 4; i++)
-		vector(m[i], e);
+		sample_vector(m[i], e);
 	m[3][3] = 1;
 }
 
-static double angle(int e)
+static double sample_angle(int e)
 {
 	if (e == 0)
 		return sample_below(2) ? 15 * (1 + sample_below(11)) :
@@ -224,19 +228,19 @@ static double angle(int e)
 	}
 }
 
-static void sides(struct projection *p, int e)
+static void sample_sides(struct projection *p, int e)
 {
-	p->left = e > 0 ? sample_number(e) : ordinary();
-	p->bottom = e > 0 ? sample_number(e) : ordinary();
-	p->right = e > 0 ? sample_number(e) : ordinary() + 20;
-	p->top = e > 0 ? sample_number(e) : ordinary() + 20;
+	p->left = e > 0 ? sample_number(e) : ordinary_number();
+	p->bottom = e > 0 ? sample_number(e) : ordinary_number();
+	p->right = e > 0 ? sample_number(e) : ordinary_number() + 20;
+	p->top = e > 0 ? sample_number(e) : ordinary_number() + 20;
 	if (sample_below(3) == 0) {
 		p->right = -p->left;
 		p->top = -p->bottom;
 	}
 }
 
-static void planes(struct projection *p, int e)
+static void sample_planes(struct projection *p, int e)
 {
 	p->near = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	p->far = e > 0 ? p->near + sample_size(e) :
@@ -252,20 +256,20 @@ static void planes(struct projection *p, int e)
 	}
 	if (p->type != PROJECTION_PERSP && sample_below(2))
 		p->near = -p->near / 2;
-	p->plane = sample_below(2) ? p->near : ordinary();
+	p->plane = sample_below(2) ? p->near : ordinary_number();
 	p->reverse_z = sample_below(2) && p->type < PROJECTION_VOLUME;
 }
 
-static void seven(struct projection *p, int e)
+static void sample_volume(struct projection *p, int e)
 {
 	p->half_width = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	p->half_height = e > 0 ? sample_size(e) : 1 + sample_below(9);
-	p->z_near = e > 0 ? sample_number(e) : ordinary();
-	p->z_far = e > 0 ? sample_number(e) : ordinary();
+	p->z_near = e > 0 ? sample_number(e) : ordinary_number();
+	p->z_far = e > 0 ? sample_number(e) : ordinary_number();
 	p->inverse_eye_z = e > 0 ? sample_number(e) : sample_between(-0.1, 0.1);
 	if (sample_below(4) == 0)
 		p->inverse_eye_z = 0;
-	vector(p->eye, e);
+	sample_vector(p->eye, e);
 	memcpy(p->tan_skew, p->eye, sizeof p->tan_skew);
 	p->eye[2] *= e > 0 ? 1 : 10;
 	p->eye_given_by = sample_below(2);
@@ -278,11 +282,13 @@ static void seven(struct projection *p, int e)
 	if (sample_below(2))
 		p->aspect[0] = p->aspect[1] = 0;
 	else
-		p->half_height = p->half_width; /* the smaller side's */
+		p->half_height =
+		    p->half_width; /* size is half the smaller side */
 }
 
-/* Converts the angles to radians: about as wide, and as near to a right angle. */
-static void in_radians(struct projection *p)
+/* Converts the angles to radians for one projection in four. Angles that were next to
+ * 90 or 180 degrees are next to pi / 2 or pi. */
+static void sample_angle_unit(struct projection *p)
 {
 	double *const angles[] = { &p->angle, &p->projector_angle,
 		&p->direction };
@@ -298,9 +304,9 @@ static void in_radians(struct projection *p)
 					 HUGE_VAL);
 }
 
-/* Samples four angles, left below right, bottom below top. Hostile: next to each other
- * or to a right angle, or hardly open. */
-static void four_angles(struct projection *p, int e)
+/* Samples the four angles of the edges, with left below right and bottom below top.
+ * Hostile angles are next to each other, next to a right angle, or nearly 0. */
+static void sample_four_angles(struct projection *p, int e)
 {
 	double right = p->unit == RADIANS ? PI / 2 : 0x1.67fffffffffffp+6;
 	double *const at[4] = { &p->left, &p->right, &p->bottom, &p->top };
@@ -330,17 +336,17 @@ static void four_angles(struct projection *p, int e)
 	}
 }
 
-/* Samples any numbers in the lower rows of P, or in all. */
-static void any_p(double k[3][4], int e)
+/* Sets the last rows of the 3x4 matrix P, up to all three, to random numbers. */
+static void sample_p_rows(double k[3][4], int e)
 {
 	for (int i = (int)sample_below(3); i < 3; i++)
 		for (int j = 0; j < 4; j++)
-			k[i][j] = e > 0 ? sample_number(e) : ordinary();
+			k[i][j] = e > 0 ? sample_number(e) : ordinary_number();
 }
 
-/* Makes [fx, fy, cx, cy], K or P, with planes, without them, or with an
- * infinite far plane. */
-static void intrinsics(struct projection *p, int e)
+/* Samples fx, fy, cx and cy, or a matrix K or P, with near and far planes, without
+ * planes, or with an infinite far plane. */
+static void sample_intrinsics(struct projection *p, int e)
 {
 	double(*k)[4] = p->intrinsics;
 	bool whole = sample_below(3) == 0;
@@ -360,7 +366,7 @@ static void intrinsics(struct projection *p, int e)
 	if (sample_below(2))
 		k[0][3] = k[1][3] = k[2][3] = 0;
 	if (sample_below(3) == 0)
-		any_p(k, e);
+		sample_p_rows(k, e);
 	if (sample_below(4) > 0)
 		return;
 	p->near = 0;
@@ -378,35 +384,35 @@ void sample_projection(struct projection *p, int e)
 	    (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES))
 		p->extent = EXTENT_EDGES;
 	p->angle = p->extent == EXTENT_FIELD ? sample_size(e > 0 ? e : 1) :
-					       angle(e);
+					       sample_angle(e);
 	p->aspect[0] = e > 0 ? sample_size(e) : 640;
 	p->aspect[1] = e > 0 ? sample_size(e) : 480;
 	p->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
 	p->height = e > 0 ? sample_size(e) : 1 + sample_below(20);
-	sides(p, e);
-	planes(p, e);
-	seven(p, e);
+	sample_sides(p, e);
+	sample_planes(p, e);
+	sample_volume(p, e);
 	p->kind = sample_below(3);
-	p->projector_angle = angle(e) / 2;
-	p->direction = 15 * whole(24);
-	in_radians(p);
+	p->projector_angle = sample_angle(e) / 2;
+	p->direction = 15 * whole_number(24);
+	sample_angle_unit(p);
 	if (p->extent == EXTENT_ANGLES)
-		four_angles(p, e);
+		sample_four_angles(p, e);
 	if (p->extent == EXTENT_INTRINSICS)
-		intrinsics(p, e);
+		sample_intrinsics(p, e);
 	if (p->type == PROJECTION_PERSP && sample_below(3) == 0)
 		p->edges_at = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	for (int i = 0; i < 4; i++) {
-		vector(p->matrix[i], e);
-		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary();
+		sample_vector(p->matrix[i], e);
+		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary_number();
 	}
 }
 
 void sample_viewport(struct viewport *v, int e)
 {
 
-	v->x = e > 0 ? sample_number(e) : whole(100);
-	v->y = e > 0 ? sample_number(e) : whole(100);
+	v->x = e > 0 ? sample_number(e) : whole_number(100);
+	v->y = e > 0 ? sample_number(e) : whole_number(100);
 	v->width = e > 0 ? sample_size(e) : 1 + sample_below(4000);
 	v->height = e > 0 ? sample_size(e) : 1 + sample_below(4000);
 	v->min_z = sample_below(2) ? 0 : sample_unit();
@@ -422,9 +428,9 @@ void sample_flat(struct window *w, struct device *d, int e)
 	memset(w, 0, sizeof *w);
 	w->by_edges = sample_below(2);
 	for (int i = 0; i < 2; i++) {
-		w->center[i] = e > 0 ? sample_number(e) : ordinary();
-		w->pan[i] = e > 0 ? sample_number(e) : ordinary();
-		w->about[i] = e > 0 ? sample_number(e) : ordinary();
+		w->center[i] = e > 0 ? sample_number(e) : ordinary_number();
+		w->pan[i] = e > 0 ? sample_number(e) : ordinary_number();
+		w->about[i] = e > 0 ? sample_number(e) : ordinary_number();
 	}
 	w->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
 	w->height = e > 0 ? sample_size(e) : 1 + sample_below(20);
@@ -437,8 +443,8 @@ void sample_flat(struct window *w, struct device *d, int e)
 				    sample_between(0.1, 10);
 	w->has_about = sample_below(2);
 	w->adapt = sample_below(3);
-	d->x = e > 0 ? sample_number(e) : whole(100);
-	d->y = e > 0 ? sample_number(e) : whole(100);
+	d->x = e > 0 ? sample_number(e) : whole_number(100);
+	d->y = e > 0 ? sample_number(e) : whole_number(100);
 	d->width = e > 0 ? sample_size(e) : 1 + sample_below(4000);
 	d->height = e > 0 ? sample_size(e) : 1 + sample_below(4000);
 	d->top_left = sample_below(2);
@@ -468,14 +474,15 @@ void sample_scene(struct scene *s, int e)
 
 void sample_answer(struct scene *s)
 {
-	s->answer = sample_below(2) ? &known[sample_below(5)] : NULL;
+	s->answer = sample_below(2) ? &named_conventions[sample_below(5)] :
+				      NULL;
 }
 
 static void round_matrix(double m[4][4], int columns)
 {
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < columns; j++)
-			m[i][j] = whole(2);
+			m[i][j] = whole_number(2);
 }
 
 void sample_round_scene(struct scene *s)

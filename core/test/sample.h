@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Random parameters for tests, the same in every run. With e = 0 they are what
- * people write, among them small whole numbers; else hostile: far from the
- * origin, nearly degenerate, of mixed magnitudes from 10^-e to 10^e. */
+/* Random parameters for tests, the same in every run. With e = 0 the numbers are
+ * ordinary: what people write, among them small whole numbers. With e > 0 they are
+ * hostile: magnitudes are mixed, from 10^-e to 10^e, cameras are far from the origin,
+ * and scenes are nearly degenerate. */
 #ifndef SAMPLE_H
 #define SAMPLE_H
 
@@ -24,11 +25,11 @@ void sample_viewport(struct viewport *, int e);
 void sample_flat(struct window *, struct device *, int e);
 void sample_scene(struct scene *, int e);
 
-/* Asks for the answer in another convention, or not. */
+/* Sets the convention of the answer to another one, or to none. */
 void sample_answer(struct scene *);
 
-/* Makes scenes of numbers with few digits, without an angle or a length, so
- * that all is rational. */
+/* Samples a scene of numbers with few digits in which no angle and no length occurs, so
+ * that all elements of its maps are rational. */
 void sample_round_scene(struct scene *);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Composed maps between any two spaces against MPFR, and refusals. */
+/* Maps between any two spaces against MPFR, and refusals. */
 #include "claims.h"
-#include "numbers.h"
 
 static void compare(const struct scene *s, enum space from, enum space to,
     struct worst *w)
@@ -17,7 +16,7 @@ static void compare(const struct scene *s, enum space from, enum space to,
 	real_release(mark);
 }
 
-static void scenes(const char *what, int e, int tries)
+static void check_scenes(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 
@@ -31,20 +30,20 @@ static void scenes(const char *what, int e, int tries)
 		compare(&s, SPACE_MODEL, SPACE_DEVICE, &w);
 		compare(&s, SPACE_DEVICE, SPACE_MODEL, &w);
 	}
-	claim_maps(what, &w);
+	assert_maps(what, &w);
 }
 
-static void random_ones(void **state)
+static void random_scenes(void **state)
 {
 	(void)state;
-	scenes("ordinary", 0, 250);
-	scenes("hostile, to 1e2", 2, 200);
-	scenes("hostile, to 1e20", 20, 100);
+	check_scenes("ordinary", 0, 250);
+	check_scenes("hostile, to 1e2", 2, 200);
+	check_scenes("hostile, to 1e20", 20, 100);
 }
 
-/* A model that stands 1e15 from the origin before an eye that is as far: the
- * distance costs nothing, forwards and backwards. */
-static void far_away(void **state)
+/* A model 1e15 from the origin, near the eye. The distance causes no error in the map
+ * and in its inverse. */
+static void models_far_from_the_origin(void **state)
 {
 	struct worst w = { 0 };
 
@@ -67,11 +66,11 @@ static void far_away(void **state)
 		compare(&s, SPACE_MODEL, SPACE_CLIP, &w);
 		compare(&s, SPACE_CLIP, SPACE_MODEL, &w);
 	}
-	claim_maps("1e15 from the origin", &w);
+	assert_maps("1e15 from the origin", &w);
 }
 
-/* The answers go from any convention around all five and back. Whole numbers
- * stay exact. */
+/* Converts a camera and a projection matrix from each convention through all others,
+ * and back. Their whole numbers stay exact. */
 static void around_all_conventions(void **state)
 {
 	static const struct convention known[] = { { 0 },
@@ -125,9 +124,9 @@ static void around_all_conventions(void **state)
 	}
 }
 
-/* The place of a point in the picture is the same in every convention of the
- * answer, on the device, except for the origin. */
-static void one_picture(void **state)
+/* The map to the device is the same in every convention of the answer that has the
+ * same origin of the device. */
+static void device_is_the_same_in_all_conventions(void **state)
 {
 	(void)state;
 	sample_seed(7);
@@ -156,7 +155,7 @@ static void assert_identity(const struct map *m)
 		assert_true(element(m, k / 4, k % 4) == (k / 4 == k % 4));
 }
 
-static void nowhere(void **state)
+static void map_to_the_same_space(void **state)
 {
 	struct scene s;
 	struct map m;
@@ -173,17 +172,17 @@ static void nowhere(void **state)
 		    (enum flat_space)space, &m));
 		assert_identity(&m);
 	}
-	/* clip to ndc only divides */
+	/* from clip space to ndc there is only the division */
 	assert_null(scene_map(&s, SPACE_CLIP, SPACE_NDC, &m));
 	assert_identity(&m);
 }
 
-static void refused(const struct scene *s, enum space from, enum space to,
-    const char *member)
+static void assert_scene_refused(const struct scene *s, enum space from,
+    enum space to, const char *member)
 {
 	struct map m;
 
-	claim_refused(scene_map(s, from, to, &m), member);
+	assert_reason(scene_map(s, from, to, &m), member);
 }
 
 static void refusals(void **state)
@@ -201,37 +200,39 @@ static void refusals(void **state)
 	};
 
 	(void)state;
-	refused(&s, SPACE_NDC, SPACE_DEVICE, "/viewport");
-	refused(&s, SPACE_DEVICE, SPACE_MODEL, "/viewport");
+	assert_scene_refused(&s, SPACE_NDC, SPACE_DEVICE, "/viewport");
+	assert_scene_refused(&s, SPACE_DEVICE, SPACE_MODEL, "/viewport");
 	s.world[0][3] = 1e-9;
-	refused(&s, SPACE_MODEL, SPACE_WORLD, "/world");
-	refused(&s, SPACE_WORLD, SPACE_MODEL, "/world: " NOT_AFFINE);
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world");
+	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL,
+	    "/world: " NOT_AFFINE);
 	s.world[3][0] = 1;
-	refused(&s, SPACE_MODEL, SPACE_WORLD, "/world: " NOT_AFFINE);
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD,
+	    "/world: " NOT_AFFINE);
 	s.world[0][3] = s.world[3][0] = 0;
 	s.world[0][0] = 0;
-	refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");
+	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");
 	s.world[0][0] = 1e150;
 	s.projection.width = 1e-150;
 	s.has_viewport = true;
 	s.viewport = (struct viewport){ .width = 1e150,
 		.height = 1,
 		.max_z = 1 };
-	refused(&s, SPACE_MODEL, SPACE_DEVICE, "/projection");
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/projection");
 	s.projection.width = 1;
 	memcpy(s.camera.at, s.camera.eye, sizeof s.camera.at);
-	refused(&s, SPACE_MODEL, SPACE_DEVICE, "/camera/at");
-	refused(&s, SPACE_VIEW, SPACE_MODEL, "/camera/at");
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/camera/at");
+	assert_scene_refused(&s, SPACE_VIEW, SPACE_MODEL, "/camera/at");
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(random_ones),
-		cmocka_unit_test(far_away),
+		cmocka_unit_test(random_scenes),
+		cmocka_unit_test(models_far_from_the_origin),
 		cmocka_unit_test(around_all_conventions),
-		cmocka_unit_test(one_picture),
-		cmocka_unit_test(nowhere),
+		cmocka_unit_test(device_is_the_same_in_all_conventions),
+		cmocka_unit_test(map_to_the_same_space),
 		cmocka_unit_test(refusals),
 	};
 

@@ -1,95 +1,96 @@
 /* SPDX-License-Identifier: MIT */
-/* A sum's error goes with it through each operation, and a difference that is not
- * above the error is none. */
+/* The result of each operation has the right bound of its error, and sum_sign returns
+ * 0 for a sum that is not above its bound. */
 #include "../exact/sum.h"
 
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
 #include "numbers.h"
 
-/* Returns a 0 with an error of SUM_QUOTIENT_ERROR. */
-static struct sum nothing_of_one(void)
+/* Returns a 0. The bound of its error is SUM_QUOTIENT_ERROR, an exponent: see sum.h. */
+static struct sum inexact_zero(void)
 {
 	struct sum one = sum_with_error(ex_of(1), SUM_QUOTIENT_ERROR);
 
 	return sum_sub(one, sum_of_double(1));
 }
 
-/* Asserts an error of 2^e SUM_QUOTIENT_ERROR: the greatest difference that counts as 0. */
-static void assert_error(struct sum nothing, int e)
+/* Asserts that the bound of the error of a zero is 2^e times that of
+ * SUM_QUOTIENT_ERROR, by the greatest number that counts as 0 when it is added. */
+static void assert_error_bound(struct sum zero_with_error, int e)
 {
-	double none = ldexp(1, SUM_QUOTIENT_ERROR - EX_RANGE + e);
+	double greatest_zero = ldexp(1, SUM_QUOTIENT_ERROR - EX_RANGE + e);
 
 	for (int minus = 0; minus < 2; minus++) {
-		struct sum least = sum_of_double(nextafter(none, HUGE_VAL));
-		struct sum off = sum_add(nothing, sum_of_double(none));
+		struct sum least = sum_of_double(
+		    nextafter(greatest_zero, HUGE_VAL));
+		struct sum off = sum_add(zero_with_error,
+		    sum_of_double(greatest_zero));
 
 		assert_int_equal(sum_sign(off), 0);
 		assert_number(sum_double(off), 0);
 		assert_true(sum_snap_zero(off).value.n == 0);
-		off = sum_add(nothing, sum_negated_if(minus, least));
+		off = sum_add(zero_with_error, sum_negated_if(minus, least));
 		assert_int_equal(sum_sign(off), minus ? -1 : 1);
 		assert_true(sum_double(off) ==
-		    (minus ? -1 : 1) * nextafter(none, HUGE_VAL));
-		nothing = sum_neg(nothing);
+		    (minus ? -1 : 1) * nextafter(greatest_zero, HUGE_VAL));
+		zero_with_error = sum_neg(zero_with_error);
 	}
 }
 
-static void errors_go_with_sums(void **state)
+static void operations_keep_error_bounds(void **state)
 {
-	const struct sum nothing = nothing_of_one();
+	const struct sum zero_with_error = inexact_zero();
 	const struct sum eight = sum_of_double(-8);
 
 	(void)state;
-	assert_error(nothing, 0);
-	assert_error(sum_mul(nothing, eight), 3);
-	assert_error(sum_mul(eight, nothing), 3);
-	assert_error(sum_quotient(nothing, eight), -3);
-	assert_error(sum_add(nothing, nothing), 1);
-	assert_error(sum_sub(nothing, sum_neg(nothing)), 1);
-	assert_error(sum_mul(sum_mul(nothing, eight), eight), 6);
-	assert_error(sum_mul(sum_add(nothing, sum_of_double(4)), nothing), 2);
-	assert_error(sum_mul(nothing, nothing), SUM_QUOTIENT_ERROR - EX_RANGE);
+	assert_error_bound(zero_with_error, 0);
+	assert_error_bound(sum_mul(zero_with_error, eight), 3);
+	assert_error_bound(sum_mul(eight, zero_with_error), 3);
+	assert_error_bound(sum_quotient(zero_with_error, eight), -3);
+	assert_error_bound(sum_add(zero_with_error, zero_with_error), 1);
+	assert_error_bound(sum_sub(zero_with_error, sum_neg(zero_with_error)),
+	    1);
+	assert_error_bound(sum_mul(sum_mul(zero_with_error, eight), eight), 6);
+	assert_error_bound(sum_mul(sum_add(zero_with_error, sum_of_double(4)),
+			       zero_with_error),
+	    2);
+	assert_error_bound(sum_mul(zero_with_error, zero_with_error),
+	    SUM_QUOTIENT_ERROR - EX_RANGE);
 	for (int n = 1; n <= 4; n++) {
-		const struct sum a[5] = { eight, nothing, eight, nothing,
-			eight };
+		const struct sum a[5] = { eight, zero_with_error, eight,
+			zero_with_error, eight };
 		struct sum r;
 
 		sum_dot(n, a, a + 1, 1, &r);
-		/* the bound of three errors is that of four */
-		assert_error(sum_quotient(r, sum_of_double(n)), 3 + (n == 3));
+		/* bounds are powers of two: that of three errors is that of four */
+		assert_error_bound(sum_quotient(r, sum_of_double(n)),
+		    3 + (n == 3));
 	}
 }
 
-static void what_is_nothing(void **state)
+static void tests_for_zero_and_one(void **state)
 {
-	struct sum nothing = nothing_of_one(), zero = sum_of_double(0);
+	struct sum zero_with_error = inexact_zero(), zero = sum_of_double(0);
 	struct sum one = sum_of_double(1);
 
 	(void)state;
 	assert_true(sum_is_exact_zero(&zero));
-	assert_false(sum_is_exact_zero(&nothing));
+	assert_false(sum_is_exact_zero(&zero_with_error));
 	assert_false(sum_is_exact_zero(&one));
-	zero = sum_mul(zero, nothing);
+	zero = sum_mul(zero, zero_with_error);
 	assert_true(sum_is_exact_zero(&zero));
 	zero = sum_sub(one, one);
 	assert_true(sum_is_exact_zero(&zero));
 	assert_true(sum_is_one(&one));
 	assert_true(sum_is_power_of_two(&one));
-	one = sum_add(one, nothing);
+	one = sum_add(one, zero_with_error);
 	assert_false(sum_is_one(&one));
 	assert_false(sum_is_power_of_two(&one));
 	one = sum_of_double(3);
 	assert_false(sum_is_power_of_two(&one));
 }
 
-/* Roots that are short are exact, as are quotients; others have an error. */
-static void what_is_exact(void **state)
+/* Roots and quotients that fit the words of a sum are exact. Others have an error. */
+static void short_roots_and_quotients_are_exact(void **state)
 {
 	(void)state;
 	assert_int_equal(sum_sqrt(sum_of_double(2.25)).error, 0);
@@ -111,9 +112,9 @@ static void what_is_exact(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(errors_go_with_sums),
-		cmocka_unit_test(what_is_nothing),
-		cmocka_unit_test(what_is_exact),
+		cmocka_unit_test(operations_keep_error_bounds),
+		cmocka_unit_test(tests_for_zero_and_one),
+		cmocka_unit_test(short_roots_and_quotients_are_exact),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

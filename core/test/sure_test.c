@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Counts the points that the fast phases leave to the accurate one. A bound
- * that is too large, or a test that is too strict, changes no printed number
- * and costs only time. The counts are recorded; every compiler gives the same,
- * and copies with fused products differ by at most two. A count that changes
- * needs a reason. The numbers are made without the mathematical library, whose
- * last bits differ. */
+/* Counts the points that the kernels leave undecided, which core/points/point.c
+ * computes with more bits. A bound that is too large, or a test that is too strict,
+ * changes no printed number and only costs time. The counts are recorded: a change of
+ * a count needs a reason. Every compiler gives the same counts, and kernels with fused
+ * products differ by at most two. The coordinates are made without the mathematical
+ * library, as its last bits differ between systems. */
 #include "claims.h"
 #include "points.h"
 
@@ -12,17 +12,17 @@
 
 enum { BLOCKS = 24 };
 
-/* The counters: one for each kind of column in the exact kernels. */
-enum { AFFINE, RATIONAL, FLAT, DEPTH, PROJECTIVE, RAY, WAYS };
+/* The counters of undecided points, one for each transform in count_block. */
+enum { AFFINE, RATIONAL, FLAT, DEPTH, PROJECTIVE, RAY, COUNTERS };
 
-/* A kind of scenes and points. Coordinates of the eye are from 2^eye_low to 2^eye_high,
- * coordinates relative to the eye from 2^low to 2^high, with so many binary digits. The
- * scene is scaled by each power from 2^least to 2^most. left has the recorded counts of
- * undecided points, out of BLOCKS POINTS_BLOCK points. */
+/* A kind of scenes and points. Coordinates of the eye are from 2^eye_low to
+ * 2^eye_high, and coordinates relative to the eye from 2^low to 2^high, with this many
+ * binary digits. Blocks are scaled in turn by the powers from 2^least to below 2^most.
+ * undecided has the recorded counts, out of BLOCKS times POINTS_BLOCK points. */
 static const struct regime {
 	const char *name;
 	int eye_low, eye_high, low, high, digits, least, most;
-	unsigned left[WAYS];
+	unsigned undecided[COUNTERS];
 } regimes[] = {
 	{ "usual", 0, 4, -3, 4, 53, 0, 1, { 12, 14, 9, 12, 3, 2 } },
 	{ "short", 0, 4, -3, 4, 7, 0, 1, { 8, 0, 19, 20, 6, 3 } },
@@ -48,9 +48,9 @@ static const struct regime {
 
 enum { REGIMES = sizeof regimes / sizeof *regimes };
 
-static int scale; /* the scene is scaled by 2^scale */
+static int scale; /* all random numbers are scaled by 2^scale */
 
-static double any(int low, int high, int digits)
+static double random_number(int low, int high, int digits)
 {
 	int e = scale + low + (int)sample_below((unsigned)(high - low));
 	double v = ldexp(floor(ldexp(1 + sample_unit(), digits - 1)),
@@ -59,12 +59,12 @@ static double any(int low, int high, int digits)
 	return sample_below(2) ? v : -v;
 }
 
-static double size(const struct regime *r)
+static double random_size(const struct regime *r)
 {
-	return fabs(any(r->low, r->high, r->digits));
+	return fabs(random_number(r->low, r->high, r->digits));
 }
 
-static void make_scene(const struct regime *r, struct scene *s)
+static void sample_regime_scene(const struct regime *r, struct scene *s)
 {
 	*s = (struct scene){ .has_world = true,
 		.has_camera = true,
@@ -75,49 +75,52 @@ static void make_scene(const struct regime *r, struct scene *s)
 		    .bottom = -1,
 		    .right = 1,
 		    .top = 1.5,
-		    .near = size(r),
+		    .near = random_size(r),
 		    .edges_at = 1 },
 		.has_viewport = true,
 		.viewport = { .width = 640, .height = 480, .max_z = 1 },
 		.has_window = true,
-		.window = { .width = size(r), .height = size(r), .zoom = 1 },
+		.window = { .width = random_size(r),
+		    .height = random_size(r),
+		    .zoom = 1 },
 		.has_device = true,
 		.device = { .width = 640, .height = 480 } };
 	s->projection.far = s->projection.near * 64;
 	for (int i = 0; i < 4; i++) {
-		double eye = any(r->eye_low, r->eye_high, r->digits);
+		double eye = random_number(r->eye_low, r->eye_high, r->digits);
 
 		for (int k = 0; k < 3; k++)
-			s->world[i][k] = any(r->low, r->high, r->digits);
+			s->world[i][k] = random_number(r->low, r->high,
+			    r->digits);
 		s->world[i][3] = i == 3;
 		if (i == 3)
 			break;
 		s->camera.eye[i] = eye;
-		s->camera.at[i] = any(r->low, r->high, r->digits);
+		s->camera.at[i] = random_number(r->low, r->high, r->digits);
 		s->window.center[i % 2] = eye;
 	}
 }
 
-static void make_points(const struct regime *r, const double about[3],
+static void sample_regime_points(const struct regime *r, const double about[3],
     struct block *b)
 {
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		for (int k = 0; k < 3; k++)
 			b->in[k][i] = about[k] +
-			    any(r->low, r->high, r->digits);
+			    random_number(r->low, r->high, r->digits);
 }
 
-static void make_pixels(const struct regime *r, struct block *b)
+static void sample_pixels(const struct regime *r, struct block *b)
 {
 	scale = 0;
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		for (int k = 0; k < 3; k++)
-			b->in[k][i] = fabs(
-			    any(k < 2 ? 0 : -6, k < 2 ? 9 : 0, r->digits));
+			b->in[k][i] = fabs(random_number(k < 2 ? 0 : -6,
+			    k < 2 ? 9 : 0, r->digits));
 }
 
-/* Returns the number of points that a kernel does not decide. */
-static unsigned unsure(exact_kernel kernel, const struct kernel_map *m,
+/* Returns the number of points that a kernel leaves undecided: it sets them to nan. */
+static unsigned count_undecided(exact_kernel kernel, const struct kernel_map *m,
     struct block *b)
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
@@ -130,42 +133,61 @@ static unsigned unsure(exact_kernel kernel, const struct kernel_map *m,
 	return n;
 }
 
-static unsigned count(const struct transform *t, enum kernel_kind kind,
-    struct block *b)
+static unsigned count_transform(const struct transform *t,
+    enum kernel_kind kind, struct block *b)
 {
 	assert_int_equal(t->kind, kind);
-	return unsure(kernels_chosen()->exact[kind], &t->for_kernel, b);
+	return count_undecided(kernels_chosen()->exact[kind], &t->for_kernel,
+	    b);
 }
 
 static void count_block(const struct regime *r, struct block *b,
-    unsigned n[WAYS])
+    unsigned n[COUNTERS])
 {
 	struct scene s;
 	struct transform t;
 	struct ray_maker ray;
 	static const double origin[3] = { 0 };
 
-	make_scene(r, &s);
-	make_points(r, origin, b);
+	sample_regime_scene(r, &s);
+	sample_regime_points(r, origin, b);
 	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_WORLD, false, &t));
-	n[RATIONAL] += count(&t, KERNEL_AFFINE, b);
-	make_points(r, s.camera.eye, b);
+	n[RATIONAL] += count_transform(&t, KERNEL_AFFINE, b);
+	sample_regime_points(r, s.camera.eye, b);
 	assert_null(flat_transform(&s, FLAT_WINDOW, FLAT_DEVICE, &t));
-	n[FLAT] += count(&t, KERNEL_FLAT, b);
-	make_points(r, s.camera.eye, b);
+	n[FLAT] += count_transform(&t, KERNEL_FLAT, b);
+	sample_regime_points(r, s.camera.eye, b);
 	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_VIEW, false, &t));
-	n[AFFINE] += count(&t, KERNEL_AFFINE, b);
+	n[AFFINE] += count_transform(&t, KERNEL_AFFINE, b);
 	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
-	n[DEPTH] += count(&t, KERNEL_DEPTH, b);
-	make_pixels(r, b);
+	n[DEPTH] += count_transform(&t, KERNEL_DEPTH, b);
+	sample_pixels(r, b);
 	assert_null(scene_transform(&s, SPACE_DEVICE, SPACE_WORLD, false, &t));
-	n[PROJECTIVE] += count(&t, KERNEL_PROJECTIVE, b);
+	n[PROJECTIVE] += count_transform(&t, KERNEL_PROJECTIVE, b);
 	assert_null(ray_maker_of(&s, &ray));
-	n[RAY] += unsure(kernels_chosen()->exact[KERNEL_DIRECTION],
+	n[RAY] += count_undecided(kernels_chosen()->exact[KERNEL_DIRECTION],
 	    &ray.direction.for_kernel, b);
 }
 
-static void as_many_as_ever(void **state)
+/* Asserts that the counts differ from the recorded ones by at most most_off. */
+static void check_counts(const char *copy, const struct regime *r,
+    const unsigned n[COUNTERS], double most_off)
+{
+	bool same = true;
+
+	for (int w = 0; w < COUNTERS; w++)
+		same &= fabs((double)n[w] - r->undecided[w]) <= most_off;
+	if (same)
+		return;
+	print_error("%s, %s: expected and came", copy, r->name);
+	for (int w = 0; w < COUNTERS; w++)
+		print_error(" %u %u,", r->undecided[w], n[w]);
+	print_error("\n");
+	fail_msg("if the change is meant, record the counts of baseline in "
+		 "regimes, core/test/sure_test.c");
+}
+
+static void counts_are_as_recorded(void **state)
 {
 	static struct block b;
 
@@ -176,19 +198,13 @@ static void as_many_as_ever(void **state)
 		sample_seed(1);
 		for (int k = 0; k < REGIMES; k++) {
 			const struct regime *r = &regimes[k];
-			unsigned n[WAYS] = { 0 };
+			unsigned n[COUNTERS] = { 0 };
 
 			for (int i = 0; i < BLOCKS; i++) {
 				scale = r->least + i % (r->most - r->least);
 				count_block(r, &b, n);
 			}
-			print_message("%s, %s:", copies[c], r->name);
-			for (int w = 0; w < WAYS; w++)
-				print_message(" %u,", n[w]);
-			print_message("\n");
-			for (int w = 0; w < WAYS; w++)
-				assert_true(fabs((double)n[w] - r->left[w]) <=
-				    (c == 0 ? 0 : 2));
+			check_counts(copies[c], r, n, c == 0 ? 0 : 2);
 		}
 	}
 }
@@ -196,7 +212,7 @@ static void as_many_as_ever(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(as_many_as_ever),
+		cmocka_unit_test(counts_are_as_recorded),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The names of projections, and matrices whose near plane is found. */
+/* The names that inspect gives projections, and the near plane that it finds in a
+ * matrix. */
 #include "../derive/picture.h"
 
 #include "claims.h"
-#include "numbers.h"
 
 static void kinds_have_their_names(void **state)
 {

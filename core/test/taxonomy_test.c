@@ -4,31 +4,32 @@
 
 #include "claims.h"
 
-/* The numbers of one kind, counted by verdict. */
+/* The count of numbers of each verdict. */
 struct tally {
 	int n[VERDICTS];
 };
 
-static void check(double got, struct form n, struct form d, struct tally *tally)
+static void count_verdict(double got, struct sized n, struct sized d,
+    struct tally *tally)
 {
 	tally->n[truth_verdict(got, n, d, false)]++;
 }
 
 /* Checks that got is h / w, or nan if the point is not visible or w is 0. */
-static void check_point(const double *got, const struct form h[4], int n,
-    bool seen, struct tally *tally)
+static void check_point(const double *got, const struct sized h[4], int n,
+    bool visible, struct tally *tally)
 {
 	bool doubtful;
 	int w = truth_sign(h[3], &doubtful);
 
 	for (int j = 0; j < n; j++)
-		if (w == 0 || !seen)
+		if (w == 0 || !visible)
 			assert_true(isnan(got[j]) != 0);
 		else if (!doubtful)
-			check(got[j], h[j], h[3], tally);
+			count_verdict(got[j], h[j], h[3], tally);
 }
 
-static void row_of(const struct truth *t, int i, struct form h[4])
+static void matrix_row(const struct truth *t, int i, struct sized h[4])
 {
 	for (int j = 0; j < 4; j++)
 		h[j] = truth_element(t, i, j);
@@ -41,9 +42,9 @@ static void check_vanishing_points(const struct scene *s,
 
 	truth_scene(s, SPACE_WORLD, SPACE_DEVICE, &truth);
 	for (int i = 0; i < 3; i++) {
-		struct form h[4];
+		struct sized h[4];
 
-		row_of(&truth, i, h);
+		matrix_row(&truth, i, h);
 		check_point(t->vanishing_point[i], h, 2, true, tally);
 	}
 }
@@ -58,26 +59,26 @@ static void check_places(const struct scene *s, const struct picture *t,
 	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
 	struct truth truth;
-	struct form h[4];
+	struct sized h[4];
 	real limit[2];
 
 	truth_scene(s, SPACE_CLIP, SPACE_WORLD, &truth);
 	truth_limits(s, limit);
-	row_of(&truth, 2, h);
+	matrix_row(&truth, 2, h);
 	check_point(t->eye, h, 3, true, tally);
 	for (int c = 0; c < 8; c++) {
 		double depth = (c >= 4) != t->reverse_z ? 1 : low;
-		struct form at[2];
+		struct sized at[2];
 
 		for (int k = 0; k < 2; k++)
-			at[k] = form_mul((struct form){ limit[k], limit[k] },
-			    form_of(side[c % 4][k] * (k == 0 ? 1 : up)));
+			at[k] = sized_mul((struct sized){ limit[k], limit[k] },
+			    sized_of(side[c % 4][k] * (k == 0 ? 1 : up)));
 		for (int j = 0; j < 4; j++) {
 			h[j] = truth_column(&truth, j,
 			    (double[]){ 0, 0, depth, 1 });
 			for (int k = 0; k < 2; k++)
-				h[j] = form_add(h[j],
-				    form_mul(at[k],
+				h[j] = sized_add(h[j],
+				    sized_mul(at[k],
 					truth_element(&truth, k, j)));
 		}
 		check_point(t->corner[c], h, 3,
@@ -111,8 +112,8 @@ static void check_fov(const struct scene *s, const struct picture *t,
 		mpfr_acos(angle, angle, MPFR_RNDN);
 		mpfr_mul_ui(angle, angle, 180, MPFR_RNDN);
 		mpfr_const_pi(a[0], MPFR_RNDN);
-		check(t->fov[k], (struct form){ angle, angle },
-		    (struct form){ a[0], a[0] }, tally);
+		count_verdict(t->fov[k], (struct sized){ angle, angle },
+		    (struct sized){ a[0], a[0] }, tally);
 	}
 }
 
@@ -127,7 +128,7 @@ static void check_foreshortening(const struct scene *s, const struct picture *t,
 
 	truth_matrix(s, SPACE_VIEW, SPACE_CLIP, m);
 	truth_matrix(s, SPACE_WORLD, SPACE_VIEW, axis);
-	set_unit(basis);
+	set_identity(basis);
 	for (int i = 0; i < 3; i++) {
 		x[i] = m[i][0];
 		y[i] = m[i][1];
@@ -136,7 +137,7 @@ static void check_foreshortening(const struct scene *s, const struct picture *t,
 	normalise(n, 3);
 	cross(x, y, d);
 	normalise(d, 3);
-	set(zero, 3, (double[]){ 0.6, -0.48, 0.64 });
+	set_reals(zero, 3, (double[]){ 0.6, -0.48, 0.64 });
 	cross(n, zero, basis[1]);
 	normalise(basis[1], 3);
 	cross(n, basis[1], basis[2]);
@@ -149,11 +150,11 @@ static void check_foreshortening(const struct scene *s, const struct picture *t,
 
 			part[k] = dot(axis[i], column, 3);
 		}
-		struct form f = { root(dot(part + 1, part + 1, 2)), size };
+		struct sized f = { root(dot(part + 1, part + 1, 2)), size };
 
-		check(t->foreshortening[i], f,
-		    (struct form){ number(1),
-			over(number(1), magnitude(dot(n, d, 3))) },
+		count_verdict(t->foreshortening[i], f,
+		    (struct sized){ real_of(1),
+			divide(real_of(1), magnitude(dot(n, d, 3))) },
 		    tally);
 	}
 }
@@ -180,7 +181,7 @@ static void check_gaze(const struct scene *s, const struct picture *t,
 {
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
 	struct truth truth;
-	struct form n[3];
+	struct sized n[3];
 
 	truth_scene(s, SPACE_WORLD, SPACE_CLIP, &truth);
 	for (int i = 0; i < 3; i++) {
@@ -188,7 +189,7 @@ static void check_gaze(const struct scene *s, const struct picture *t,
 		n[i].value = magnitude(n[i].value);
 	}
 	for (int i = 0; i < 3; i++)
-		check(fabs(t->gaze[i]), n[i], form_length(n), tally);
+		count_verdict(fabs(t->gaze[i]), n[i], sized_length(n), tally);
 	check_ahead(t);
 }
 
@@ -230,9 +231,10 @@ static void numbers_are_nearest(void **state)
 	for (int i = 0; i < 5; i++) {
 		const int *v = tally[i].n;
 
-		print_message("%s: %d numbers, %d within the rule, %d "
+		print_message("%s: %d numbers, %d within the tolerance, %d "
 			      "wrong\n",
-		    what[i], v[NEAREST] + v[RULED], v[RULED], v[WRONG]);
+		    what[i], v[NEAREST] + v[WITHIN_TOLERANCE],
+		    v[WITHIN_TOLERANCE], v[WRONG]);
 	}
 	for (int i = 0; i < 5; i++)
 		assert_int_equal(tally[i].n[WRONG], 0);

@@ -8,7 +8,7 @@ struct truth_stage *truth_stage(struct truth *t)
 {
 	struct truth_stage *s = &t->stage[t->n++];
 
-	set_unit(s->m);
+	set_identity(s->m);
 	memset(s->size, 0, sizeof s->size);
 	return s;
 }
@@ -18,13 +18,13 @@ static real size_of(const struct truth_stage *s, int i, int j)
 	return s->size[i][j] != NULL ? s->size[i][j] : magnitude(s->m[i][j]);
 }
 
-static void then(struct truth_stage *r, const struct truth_stage *s)
+static void append_stage(struct truth_stage *r, const struct truth_stage *s)
 {
 	struct truth_stage product;
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++) {
-			real v = number(0), size = number(0);
+			real v = real_of(0), size = real_of(0);
 
 			for (int k = 0; k < 4; k++) {
 				v = add(v, mul(r->m[i][k], s->m[k][j]));
@@ -39,76 +39,76 @@ static void then(struct truth_stage *r, const struct truth_stage *s)
 
 void truth_compose(struct truth *t)
 {
-	set_unit(t->all.m);
-	set_unit(t->all.size);
+	set_identity(t->product.m);
+	set_identity(t->product.size);
 	for (int i = 0; i < t->n; i++)
-		then(&t->all, &t->stage[i]);
+		append_stage(&t->product, &t->stage[i]);
 }
 
-struct form form_of(double a)
+struct sized sized_of(double a)
 {
-	return (struct form){ number(a), magnitude(number(a)) };
+	return (struct sized){ real_of(a), magnitude(real_of(a)) };
 }
 
-struct form form_add(struct form a, struct form b)
+struct sized sized_add(struct sized a, struct sized b)
 {
-	return (struct form){ add(a.value, b.value), add(a.size, b.size) };
+	return (struct sized){ add(a.value, b.value), add(a.size, b.size) };
 }
 
-struct form form_sub(struct form a, struct form b)
+struct sized sized_sub(struct sized a, struct sized b)
 {
-	return (struct form){ sub(a.value, b.value), add(a.size, b.size) };
+	return (struct sized){ sub(a.value, b.value), add(a.size, b.size) };
 }
 
-struct form form_mul(struct form a, struct form b)
+struct sized sized_mul(struct sized a, struct sized b)
 {
-	return (struct form){ mul(a.value, b.value), mul(a.size, b.size) };
+	return (struct sized){ mul(a.value, b.value), mul(a.size, b.size) };
 }
 
-struct form form_dot(const struct form a[3], const struct form b[3])
+struct sized sized_dot(const struct sized a[3], const struct sized b[3])
 {
-	struct form s = form_of(0);
+	struct sized s = sized_of(0);
 
 	for (int i = 0; i < 3; i++)
-		s = form_add(s, form_mul(a[i], b[i]));
+		s = sized_add(s, sized_mul(a[i], b[i]));
 	return s;
 }
 
-struct form form_length(const struct form v[3])
+struct sized sized_length(const struct sized v[3])
 {
-	real r = root(form_dot(v, v).value);
+	real r = root(sized_dot(v, v).value);
 
-	return (struct form){ r,
+	return (struct sized){ r,
 		add(add(r, v[0].size), add(v[1].size, v[2].size)) };
 }
 
-struct form truth_column(const struct truth *t, int j, const double p[4])
+struct sized truth_column(const struct truth *t, int j, const double p[4])
 {
-	struct form s = form_of(0);
+	struct sized s = sized_of(0);
 
 	for (int i = 0; i < 4; i++)
 		if (p[i] != 0)
-			s = form_add(s,
-			    form_mul(form_of(p[i]), truth_element(t, i, j)));
+			s = sized_add(s,
+			    sized_mul(sized_of(p[i]), truth_element(t, i, j)));
 	return s;
 }
 
-struct form truth_element(const struct truth *t, int i, int j)
+struct sized truth_element(const struct truth *t, int i, int j)
 {
-	return (struct form){ t->all.m[i][j], t->all.size[i][j] };
+	return (struct sized){ t->product.m[i][j], t->product.size[i][j] };
 }
 
-/* Returns a bound of the error, which is more than the error that a sum of sum.h keeps
- * for itself. */
-static real rule(real size)
+/* Returns a bound of the error of a number with this size, which is more than the bound
+ * that struct sum keeps. */
+static real tolerance(real size)
 {
-	return mul(size, number(TRUTH_RULE));
+	return mul(size, real_of(TRUTH_TOLERANCE));
 }
 
-int truth_sign(struct form a, bool *doubtful)
+int truth_sign(struct sized a, bool *doubtful)
 {
 	if (doubtful != NULL)
-		*doubtful = mpfr_cmpabs(a.value, rule(a.size)) <= 0;
+		*doubtful = mpfr_cmpabs(a.value, tolerance(a.size)) <= 0;
 	return is_zero(a.value, a.size) ? 0 : mpfr_sgn(a.value);
 }
 
@@ -129,7 +129,8 @@ static bool is_even(double a, bool single)
 	return ((single ? narrow_bits : bits) & 1) == 0;
 }
 
-/* Returns the even one of two doubles if their midpoint is this close to a. */
+/* Returns the double, or float, nearest to a. If a is within this distance of the
+ * midpoint of two, returns the even one. */
 static double nearest(real a, real within, bool single)
 {
 	double low = rounded(sub(a, within), single);
@@ -138,30 +139,30 @@ static double nearest(real a, real within, bool single)
 	return is_even(low, single) ? low : high;
 }
 
-static enum verdict judge(double printed, struct form n, struct form d,
+static enum verdict judge(double printed, struct sized n, struct sized d,
     bool single)
 {
 	if (truth_sign(n, NULL) == 0)
 		return printed == 0 ? NEAREST : WRONG;
-	real v = over(n.value, d.value),
-	     within = magnitude(over(n.size, n.value));
+	real v = divide(n.value, d.value),
+	     within = magnitude(divide(n.size, n.value));
 
-	within = add(within, magnitude(over(d.size, d.value)));
+	within = add(within, magnitude(divide(d.size, d.value)));
 	within = mul(within, magnitude(v));
-	real least = mul(within, number(0x1p-1000));
-	double best = nearest(v, mul(least, number(0x1p-900)), single);
+	real least = mul(within, real_of(0x1p-1000));
+	double best = nearest(v, mul(least, real_of(0x1p-900)), single);
 
 	if (printed == best || (isnan(printed) && isinf(best)))
 		return NEAREST;
-	real none = rule(within);
+	real none = tolerance(within);
 
 	return printed >= rounded(sub(v, none), single) &&
 		printed <= rounded(add(v, none), single) ?
-	    RULED :
+	    WITHIN_TOLERANCE :
 	    WRONG;
 }
 
-enum verdict truth_verdict(double printed, struct form n, struct form d,
+enum verdict truth_verdict(double printed, struct sized n, struct sized d,
     bool single)
 {
 	int mark = real_mark();
@@ -182,39 +183,41 @@ static void keep_worst(double *worst, double a)
 		*worst = a;
 }
 
-static void compare(const struct map *m, int i, int j, const struct truth *t,
-    struct worst *w)
+static void compare_element(const struct map *m, int i, int j,
+    const struct truth *t, struct worst *w)
 {
-	struct form exact = truth_element(t, i, j), one = form_of(1);
+	struct sized exact = truth_element(t, i, j), one = sized_of(1);
 	struct sum got = map_element(m, i, j);
 	dd pair = sum_dd(got);
-	real bound = number(!sum_is_exact(&got));
-	real off = magnitude(sub(number_ex(got.value), exact.value));
+	real bound = real_of(!sum_is_exact(&got));
+	real off = magnitude(sub(real_of_ex(got.value), exact.value));
 
 	for (int single = 0; single < 2; single++) {
 		enum verdict v = truth_verdict(map_nearest(m, i, j, single),
 		    exact, one, single);
 
-		w->verdicts[v == RULED && !t->irrational ? WRONG : v]++;
+		w->verdicts[v == WITHIN_TOLERANCE && !t->irrational ? WRONG :
+								      v]++;
 	}
 	if (truth_sign(exact, NULL) == 0)
-		w->ghosts += sum_sign(got) != 0;
+		w->false_nonzeros += sum_sign(got) != 0;
 	else if (truth_verdict(pair.hi, exact, one, false) == NEAREST)
-		keep_worst(&w->error,
+		keep_worst(&w->pair_error,
 		    u2_error(pair, exact.value,
 			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
 	mpfr_mul_2si(bound, bound, got.error - EX_RANGE, MPFR_RNDN);
-	/* the truth is rounded, too: its sine of 180 degrees is not 0, nor is its 1 - 1
-	 * of roots */
-	real rounding = number(1);
+	/* The truth has rounding errors, too: its sine of 180 degrees and its
+	 * difference of equal roots are not 0. */
+	real rounding = real_of(1);
 
 	mpfr_mul_2si(rounding, rounding, 100 - REAL_BITS, MPFR_RNDN);
-	off = sub(off, add(rounding, mul(exact.size, number(0x1p-1000))));
+	off = sub(off, add(rounding, mul(exact.size, real_of(0x1p-1000))));
 	if (!t->irrational || !mpfr_zero_p(bound))
-		w->beyond += mpfr_cmp(off, bound) > 0;
+		w->beyond_error += mpfr_cmp(off, bound) > 0;
 	if (!mpfr_zero_p(bound))
-		keep_worst(&w->bound,
-		    mpfr_get_d(over(bound, rule(exact.size)), MPFR_RNDU));
+		keep_worst(&w->sum_bound,
+		    mpfr_get_d(divide(bound, tolerance(exact.size)),
+			MPFR_RNDU));
 }
 
 void truth_compare(const struct truth *t, const struct map *r, struct worst *w)
@@ -223,6 +226,6 @@ void truth_compare(const struct truth *t, const struct map *r, struct worst *w)
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			compare(r, i, j, t, w);
+			compare_element(r, i, j, t, w);
 	real_release(mark);
 }

@@ -4,35 +4,36 @@
 #include <math.h>
 #include <string.h>
 
-#define ONE number(1)
-#define TWO number(2)
+#define ONE real_of(1)
+#define TWO real_of(2)
 
-/* p' = p A + t. The elements of a nearest rotation are sums of products of a unit
- * quaternion's, and divided by its square. */
+/* Adds the stages p' = p A and p' = p + t of an affine matrix. The elements of A's
+ * nearest rotation are sums of products of a unit quaternion's elements, of size 2 at
+ * most. */
 static void affine(struct truth *t, const double m[4][4], bool orthonormal)
 {
 	struct truth_stage *s = truth_stage(t);
 
 	for (int i = 0; i < 3; i++)
-		set(s->m[i], 3, m[i]);
+		set_reals(s->m[i], 3, m[i]);
 	if (orthonormal) {
 		t->irrational = true;
 		orthonormalise(s->m);
 		for (int i = 0; i < 9; i++)
 			s->size[i / 3][i % 3] = TWO;
 	}
-	set(truth_stage(t)->m[3], 3, m[3]);
+	set_reals(truth_stage(t)->m[3], 3, m[3]);
 }
 
-/* z = unit(at - eye), right-handed unit(eye - at); x = unit(up x z); y = z x x;
- * they are the columns. */
-static void look(const struct camera *c, bool right_handed, real m[4][4])
+/* Sets the columns of m to the camera's axes: z = unit(at - eye), or unit(eye - at) if
+ * right-handed; x = unit(up x z); y = z x x. */
+static void look_at(const struct camera *c, bool right_handed, real m[4][4])
 {
 	real x[3], y[3], z[3], up[3], eye[3];
 
-	set(up, 3, c->up);
-	set(eye, 3, c->eye);
-	set(z, 3, c->at);
+	set_reals(up, 3, c->up);
+	set_reals(eye, 3, c->eye);
+	set_reals(z, 3, c->at);
 	for (int i = 0; i < 3; i++) {
 		if (c->kind == CAMERA_AT)
 			z[i] = sub(z[i], eye[i]);
@@ -50,13 +51,13 @@ static void look(const struct camera *c, bool right_handed, real m[4][4])
 	}
 }
 
-/* The rotation matrix of a quaternion, x y z w; its columns are the camera's
+/* Sets m to the rotation matrix of a quaternion, x y z w. Its columns are the camera's
  * axes. */
-static void turn(const double orientation[4], real m[4][4])
+static void quaternion_matrix(const double orientation[4], real m[4][4])
 {
 	real q[4];
 
-	set(q, 4, orientation);
+	set_reals(q, 4, orientation);
 	normalise(q, 4);
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -68,13 +69,14 @@ static void turn(const double orientation[4], real m[4][4])
 	}
 }
 
-/* cv::Rodrigues: cos I + (1 - cos) u u' + sin [u]x of a point's column, here of rows. */
-static void turn_about(const double rvec[3], struct truth_stage *stage)
+/* Sets the stage to the rotation of cv::Rodrigues, cos I + (1 - cos) u u' + sin [u]x,
+ * which is for column vectors: here it is transposed. */
+static void rodrigues(const double rvec[3], struct truth_stage *stage)
 {
 	real(*m)[4] = stage->m;
-	real u[3], angle, c = number(0), s = number(0);
+	real u[3], angle, c = real_of(0), s = real_of(0);
 
-	set(u, 3, rvec);
+	set_reals(u, 3, rvec);
 	angle = root(dot(u, u, 3));
 	if (mpfr_zero_p(angle))
 		return;
@@ -94,27 +96,27 @@ static void turn_about(const double rvec[3], struct truth_stage *stage)
 	}
 }
 
-static void reverse(struct truth *);
+static void invert_stages(struct truth *);
 
-/* Computes the map of a matrix or pose. */
-static void bare(struct truth *t, const struct camera *c)
+/* Adds the stages of a camera that is given by its matrix or pose. */
+static void camera_by_matrix(struct truth *t, const struct camera *c)
 {
 	struct truth r = { 0 };
 
 	affine(&r, c->matrix, c->orthonormalize);
 	if (c->kind == CAMERA_POSE)
-		reverse(&r);
+		invert_stages(&r);
 	t->irrational |= r.irrational;
 	for (int i = 0; i < r.n; i++)
 		t->stage[t->n++] = r.stage[i];
 }
 
-/* Roll is of the upright image. */
+/* Adds the stages from world to view space. The roll turns the image while y is up. */
 static void camera(struct truth *t, const struct camera *c,
     const struct convention *convention)
 {
 	if (c->kind >= CAMERA_POSE) {
-		bare(t, c);
+		camera_by_matrix(t, c);
 		return;
 	}
 	bool down = convention->view_y_down, by_axes = c->kind > CAMERA_GAZE;
@@ -127,19 +129,19 @@ static void camera(struct truth *t, const struct camera *c,
 	if (!by_axes || by_rvec || c->roll != 0)
 		t->irrational = true;
 	for (int i = 0; i < 3; i++)
-		(by_eye ? eye : origin)->m[3][i] = number(
+		(by_eye ? eye : origin)->m[3][i] = real_of(
 		    by_eye ? -c->eye[i] : c->eye[i]);
 	if (by_rvec)
-		turn_about(c->rvec, view);
+		rodrigues(c->rvec, view);
 	else if (by_axes)
-		turn(c->orientation, view->m);
+		quaternion_matrix(c->orientation, view->m);
 	else
-		look(c, convention->right_handed, view->m);
+		look_at(c, convention->right_handed, view->m);
 	if (down && by_axes)
 		truth_half_turn(t);
 	struct truth_stage *roll = truth_stage(t);
 
-	/* Rz = [cos sin; -sin cos] */
+	/* for row vectors: [cos sin; -sin cos] */
 	roll->m[0][0] = roll->m[1][1] = cosine(c->roll, c->unit);
 	roll->m[0][1] = sine(c->roll, c->unit);
 	roll->m[1][0] = negative(sine(c->roll, c->unit));
@@ -147,104 +149,105 @@ static void camera(struct truth *t, const struct camera *c,
 		truth_half_turn(t);
 }
 
-double truth_gaze(const struct convention *c)
+double truth_gaze_sign(const struct convention *c)
 {
 	return c->right_handed == c->view_y_down ? 1 : -1;
 }
 
-/* For one axis, x' = x + side/2 + scale X. */
+/* Sets axis i of a stage to x' = x + side / 2 + scale X. */
 static void to_device(struct truth_stage *s, int i, double x, double side,
     real scale)
 {
 	s->m[i][i] = scale;
-	s->m[3][i] = add(number(x), over(number(side), TWO));
+	s->m[3][i] = add(real_of(x), divide(real_of(side), TWO));
 }
 
 static void viewport(struct truth *t, const struct viewport *v,
     const struct convention *c)
 {
 	struct truth_stage *s = truth_stage(t);
-	real sx = over(number(v->width), TWO);
-	real sy = over(number(v->height), TWO);
-	real min = number(v->min_z), max = number(v->max_z);
+	real sx = divide(real_of(v->width), TWO);
+	real sy = divide(real_of(v->height), TWO);
+	real min = real_of(v->min_z), max = real_of(v->max_z);
 
 	if (v->scale == SCALE_UNIFORM)
 		sx = sy = v->width > v->height ? sx : sy;
 	if (v->scale == SCALE_GIVEN) {
-		sx = number(v->scales[0]);
-		sy = number(v->scales[1]);
+		sx = real_of(v->scales[0]);
+		sy = real_of(v->scales[1]);
 	}
 	to_device(s, 0, v->x, v->width, sx);
 	to_device(s, 1, v->y, v->height,
 	    c->ndc_y_down == c->origin_bottom_left ? negative(sy) : sy);
-	/* If Z runs from -1 to 1, (Z + 1) / 2 takes its place. */
+	/* from Z = 0 to 1; if Z is from -1 to 1, (Z + 1) / 2 takes its place */
 	s->m[2][2] = sub(max, min);
 	s->m[3][2] = min;
 	if (c->depth_minus_one) {
-		s->m[2][2] = over(sub(max, min), TWO);
-		s->m[3][2] = over(add(max, min), TWO);
+		s->m[2][2] = divide(sub(max, min), TWO);
+		s->m[3][2] = divide(add(max, min), TWO);
 	}
 }
 
 static void device(struct truth *t, const struct device *d)
 {
 	struct truth_stage *s = truth_stage(t);
-	real sx = over(number(d->width), TWO);
-	real sy = over(number(d->height), TWO);
+	real sx = divide(real_of(d->width), TWO);
+	real sy = divide(real_of(d->height), TWO);
 
 	to_device(s, 0, d->x, d->width, sx);
 	to_device(s, 1, d->y, d->height, d->top_left ? negative(sy) : sy);
 }
 
-/* Lengthens or shortens one side until the window has the device's shape. */
+/* Sets one side of the window so that it has the shape of the device. */
 static void adapt(const struct window *w, const struct device *d, real size[2])
 {
-	real shape = over(number(d->width), number(d->height));
-	bool wider = mpfr_cmp(shape, over(size[0], size[1])) > 0;
+	real shape = divide(real_of(d->width), real_of(d->height));
+	bool wider = mpfr_cmp(shape, divide(size[0], size[1])) > 0;
 
 	if (w->adapt == ADAPT_STRETCH)
 		return;
 	if (wider == (w->adapt == ADAPT_GROW))
 		size[0] = mul(size[1], shape);
 	else
-		size[1] = over(size[0], shape);
+		size[1] = divide(size[0], shape);
 }
 
-/* T(-cx, -cy) S(2/W, 2/H) */
+/* Adds the stage from window to ndc: a translation by the negative centre, and the
+ * scales 2 / width and 2 / height. */
 static void window(struct truth *t, const struct window *w,
     const struct device *d)
 {
 	struct truth_stage *s = truth_stage(t);
-	real c[2], size[2], from[2], to[2], about[2], zoom = number(w->zoom);
+	real c[2], size[2], from[2], to[2], about[2], zoom = real_of(w->zoom);
 
-	set(c, 2, w->center);
-	set(size, 2, (double[]){ w->width, w->height });
-	set(from, 2, (double[]){ w->left, w->bottom });
-	set(to, 2, (double[]){ w->right, w->top });
-	set(about, 2, w->about);
+	set_reals(c, 2, w->center);
+	set_reals(size, 2, (double[]){ w->width, w->height });
+	set_reals(from, 2, (double[]){ w->left, w->bottom });
+	set_reals(to, 2, (double[]){ w->right, w->top });
+	set_reals(about, 2, w->about);
 	for (int i = 0; i < 2; i++) {
 		if (w->by_edges) {
-			c[i] = over(add(from[i], to[i]), TWO);
+			c[i] = divide(add(from[i], to[i]), TWO);
 			size[i] = sub(to[i], from[i]);
 		}
-		c[i] = add(c[i], number(w->pan[i]));
+		c[i] = add(c[i], real_of(w->pan[i]));
 		if (w->has_about)
-			c[i] = add(about[i], over(sub(c[i], about[i]), zoom));
-		size[i] = over(size[i], zoom);
+			c[i] = add(about[i], divide(sub(c[i], about[i]), zoom));
+		size[i] = divide(size[i], zoom);
 	}
 	adapt(w, d, size);
 	for (int i = 0; i < 2; i++) {
-		s->m[i][i] = over(TWO, size[i]);
+		s->m[i][i] = divide(TWO, size[i]);
 		s->m[3][i] = negative(mul(c[i], s->m[i][i]));
 	}
 }
 
-/* Computes the sizes of m times the error of m times the inverse of m, which
- * bounds the error of the inverse. */
+/* Sets the sizes of the inverse r of a stage s to |r| (sizes of s) |r| + |r|, as an
+ * error E of s changes r by r E r. */
 static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
 {
 	for (int i = 0; i < 16; i++) {
-		real size = number(0);
+		real size = real_of(0);
 
 		for (int k = 0; k < 16; k++)
 			if (s->size[k / 4][k % 4] != NULL)
@@ -257,9 +260,9 @@ static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
 	}
 }
 
-/* Computes the inverse from the inverses of the stages, in reverse order. The
- * inverse of a rotation has the same sizes. */
-static void reverse(struct truth *t)
+/* Replaces the stages by their inverses, in reverse order. The sizes of a rotation are
+ * also those of its inverse. */
+static void invert_stages(struct truth *t)
 {
 	struct truth r = { .n = t->n, .irrational = t->irrational };
 
@@ -287,9 +290,9 @@ void truth_limits(const struct scene *s, real limit[2])
 					      fmax(side[0], side[1]) / 2;
 
 		limit[k] = s->has_viewport ?
-		    over(number(side[k] / 2), number(scale)) :
+		    divide(real_of(side[k] / 2), real_of(scale)) :
 		    ONE;
-		limit[k] = mul(limit[k], sub(ONE, number(2 * s->margin)));
+		limit[k] = mul(limit[k], sub(ONE, real_of(2 * s->margin)));
 	}
 }
 
@@ -303,8 +306,9 @@ const struct convention *truth_answer(const struct scene *s)
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
-/* View y and z may point the other way. */
-static void turn_view(struct truth *t, const struct scene *s)
+/* Adds the stage from the view space of the scene to that of the answer, in which y and
+ * z may point the other way. */
+static void convert_view(struct truth *t, const struct scene *s)
 {
 	const struct convention *a = truth_answer(s);
 
@@ -313,12 +317,14 @@ static void turn_view(struct truth *t, const struct scene *s)
 	struct truth_stage *turn = truth_stage(t);
 
 	if (a->view_y_down != s->convention.view_y_down)
-		turn->m[1][1] = number(-1);
-	turn->m[2][2] = number(truth_gaze(a) * truth_gaze(&s->convention));
+		turn->m[1][1] = real_of(-1);
+	turn->m[2][2] = real_of(
+	    truth_gaze_sign(a) * truth_gaze_sign(&s->convention));
 }
 
-/* With Z from 0 to 1, 2 Z - 1 is from -1 to 1. */
-static void turn_clip(struct truth *t, const struct scene *s)
+/* Adds the stage from the clip space of the scene to that of the answer. Z from 0 to 1
+ * becomes 2 Z - 1, from -1 to 1. */
+static void convert_clip(struct truth *t, const struct scene *s)
 {
 	const struct convention *a = truth_answer(s), *c = &s->convention;
 
@@ -327,13 +333,13 @@ static void turn_clip(struct truth *t, const struct scene *s)
 	struct truth_stage *turn = truth_stage(t);
 
 	if (a->ndc_y_down != c->ndc_y_down)
-		turn->m[1][1] = number(-1);
+		turn->m[1][1] = real_of(-1);
 	if (a->depth_minus_one && !c->depth_minus_one) {
 		turn->m[2][2] = TWO;
-		turn->m[3][2] = number(-1);
+		turn->m[3][2] = real_of(-1);
 	}
 	if (c->depth_minus_one && !a->depth_minus_one)
-		turn->m[2][2] = turn->m[3][2] = over(ONE, TWO);
+		turn->m[2][2] = turn->m[3][2] = divide(ONE, TWO);
 }
 
 void truth_scene(const struct scene *s, enum space from, enum space to,
@@ -348,16 +354,16 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 	if (s->has_camera && crosses(from, to, SPACE_WORLD))
 		camera(t, &s->camera, c);
 	if (crosses(from, to, SPACE_WORLD))
-		turn_view(t, s);
+		convert_view(t, s);
 	if (crosses(from, to, SPACE_VIEW)) {
-		turn_view(t, s);
+		convert_view(t, s);
 		truth_projection(t, &s->projection, c);
-		turn_clip(t, s);
+		convert_clip(t, s);
 	}
 	if (crosses(from, to, SPACE_NDC))
 		viewport(t, &s->viewport, truth_answer(s));
 	if (from > to)
-		reverse(t);
+		invert_stages(t);
 	truth_compose(t);
 }
 
@@ -367,7 +373,7 @@ void truth_matrix(const struct scene *s, enum space from, enum space to,
 	struct truth t;
 
 	truth_scene(s, from, to, &t);
-	memcpy(m, t.all.m, sizeof t.all.m);
+	memcpy(m, t.product.m, sizeof t.product.m);
 }
 
 void truth_flat(const struct scene *s, enum flat_space from, enum flat_space to,
@@ -380,6 +386,6 @@ void truth_flat(const struct scene *s, enum flat_space from, enum flat_space to,
 	if ((from == FLAT_DEVICE) != (to == FLAT_DEVICE))
 		device(t, &s->device);
 	if (from > to)
-		reverse(t);
+		invert_stages(t);
 	truth_compose(t);
 }

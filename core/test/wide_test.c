@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Compares the arithmetic of wide.h for 32-bit compilers with integers of 128
- * bits, for words of all lengths and near 0 and 2^64. */
+/* Compares the functions of wide.h that 32-bit compilers use with integers of 128
+ * bits, for words of every length and near 0 and 2^64. */
 #ifdef __SIZEOF_INT128__
 #define HAS_WIDE
 #undef __SIZEOF_INT128__
@@ -26,7 +26,7 @@ static uint64_t any_word(void)
 	return sample_below(4) ? w : sample_below(2) ? w % 3 : -(w % 3);
 }
 
-static wide both(uint64_t high, uint64_t low)
+static wide wide_of_words(uint64_t high, uint64_t low)
 {
 	return (wide)high << 64 | low;
 }
@@ -40,7 +40,8 @@ static void products(void **state)
 		uint64_t before = any_word(), carry = before;
 		uint64_t p = multiply_add(a, b, c, &carry);
 
-		assert_true(both(carry, p) == (wide)a * b + c + before);
+		assert_true(
+		    wide_of_words(carry, p) == (wide)a * b + c + before);
 	}
 }
 
@@ -52,7 +53,7 @@ static void quotients(void **state)
 		uint64_t d = any_word() | 1, high = any_word() % d;
 		uint64_t low = any_word(), q = divide_two_words(high, low, d);
 
-		assert_true(q == both(high, low) / d);
+		assert_true(q == wide_of_words(high, low) / d);
 	}
 }
 #endif

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Windows, devices and viewports against MPFR. */
 #include "claims.h"
-#include "numbers.h"
 
-static void flat(const char *what, int e, int tries)
+static void check_windows(const char *what, int e, int tries)
 {
 	struct worst one = { 0 }, two = { 0 };
 
@@ -23,19 +22,19 @@ static void flat(const char *what, int e, int tries)
 		}
 		real_release(mark);
 	}
-	claim_maps(what, &one);
-	claim_maps("window to device and back", &two);
+	assert_maps(what, &one);
+	assert_maps("window to device and back", &two);
 }
 
 static void random_windows(void **state)
 {
 	(void)state;
-	flat("windows and devices", 0, 1000);
-	flat("hostile, to 1e2", 2, 1000);
-	flat("hostile, to 1e70", 70, 500);
+	check_windows("windows and devices", 0, 1000);
+	check_windows("hostile, to 1e2", 2, 1000);
+	check_windows("hostile, to 1e70", 70, 500);
 }
 
-static void viewports(const char *what, int e, int tries)
+static void check_viewports(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 
@@ -57,19 +56,18 @@ static void viewports(const char *what, int e, int tries)
 		}
 		real_release(mark);
 	}
-	claim_maps(what, &w);
+	assert_maps(what, &w);
 }
 
 static void random_viewports(void **state)
 {
 	(void)state;
-	viewports("viewports", 0, 1000);
-	viewports("hostile, to 1e2", 2, 1000);
-	viewports("hostile, to 1e150", 150, 1000);
+	check_viewports("viewports", 0, 1000);
+	check_viewports("hostile, to 1e2", 2, 1000);
+	check_viewports("hostile, to 1e150", 150, 1000);
 }
 
-/* Computes the part of the x axis that the window shows, as its centre and half
- * its width. */
+/* Asserts which part of the x axis the window shows: its centre and half its width. */
 static void check_shown(const struct window *w, const struct device *d,
     double center, double half)
 {
@@ -81,7 +79,7 @@ static void check_shown(const struct window *w, const struct device *d,
 	assert_number(element(&m, 3, 0), -center / half);
 }
 
-static void shapes(void **state)
+static void window_members(void **state)
 {
 	struct window w = { .center = { 8, 0 },
 		.width = 4,
@@ -116,8 +114,9 @@ static void assert_limits(const struct viewport *v, double x, double y)
 	assert_number(sum_ratio(half[1], scale[1]), y);
 }
 
-/* A uniform scale cuts the sides that do not fit. */
-static void limits(void **state)
+/* In ndc the limits of the viewport are less than 1 on a side that a uniform scale
+ * cuts. */
+static void limits_of_viewports(void **state)
 {
 	struct viewport v = { .width = 640, .height = 480 };
 
@@ -145,16 +144,16 @@ static void refusals(void **state)
 	struct map m;
 
 	(void)state;
-	claim_refused(window_map(&w, NULL, false, &m), "/window/right");
+	assert_reason(window_map(&w, NULL, false, &m), "/window/right");
 	w.right = 2;
 	w.top = -1;
-	claim_refused(window_map(&w, NULL, true, &m), "/window/top");
+	assert_reason(window_map(&w, NULL, true, &m), "/window/top");
 	w.top = 1;
 	w.adapt = ADAPT_GROW;
-	claim_refused(window_map(&w, NULL, false, &m), "/window/adapt");
+	assert_reason(window_map(&w, NULL, false, &m), "/window/adapt");
 	w.adapt = ADAPT_STRETCH;
 	assert_null(viewport_map(&v, &d3d, false, &m));
-	claim_refused(viewport_map(&v, &d3d, true, &m), "/viewport/max_z");
+	assert_reason(viewport_map(&v, &d3d, true, &m), "/viewport/max_z");
 }
 
 int main(void)
@@ -162,8 +161,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_windows),
 		cmocka_unit_test(random_viewports),
-		cmocka_unit_test(shapes),
-		cmocka_unit_test(limits),
+		cmocka_unit_test(window_members),
+		cmocka_unit_test(limits_of_viewports),
 		cmocka_unit_test(refusals),
 	};
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Preloaded by feed.sh: when the program ends, writes to $FEED the CPU time, in
- * seconds, of all of it, of its reads, which take turns where a pipe is read,
- * and of its writes, which always do. */
+/* A library that feed.sh preloads. When the program ends, writes to $FEED its
+ * CPU time in seconds, and the parts of it that reads and writes took. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <stdatomic.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* cglm, which has float only, on vectors of four: those have intrinsics. */
+/* cglm, which has only float, on vectors of four, for which it has intrinsics.
+ */
 #include "peer.h"
 
 #if __has_include(<cglm/cglm.h>)
@@ -33,7 +34,7 @@ static void prepare(const struct view *v)
 	glm_lookat(eye, at, up, view);
 	glm_perspective(glm_rad((float)v->fovy), (float)(v->width / v->height),
 	    (float)v->near, (float)v->far, projection);
-	if (isinf(v->far)) { /* its limit, for which cglm 0.8 has no function */
+	if (isinf(v->far)) { /* cglm 0.8 has no function for an infinite far */
 		projection[2][2] = 1;
 		projection[3][2] = (float)-v->near;
 	}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eigen in double and float: arrays of columns, its expressions are vectorized.
+// Eigen in double and float, on arrays of columns, whose expressions it
+// vectorizes.
 #include "peer.h"
 
 #if __has_include(<eigen3/Eigen/Dense>)

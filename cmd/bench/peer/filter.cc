@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Programs around a peer: with scanf and printf, as most people write them; with
-// blocks of lines, and numbers by the fastest functions of C++ or by hand, for
-// peers whose points lie in columns; with blocks of numbers.
+// Programs around a peer. One has scanf and printf, as most people write them. Two, for
+// peers whose points lie in columns, read blocks of lines, and read and write numbers
+// by the fastest functions of C++ or by hand. One reads blocks of binary numbers.
 #include "peer.h"
 
 #include <cstdio>
@@ -55,7 +55,7 @@ static bool put(const void *from, size_t size)
 	return true;
 }
 
-// Ways to read and write a number.
+// The fastest functions of C++ to read and write a number.
 struct standard {
 	template <class T>
 	static const char *read(const char *s, const char *end, T *value)
@@ -82,8 +82,8 @@ struct by_hand {
 	}
 };
 
-// Reads up to a block of lines from s on into columns; *n gets how many. Returns
-// what follows, or nullptr where a line has no three numbers.
+// Reads at most a block of lines from s into columns, and sets *n to their number.
+// Returns the end of these lines, or nullptr if a line lacks three numbers.
 template <class Number, class T>
 static const char *parse(T *columns, const char *s, const char *end, size_t *n)
 {
@@ -131,7 +131,8 @@ static bool carry_lines(blocks<T> &b, const char *s, const char *end)
 
 template <class Number, class T> static bool run_lines(blocks<T> &b)
 {
-	// Behind the last line there is a line end, and room for a word.
+	// The text has room for a newline after the last line, and for a read of 8
+	// bytes.
 	static char text[READ_SIZE + 8];
 	size_t size = 0;
 	ssize_t got;

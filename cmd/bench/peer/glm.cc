@@ -20,7 +20,7 @@ template <class T> static glm::vec<3, T> vector(const double v[3])
 	return { T(v[0]), T(v[1]), T(v[2]) };
 }
 
-// With an infinite far GLM 0.9.9 has depth from -1 to 1 alone.
+// For an infinite far, GLM 0.9.9 has only depth from -1 to 1.
 template <class T> static mat4<T> perspective(const struct view *v)
 {
 	T fovy = glm::radians(T(v->fovy)), aspect = T(v->width / v->height);
@@ -44,8 +44,8 @@ template <class T> static void prepare(const struct view *v)
 		vector<T>(v->up));
 }
 
-// In double vectors of four are the fastest, as they have intrinsics; in float
-// those of three without, which the compiler sees through.
+// Transforms points. In double, vectors of four are the fastest, as they have
+// intrinsics; in float, vectors of three, which the compiler vectorizes.
 template <class T, int L, glm::qualifier Q>
 static void carry(const void *in, void *out, size_t n)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-// Numbers read and written by hand: eight digits at a time in a word of 64 bits,
-// and the shortest digits from dragonbox, written where they stay.
+// Reads and writes numbers by hand, eight digits at a time in a word of 64 bits.
+// dragonbox finds the shortest digits, which are written to their final place.
 #ifndef HAND_BENCH_H
 #define HAND_BENCH_H
 
@@ -18,7 +18,8 @@
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
     "the first digit is the lowest byte");
 
-// The longest shortest double has 24 bytes, and one that separates.
+// The longest text of a double in its shortest digits has 24 bytes; a separator
+// follows.
 enum { HAND_MAX = 25 };
 
 static const uint64_t hand_powers[] = { 1, 10, 100, 1000, 10000, 100000,
@@ -41,7 +42,7 @@ static inline void hand_store(char *to, uint64_t word)
 	memcpy(to, &word, sizeof word);
 }
 
-// How many of eight characters are digits, up to the first that is none.
+// Returns how many of eight characters are digits, up to the first that is not.
 static inline unsigned hand_count(uint64_t word)
 {
 	word ^= hand_zeros;
@@ -49,7 +50,7 @@ static inline unsigned hand_count(uint64_t word)
 	return word == 0 ? 8 : unsigned(__builtin_ctzll(word)) / 8;
 }
 
-// The value of the first n of eight characters, 1 to 7 digits.
+// Returns the value of the first n of eight characters, which are 1 to 7 digits.
 static inline uint64_t hand_value(uint64_t word, unsigned n)
 {
 	word = (word ^ hand_zeros) << (64 - 8 * n);
@@ -59,8 +60,8 @@ static inline uint64_t hand_value(uint64_t word, unsigned n)
 	return word >> 32;
 }
 
-// Reads the number at s, before end, behind which eight bytes can be read that do
-// not begin with a digit. Returns what follows it, or nullptr where there is none.
+// Reads the number at s. Eight bytes after end can be read, and the first of them is
+// not a digit. Returns the end of the number, or nullptr if s has no number.
 template <class T>
 static inline const char *hand_read(const char *s, const char *end, T *value)
 {
@@ -92,7 +93,7 @@ static inline const char *hand_read(const char *s, const char *end, T *value)
 	return r.ec == std::errc() ? r.ptr : nullptr;
 }
 
-// Eight characters, with leading zeros, of a number below 1e8.
+// Returns the eight digits, with leading zeros, of a number below 1e8.
 static inline uint64_t hand_text(uint32_t number)
 {
 	uint64_t fours = number / 10000 | uint64_t(number % 10000) << 32;
@@ -103,7 +104,8 @@ static inline uint64_t hand_text(uint32_t number)
 	return (tens | (twos - tens * 10) << 8) + hand_zeros;
 }
 
-// How many of eight digits are not among the zeros at the end; not all are zeros.
+// Returns how many of eight digits remain without the zeros at the end. At least one of
+// the digits is not 0.
 static inline int hand_length(uint64_t text)
 {
 	return 8 - __builtin_clzll(text ^ hand_zeros) / 8;
@@ -120,8 +122,8 @@ template <class T> static inline char *hand_write(char *to, T value)
 	uint64_t digits = decimal.significand;
 	int whole = 17 + decimal.exponent; // digits before the point
 
-	// Seventeen digits: one, eight and eight. The processor predicts how many
-	// are missing, and need not wait for them.
+	// Writes 17 digits as one, eight and eight. The branches on the number of
+	// digits let the processor predict this number, and not wait for it.
 	if (sizeof value == sizeof(float)) {
 		digits *= hand_powers[8];
 		whole -= 8;
@@ -149,8 +151,8 @@ template <class T> static inline char *hand_write(char *to, T value)
 		hand_store(to + 9, last);
 		return to + n;
 	}
-	// All digits a byte late, and then the first eight bytes anew, the point
-	// among them.
+	// Writes all digits one byte late, and then the first eight bytes again, with
+	// the point.
 	const uint64_t head = first | middle << 8;
 	const uint64_t before = (uint64_t(1) << 8 * whole) - 1;
 

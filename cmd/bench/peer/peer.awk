@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Points through a 4x4 matrix for row vectors, divided.
+# Multiplies points by a 4x4 matrix for row vectors, and divides by w.
 # usage: mawk -f peer.awk MATRIX POINTS
 NR == 1 { a1 = $1; a2 = $2; a3 = $3; a4 = $4; next }
 NR == 2 { b1 = $1; b2 = $2; b3 = $3; b4 = $4; next }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Other people's libraries, each used as its own users would when they care
- * for speed: one composed matrix, then a product and a division a point, on
- * points that lie as suits the library best. */
+/* Other people's libraries, each used as by a user who cares for speed: one
+ * composed matrix, then a product and a division for each point, with points in
+ * the layout in which the library is fastest. */
 #ifndef PEER_BENCH_H
 #define PEER_BENCH_H
 
@@ -19,8 +19,8 @@ struct view {
 	double fovy;      /* degrees */
 	double near, far; /* far may be infinite */
 	double width, height;
-	/* World to device for column vectors, in the nearest doubles: for those
-	 * who have no functions for it. */
+	/* The matrix from world to device for column vectors, in the nearest
+	 * doubles, for libraries without functions for cameras. */
 	double matrix[4][4];
 };
 
@@ -41,16 +41,16 @@ struct peer {
 	bool single; /* points are of floats, not of doubles */
 	struct layout layout;
 	void (*prepare)(const struct view *);
-	/* n <= PEER_BLOCK points; both arrays are aligned to 64 bytes. */
+	/* Transforms n <= PEER_BLOCK points; both arrays are aligned to 64 bytes. */
 	void (*carry)(const void *in, void *out, size_t n);
 };
 
-/* Each ends with a name NULL; what is not installed is not there. */
+/* The peers of each library, none if it is not installed; a name NULL ends them. */
 extern const struct peer peers_plain[], peers_glm[], peers_cglm[],
     peers_eigen[];
 
-/* Runs a whole program around a peer, from standard input to standard output:
- * stdio, standard, hand or binary. Returns false if it failed. */
+/* Runs a whole program around a peer, from standard input to standard output. filter is
+ * stdio, standard, hand or binary. Returns false if the program failed. */
 bool peer_filter(const struct peer *, const char *filter);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Points through a 4x4 matrix for row vectors, divided; in blocks, which stay in
-# the cache.
+# Multiplies points by a 4x4 matrix for row vectors, and divides by w, in blocks
+# that stay in the cache.
 # usage: python3 peer.py MATRIX text|f64 POINTS
 import sys
 

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* No library: the loop over columns that anybody can write, for the compiler to
- * make the best of. */
+/* No library: the loop over columns that anybody would write, which the
+ * compiler vectorizes. */
 #include <string.h>
 
 #include "peer.h"
 
-/* gcc prefers vectors of half the width, with which it takes a fifth more. */
+/* By default gcc uses vectors of half the width, which take a fifth more time.
+ */
 #if defined(__AVX512F__) && !defined(__clang__)
 #pragma GCC target("prefer-vector-width=512")
 #endif
