@@ -89,8 +89,7 @@ struct document_wants {
 /* Returns, as bits, the members that a command reads of flat and other documents. */
 unsigned document_used_members(const struct document_wants *);
 
-/* Reads the document text[0..size) into *d, and changes the text. Messages name the
- * file name. */
+/* Reads the document text[0..size) into *d and changes text. name is for messages. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 

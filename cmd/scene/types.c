@@ -157,8 +157,7 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 	return given;
 }
 
-/* Refuses a matrix m that was read for row vectors, but is affine only for column
- * vectors. */
+/* Refuses a matrix m read for row vectors that is affine only for column vectors. */
 static void check_transposed(const struct value *v, const double m[4][4])
 {
 	bool last = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
