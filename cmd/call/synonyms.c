@@ -168,7 +168,7 @@ static void check_word(const struct command *c, const char *unknown,
 		refuse_synonym(c, unknown, option);
 	/* searches aliases, too, unless an option has the name */
 	for (int i = 0; i < 2; i++)
-		for (int alias = 0; alias <= (r == NULL); alias++) {
+		for (int alias = 0; alias < (r == NULL ? 2 : 1); alias++) {
 			m = find_member(objects[i], kind, name, alias, &object);
 			if (m != NULL)
 				refuse_member(unknown, reads, m, object);

@@ -73,8 +73,7 @@ struct document_wants {
 	 * PROJECTION_NONE: the projection may have any type, and must have "type". */
 	int projection_type;
 	/* The members that the command fit finds may be missing: the eye, near and far,
-	 * width and height of a parallel projection, and all members of the window of
-	 * a flat document. */
+	 * width and height of a parallel projection, and a flat document's window. */
 	bool for_fit;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
@@ -108,8 +107,7 @@ void document_refuse_if(const struct document *d, const char *why);
 
 /* Prints a document of the command fit, whose camera has a gaze and whose projection is
  * no matrix, with a line for each member or, if compact, in one line. The output reads
- * back as the same scene and pick. A flat document is printed without members of
- * SCENE_SPATIAL. */
+ * back as the same scene and pick. Of a flat document, leaves out SCENE_SPATIAL. */
 void print_scene(const struct document *, bool compact);
 
 /* Prints the convention and the members of SCENE_SPATIAL. */

@@ -312,18 +312,20 @@ static void set_image_size(const struct value *v,
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
-	if (viewport->scale != SCALE_FILL)
+	} else if (viewport->scale != SCALE_FILL) {
 		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	require_convention(v, "intrinsics");
-	p->width = viewport->width;
-	p->height = viewport->height;
+	} else {
+		require_convention(v, "intrinsics");
+		p->width = viewport->width;
+		p->height = viewport->height;
+	}
 }
 
 /* Returns whether the projection depends on an aspect. A parallel projection does in
@@ -353,13 +355,15 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
 		return;
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
-	bool uniform = viewport->scale == SCALE_UNIFORM;
-
-	p->aspect[0] = uniform ? 1 : viewport->width;
-	p->aspect[1] = uniform ? 1 : viewport->height;
+	} else if (viewport->scale == SCALE_UNIFORM) {
+		p->aspect[0] = 1;
+	} else {
+		p->aspect[0] = viewport->width;
+		p->aspect[1] = viewport->height;
+	}
 }
 
 static void print_projection(struct printer *printer, const struct member *row,
