@@ -72,8 +72,8 @@ struct document_wants {
 	/* The only type that a projection may have; its member "type" may be missing.
 	 * PROJECTION_NONE: the projection may have any type, and must have "type". */
 	int projection_type;
-	/* The members that the command fit finds may be missing: the eye, near and far,
-	 * width and height of a parallel projection, and a flat document's window. */
+	/* Members that fit finds may be missing: the eye, near, far, width and height
+	 * of a parallel projection, and all members of a flat document's window. */
 	bool for_fit;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
