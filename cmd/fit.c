@@ -97,8 +97,7 @@ void run_fit(const struct command *c, const struct options *o)
 		    "the scene's own convention, so leave -c out");
 	if (d.has_bounds && o->n_points > 0)
 		document_refuse(&d,
-		    "/bounds: not together with POINTS; give one of "
-		    "them");
+		    "/bounds: not together with POINTS; give one of them");
 	if (!d.has_bounds && !points)
 		document_refuse(&d,
 		    d.flat ? "/bounds: missing; add \"bounds\": {\"min\": "

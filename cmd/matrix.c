@@ -64,8 +64,7 @@ static struct elements elements_of(const struct document *d,
 			if (floats && !isfinite((float)v))
 				document_refuse(d,
 				    "the matrix has elements beyond the range "
-				    "of floats; leave -p single or -o f32 "
-				    "out");
+				    "of floats; leave -p single or -o f32 out");
 			m.at[column ? j : i][column ? i : j] = v;
 		}
 	return m;

@@ -79,8 +79,7 @@ static bool params_skip_blanks(void)
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
-/* Continues the search for the end of the document in text. Returns false if the end is
- * not in text yet. */
+/* Searches text further for the document's end. Returns false if it is not there. */
 static bool params_find_end(void)
 {
 	if (params.end == params.begin && !params_skip_blanks())

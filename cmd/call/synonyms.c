@@ -16,8 +16,10 @@
 static const struct synonym {
 	const char *words, *hint;
 } synonyms[] = {
-	{ "unproject backproject inverse invert",
-	    "project --from device --to world" },
+	{ "unproject backproject", "project --from device --to world" },
+	{ "inverse invert",
+	    ": the way back is project --from device --to world; of lookat "
+	    "project -m --from view --to world; in 2D d2w, n2w or d2n" },
 	{ "ray raycast", "project --ray" },
 	{ "transform points", "project" },
 	{ "mvp matrix", "project -m --to clip" },
@@ -166,7 +168,7 @@ static void check_word(const struct command *c, const char *unknown,
 		refuse_synonym(c, unknown, option);
 	/* searches aliases, too, unless an option has the name */
 	for (int i = 0; i < 2; i++)
-		for (int alias = 0; alias <= (r == NULL); alias++) {
+		for (int alias = 0; alias < (r == NULL ? 2 : 1); alias++) {
 			m = find_member(objects[i], kind, name, alias, &object);
 			if (m != NULL)
 				refuse_member(unknown, reads, m, object);

@@ -9,8 +9,7 @@
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether kinds has bit kind; true if kinds is 0 (all kinds) or kind ANY_KIND.
- */
+/* Returns whether kinds has bit kind; true if kinds is 0 (all) or kind is ANY_KIND. */
 static bool has_kind(unsigned kinds, int kind)
 {
 	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
@@ -91,14 +90,14 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 
 /* Refuses v, a member that is not in the table, unless any document may have it. The
  * message names the first of these that exists: the member with this alias; the objects
- * of the scene that have the member; the object beside which the scene has the member;
- * the member with the nearest name; else all members. */
+ * of the scene that have the member, or else the alias; the object beside which the
+ * scene has the member; the member with the nearest name; else all members. */
 static void check_unknown(const struct value *v, const struct member *table,
     int kind)
 {
 	const struct member *row = member_named(table, kind, v->name);
-	const struct member *s = v->source->scene_members;
-	const struct member *of_scene = member_of(s, 0, v->name);
+	const struct member *scene = v->source->scene_members;
+	const struct member *of_scene = member_of(scene, 0, v->name);
 	const char *names[MEMBERS_MAX + 1];
 	char all[LIST_ROOM];
 	int n = 0;
@@ -111,10 +110,12 @@ static void check_unknown(const struct value *v, const struct member *table,
 		    row->name, row->note != NULL ? " (" : "",
 		    row->note != NULL ? row->note : "",
 		    row->note != NULL ? ")" : "");
-	for (; s->name != NULL; s++)
-		if (s->members != NULL && s->members != table &&
-		    member_named(s->members, ANY_KIND, v->name) != NULL)
-			names[n++] = s->name;
+	for (int alias = 0; alias < 2 && n == 0; alias++)
+		for (const struct member *s = scene; s->name != NULL; s++)
+			if (s->members != NULL && s->members != table &&
+			    (alias ? member_named : member_of)(s->members,
+				ANY_KIND, v->name) != NULL)
+				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",

@@ -20,8 +20,7 @@ struct type {
 	void (*read)(const struct value *, const struct member *, void *);
 	/* NULL: members of this type are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
-	size_t
-	    number_size; /* in bytes, in the struct; 0: there are no defaults */
+	size_t number_size; /* in bytes, in the struct; 0: no defaults */
 };
 
 /* A row of a table. */

@@ -122,7 +122,6 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (in->check != NULL && !in->check(l->in, text, reason))
 		return;
 	struct cursor c = line_cursor(l->in, text);
-
 	const bool longer = in->header &&
 	    header_row_is_long(l, c, first, reason);
 
@@ -133,10 +132,9 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (c.bracket != NULL && !columns_fit(l, c.members, reason))
 		return;
 	choose(l, c, &found);
-	if (c.members && choose_clashes(l, &found, true, reason))
-		return;
 	line->kind = LINE_POINT;
-	if (longer || !read_coordinates(l, c, &found, v, reason) ||
+	if (longer || (c.members && choose_clashes(l, &found, true, reason)) ||
+	    !read_coordinates(l, c, &found, v, reason) ||
 	    !is_legal(l, c, &found, reason))
 		line->kind = LINE_BAD;
 	if (found.mixed_commas) {

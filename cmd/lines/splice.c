@@ -123,15 +123,17 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
-/* Returns the value that replaces the field f, or -1: the coordinate in f or, if f is a
- * member of the line (outer), the added value with the name of f. */
+/* Returns the value that replaces the field f, or -1: the coordinate in f, unless
+ * --append keeps coordinates; or, if f is a member of the line (outer), the added value
+ * with the name of f. */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
-	int i = coordinate_in(w, f->whole.s, f->value.s);
+	const bool keeps = w->l->append;
+	int i = keeps ? -1 : coordinate_in(w, f->whole.s, f->value.s);
 
 	if (i >= 0 || f->name.s == NULL || !outer)
 		return i;
-	for (int k = w->l->reads; k <= FLAGS; k++) {
+	for (int k = keeps ? 0 : w->l->reads; k <= FLAGS; k++) {
 		const char *name = w->l->name[k];
 		struct span added = { name, name + strlen(name) };
 
@@ -170,7 +172,8 @@ static void skip_field(struct splice *w, const struct field *f)
 /* Writes value k in the place of the field f; in a header the name f stays. */
 static void replace_field(struct splice *w, const struct field *f, int k)
 {
-	struct span at = k < w->l->reads ? line_field(w->line, k) : f->value;
+	const bool coordinate = k < w->l->reads && !w->l->append;
+	struct span at = coordinate ? line_field(w->line, k) : f->value;
 
 	w->due -= 1u << k;
 	if (w->numbers == NULL)
@@ -406,6 +409,8 @@ char *line_write(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
+	/* a bad object may have members of the added names, which values replace */
+	bool appends = l->append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->append)
 		return convert_point(l, line, *numbers, l->flags ? flags : NULL,
@@ -429,7 +434,7 @@ char *line_write(const struct layout *l, const struct line *line,
 		convert(&w);
 	} else {
 		if (line->kind != LINE_COPY)
-			(l->append ? append : splice)(&w);
+			(appends ? append : splice)(&w);
 		copy_to(&w, line->s + line->size);
 	}
 	*w.out = '\n';

@@ -72,9 +72,8 @@ struct document_wants {
 	/* The only type that a projection may have; its member "type" may be missing.
 	 * PROJECTION_NONE: the projection may have any type, and must have "type". */
 	int projection_type;
-	/* The members that the command fit finds may be missing: the eye, near and far,
-	 * width and height of a parallel projection, and all members of the window of
-	 * a flat document. */
+	/* Members that fit finds may be missing: the eye, near, far, width and height
+	 * of a parallel projection, and all members of a flat document's window. */
 	bool for_fit;
 	/* near and far may be missing, unless sizes are given at near: for --plane. */
 	bool for_plane;
@@ -91,8 +90,7 @@ struct document_wants {
 /* Returns, as bits, the members that a command reads of flat and other documents. */
 unsigned document_used_members(const struct document_wants *);
 
-/* Reads the document text[0..size) into *d, and changes the text. Messages name the
- * file name. */
+/* Reads the document text[0..size) into *d and changes text. name is for messages. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
@@ -111,8 +109,7 @@ void document_refuse_if(const struct document *d, const char *why);
 
 /* Prints a document of the command fit, whose camera has a gaze and whose projection is
  * no matrix, with a line for each member or, if compact, in one line. The output reads
- * back as the same scene and pick. A flat document is printed without members of
- * SCENE_SPATIAL. */
+ * back as the same scene and pick. Of a flat document, leaves out SCENE_SPATIAL. */
 void print_scene(const struct document *, bool compact);
 
 /* Prints the convention and the members of SCENE_SPATIAL. */

@@ -142,10 +142,8 @@ static const struct member device_members[] = {
 	{ .name = NULL },
 };
 
-static const struct ways rectangle_ways[] = {
-	{ .way = { "width height" } },
-	{ .way = { NULL } },
-};
+static const struct ways rectangle_ways[] = { { .way = { "width height" } },
+	{ .way = { NULL } } };
 
 static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
@@ -178,10 +176,8 @@ static const struct member window_members[] = {
 };
 
 static const struct ways window_ways[] = {
-	{ .way = { "center width height", "left right bottom top" },
-	    .own_fit = true,
-	    .fit_way = { "center? width? height?",
-		"left? right? bottom? top?" },
+	{ { "center width height", "left right bottom top" }, true,
+	    { "center? width? height?", "left? right? bottom? top?" },
 	    .offset = offsetof(struct window, by_edges) },
 	{ .way = { NULL } },
 };
@@ -269,8 +265,7 @@ const struct member scene_members[] = {
 	    .example = WORLD_EXAMPLE, .fallback = WORLD_EXAMPLE,
 	    .about = "affine matrix from model to world space",
 	    .command = "project --to world '{\"world\": "
-		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
-		       "'[1,2,3]'"),
+		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' '[1,2,3]'"),
 	SCENE_OBJECT("camera", camera, camera_members, CAMERA_EXAMPLE,
 	    .ways = camera_ways, .aliases = "view",
 	    .about = "where the camera stands (map from world to view space)",

@@ -54,6 +54,7 @@ enum {
 	NUMBER(types, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(types, label, field, ...) \
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
+#define GLTF "for glTF and NeRF with \"angle_unit\": \"radians\""
 
 /* The rows are in the order in which members are printed. */
 const struct member projection_members[] = {
@@ -74,9 +75,10 @@ const struct member projection_members[] = {
 	    .about = "depth at which the slant moves no point"),
 	ANGLE(PERSP, "fovy", angle, .range = &fov_range,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
+	    .note = GLTF,
 	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", angle, .range = &fov_range,
-	    .aliases = "xfov horizontalfov hfov cameraanglex",
+	    .aliases = "xfov horizontalfov hfov cameraanglex", .note = GLTF,
 	    .about = "angle between the left and the right plane"),
 	ANGLE(PERSP, "view_angle", angle, .range = &fov_range,
 	    .aliases = "angle",
@@ -106,13 +108,15 @@ const struct member projection_members[] = {
 	    .about = "top edge of the view volume, other than bottom"),
 	ANGLE(PERSP, "angles", left, .n = 4, .range = &edge_angle_range,
 	    .aliases = "angleleft angleright angleup angledown",
-	    .note = "[left, right, bottom, top] from the gaze",
+	    .note = "[left, right, bottom, top] from the gaze; for OpenXR "
+		    "with \"angle_unit\": \"radians\"",
 	    .about = "angles from the gaze: left, right, bottom, top plane"),
 	MEMBER(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
-		       "cameramatrix projectionmatrix intrinsic p "
+		       "cameramatrix projectionmatrix matrix intrinsic p "
 		       "principalpoint skew",
-	    .note = "[fx, fy, cx, cy], K or P, in pixels",
+	    .note = "[fx, fy, cx, cy], K or P, in pixels; 16 numbers are "
+		    "\"matrix\" of type \"matrix\"",
 	    .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
 	SIZE(PERSP, "edges_at", edges_at, .aliases = "distance",
@@ -314,18 +318,20 @@ static void set_image_size(const struct value *v,
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
-	if (viewport->scale != SCALE_FILL)
+	} else if (viewport->scale != SCALE_FILL) {
 		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	require_convention(v, "intrinsics");
-	p->width = viewport->width;
-	p->height = viewport->height;
+	} else {
+		require_convention(v, "intrinsics");
+		p->width = viewport->width;
+		p->height = viewport->height;
+	}
 }
 
 /* Returns whether the projection depends on an aspect. A parallel projection does in
@@ -355,13 +361,15 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
 		return;
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
-	bool uniform = viewport->scale == SCALE_UNIFORM;
-
-	p->aspect[0] = uniform ? 1 : viewport->width;
-	p->aspect[1] = uniform ? 1 : viewport->height;
+	} else if (viewport->scale == SCALE_UNIFORM) {
+		p->aspect[0] = 1;
+	} else {
+		p->aspect[0] = viewport->width;
+		p->aspect[1] = viewport->height;
+	}
 }
 
 static void print_projection(struct printer *printer, const struct member *row,

@@ -157,8 +157,7 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 	return given;
 }
 
-/* Refuses a matrix m that was read for row vectors, but is affine only for column
- * vectors. */
+/* Refuses a matrix m read for row vectors that is affine only for column vectors. */
 static void check_transposed(const struct value *v, const double m[4][4])
 {
 	bool last = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
@@ -306,6 +305,11 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	if (nested ? n != 3 : n != 9 && n != 12)
 		value_refuse(v, "is none of " INTRINSICS_FORMS);
 	read_rows(v, 3, columns, e);
+	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 &&
+	    e[5] == 0 && e[8] == 1 && !v->unused)
+		value_refuse(v,
+		    "looks like a P column after column; write it row after "
+		    "row, or as 3 rows of 4 if its rows are right");
 	for (size_t i = 0; i < 3; i++)
 		memcpy(k[i], e + i * columns, columns * sizeof *e);
 	if (columns == 3 && !v->unused)

@@ -66,10 +66,8 @@ static const struct refusal names[] = {
 		&persp, "{\"" name "\":1}",                                  \
 		    "/" name ": unknown member; did you mean \"" right "\"?" \
 	}
-	MEANT("fov", "fovy"),
 	MEANT("fovY", "fovy"),
 	MEANT("fov_y", "fovy"),
-	MEANT("yfov", "fovy"),
 	MEANT("fov_x", "fovx"),
 	MEANT("aspectRatio", "aspect"),
 	MEANT("aspect_ratio", "aspect"),
@@ -111,8 +109,13 @@ static const struct refusal names[] = {
 	    "/width: unknown member; it belongs in \"projection\", "
 	    "\"viewport\", \"window\" or \"device\"" },
 	{ &project, "{\"camera\":{\"near\":1}}",
-	    "/camera/near: unknown member; it belongs in \"projection\" or "
-	    "\"viewport\"" },
+	    "/camera/near: unknown member; it belongs in \"projection\"" },
+	{ &w2d, "{\"center\":1}",
+	    "/center: unknown member; it belongs in \"window\" or "
+	    "\"bounds\"" },
+	{ &w2d, "{\"origin\":1}",
+	    "/origin: unknown member; it belongs in \"convention\" or "
+	    "\"device\"" },
 	{ &lookat, "{\"q\":1}",
 	    "/q: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "

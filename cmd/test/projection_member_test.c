@@ -212,6 +212,11 @@ static const struct refusal projections[] = {
 	    "/projection/intrinsics/2/0: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
 	{ &project,
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
+	    "/projection/intrinsics: looks like a P column after column; "
+	    "write it row after row, or as 3 rows of 4 if its rows are "
+	    "right" },
+	{ &project,
 	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/0: under the diagonal of K there is 0; "
 	    "is "
@@ -253,19 +258,25 @@ static const struct refusal projections[] = {
 		&persp, "{\"" name "\":1}",                            \
 		    "/" name ": unknown member; did you mean \"" right \
 	}
-#define PIXELS "intrinsics\" ([fx, fy, cx, cy], K or P, in pixels)?"
+#define PIXELS                                                               \
+	"intrinsics\" ([fx, fy, cx, cy], K or P, in pixels; 16 numbers are " \
+	"\"matrix\" of type \"matrix\")?"
+#define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")?"
 	MEANT("K", PIXELS),
 	MEANT("fx", PIXELS),
 	MEANT("focal", PIXELS),
 	MEANT("focal_length", PIXELS),
 	MEANT("fl_x", PIXELS),
 	MEANT("camera_matrix", PIXELS),
-	MEANT("fov", "fovy\"?"),
-	MEANT("yfov", "fovy\"?"),
-	MEANT("camera_angle_x", "fovx\"?"),
+	MEANT("projectionMatrix", PIXELS),
+	MEANT("matrix", PIXELS),
+	MEANT("fov", "fovy\"" GLTF),
+	MEANT("yfov", "fovy\"" GLTF),
+	MEANT("camera_angle_x", "fovx\"" GLTF),
 	MEANT("znear", "near\"?"),
 	MEANT("angleLeft",
-	    "angles\" ([left, right, bottom, top] from the gaze)?"),
+	    "angles\" ([left, right, bottom, top] from the gaze; for OpenXR "
+	    "with \"angle_unit\": \"radians\")?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
 	    "/K: unknown member; it belongs in \"projection\"" },
 	{ &project, "{\"transform_matrix\":1}",

@@ -20,8 +20,7 @@ static int ceil_log2(const ex *a)
 }
 
 /* Returns the bound of a sum of n <= 12 errors; all are exponents as in struct sum.
- * Errors below 2^-40 of the largest are neglected, within the 2^-19 that sum.h
- * allows. */
+ * Errors below 2^-40 of the largest are neglected: sum.h allows 2^-19. */
 static int sum_bound(int n, const int error[])
 {
 	int most = EX_RANGE / 2, terms = 0, e = 0;

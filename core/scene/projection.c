@@ -47,8 +47,7 @@ static void tangents(double a, double b, enum angle_unit unit,
 }
 
 /* Sets x / dx = 2 d / (r - l), sums[0] / dx = (l + r) / (r - l), and y / dy and sums[1]
- * likewise from b and t, for a cross-section at the distance d with edges l, r, b and
- * t. */
+ * likewise from b and t, for a cross-section at distance d with edges l, r, b, t. */
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum sums[2])
 {
@@ -138,8 +137,8 @@ static const char *persp_matrix(const struct projection *p,
 	if (why != NULL)
 		return why;
 	if (!(p->near < p->far))
-		return "/projection/near: not less than far; for reversed "
-		       "depth say \"reverse_z\": true";
+		return "/projection/near: not less than far; near is the plane "
+		       "nearer to the eye, also with \"reverse_z\": true";
 	f->d = sum_of_double(1);
 	depth_column(p, f);
 	f->zx = sum_neg(sums[0]);
@@ -161,8 +160,7 @@ static const char *ortho_matrix(const struct projection *p,
 	f->d = sum_of_double(1);
 	f->dz = sum_diff(b, a);
 	if (sum_sign(f->dz) == 0)
-		return "/projection/far: equal to near; "
-		       "the planes must differ";
+		return "/projection/far: equal to near; the planes must differ";
 	f->zz = sum_of_double(1);
 	f->tz = sum_of_double(-a);
 	f->tx = sum_neg(sums[0]);
@@ -246,8 +244,7 @@ static const char *eye_plane_refusal(const struct projection *p)
 	    "/projection/eye: its plane crosses the volume; "
 	    "move it before z_near or beyond z_far" :
 	    "/projection/inverse_eye_z: the eye plane crosses "
-	    "the volume; it must lie before z_near or "
-	    "beyond z_far";
+	    "the volume; it must lie before z_near or beyond z_far";
 }
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-tx x, -ty y, -an, -qn), (0, 0, an zn, qd),
@@ -375,8 +372,7 @@ static const char *projection_matrix_map(const struct projection *p,
 }
 
 /* Computes the affine matrix from view space to the canonical space, in which P would
- * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. Both spaces have P's axes X, Y, Z up to
- * signs. */
+ * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. Both spaces have P's axes up to signs. */
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double canonical[4][4])
 {

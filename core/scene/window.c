@@ -92,8 +92,7 @@ const char *window_map(const struct window *w, const struct device *d,
 	return NULL;
 }
 
-/* Writes the pixels per unit of ndc x and y. With SCALE_FILL they are half the
- * sides. */
+/* Writes the pixels per unit of ndc x and y, half the sides with SCALE_FILL. */
 static void viewport_scales(const struct viewport *v, double s[2])
 {
 	double larger = fmax(v->width, v->height);
