@@ -15,18 +15,11 @@ static void put_text_member(struct printer *p, const char *name, const char *s)
 		put_literal(p, "null");
 }
 
-/* Opens a member whose value is an array. */
-static void open_list(struct printer *p, const char *name)
-{
-	put_name(p, name);
-	put_open(p, "[");
-}
-
 /* Puts a member with an array of the words that bits select; words may be NULL. */
 static void put_words(struct printer *p, const char *name,
     const char *const *words, unsigned bits)
 {
-	open_list(p, name);
+	put_open(put_name(p, name), "[");
 	for (int i = 0; words != NULL && words[i] != NULL; i++)
 		if (bits >> i & 1)
 			put_string(p, words[i]);
@@ -52,7 +45,7 @@ static void put_command(struct printer *p, const struct command *c)
 	open_object(p);
 	put_text_member(p, "name", c->name);
 	put_text_member(p, "about", c->about);
-	open_list(p, "options");
+	put_open(put_name(p, "options"), "[");
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		if (option_is_for(r, c))
 			put_string(p, r->name);
@@ -79,7 +72,7 @@ static void put_option(struct printer *p, const struct option_row *r,
 	put_text_member(p, "argument", r->argument);
 	put_words(p, "words", r->words, ~0u);
 	put_text_member(p, "about", r->about);
-	open_list(p, "commands");
+	put_open(put_name(p, "commands"), "[");
 	for (; c->name != NULL; c++)
 		if (option_is_for(r, c))
 			put_string(p, c->name);
@@ -110,9 +103,8 @@ static void put_member(struct printer *p, const struct member *row,
 	put_text_member(p, "unit", row->unit);
 	if (row->range != NULL)
 		put_range(p, row->range);
-	put_name(p, "default");
-	put_open(p, row->fallback != NULL ? row->fallback : "null");
-	put_close(p, "");
+	put_literal(put_name(p, "default"),
+	    row->fallback != NULL ? row->fallback : "null");
 	put_text_member(p, "before", row->default_from);
 	put_text_member(p, "about", row->about);
 	put_words(p, "words", row->words, ~0u);
@@ -140,14 +132,14 @@ static void put_all_members(struct printer *p)
 	const struct member *s, *m;
 	const struct ways *w;
 
-	open_list(p, "members");
+	put_open(put_name(p, "members"), "[");
 	for (s = scene_members; s->name != NULL; s++) {
 		put_member(p, s, NULL, NULL);
 		for (m = s->members; m != NULL && m->name != NULL; m++)
 			put_member(p, m, s->name, s->members->words);
 	}
 	put_close(p, "]");
-	open_list(p, "ways");
+	put_open(put_name(p, "ways"), "[");
 	for (s = scene_members; s->name != NULL; s++)
 		for (w = s->ways; w != NULL && w->way[0] != NULL; w++)
 			put_ways(p, s->name, w, s->members->words);
@@ -156,7 +148,7 @@ static void put_all_members(struct printer *p)
 
 static void put_conventions(struct printer *p)
 {
-	open_list(p, "conventions");
+	put_open(put_name(p, "conventions"), "[");
 	for (int i = 0; i < CONVENTIONS; i++) {
 		const bool *choice = (const bool *)&conventions[i];
 
@@ -178,11 +170,11 @@ void help_json(const struct command *commands, const char *version)
 
 	put_text_member(&p, "version", version);
 	p.level = 1; /* each member from here on begins a line */
-	open_list(&p, "commands");
+	put_open(put_name(&p, "commands"), "[");
 	for (const struct command *c = commands; c->name != NULL; c++)
 		put_command(&p, c);
 	put_close(&p, "]");
-	open_list(&p, "options");
+	put_open(put_name(&p, "options"), "[");
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		put_option(&p, r, commands);
 	put_close(&p, "]");

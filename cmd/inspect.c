@@ -56,24 +56,7 @@ static const char *const notes[NOTES] = {
 /* Puts the number *v if n is 0; else an array of n numbers, or null if *v is nan. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
-	if (n == 0 || isnan(v[0]))
-		put_number(p, v[0]);
-	else
-		put_numbers(p, v, n);
-}
-
-static void put_named_vector(struct printer *p, const char *name,
-    const double *v, int n)
-{
-	put_name(p, name);
-	put_vector(p, v, n);
-}
-
-static void put_named_word(struct printer *p, const char *name,
-    const char *word)
-{
-	put_name(p, name);
-	put_string(p, word);
+	put_numbers(p, v, isnan(*v) ? 0 : n);
 }
 
 /* Puts an array of rows of n numbers each; or null if is_null is true. */
@@ -98,11 +81,9 @@ static void put_sides(struct printer *p, const char *name, int sides,
 	static const char *const names[] = { "left", "right", "bottom", "top",
 		"near", "far" };
 
-	put_name(p, name);
-	put_open(p, "{");
+	put_open(put_name(p, name), "{");
 	for (int k = 0; k < sides; k++) {
-		put_name(p, names[k]);
-		put_vector(p, v + k * (n > 0 ? n : 1), n);
+		put_vector(put_name(p, names[k]), v + k * (n > 0 ? n : 1), n);
 	}
 	put_close(p, "}");
 }
@@ -111,20 +92,18 @@ static void put_picture(struct printer *p, const struct picture *r)
 {
 	const bool no_near = projection_is_open(&r->scene.projection);
 
-	put_named_word(p, "projection", taxa[r->taxon]);
-	put_named_word(p, "kind", kinds[r->kind]);
-	put_named_vector(p, "foreshortening", r->foreshortening, 3);
+	put_string(put_name(p, "projection"), taxa[r->taxon]);
+	put_string(put_name(p, "kind"), kinds[r->kind]);
+	put_vector(put_name(p, "foreshortening"), r->foreshortening, 3);
 	put_rows(p, "vanishing_points", r->vanishing_point[0], 3, 2,
 	    r->taxon <= TAXON_OBLIQUE);
-	put_named_vector(p, "fovx", &r->fov[0], 0);
-	put_named_vector(p, "fovy", &r->fov[1], 0);
-	put_named_vector(p, "eye", r->eye, 3);
-	put_named_vector(p, "gaze", r->gaze, 3);
-	put_name(p, "near");
-	put_distance(p, r->near);
-	put_name(p, "far");
-	put_distance(p, r->far);
-	put_named_vector(p, "aspect", &r->aspect, 0);
+	put_number(put_name(p, "fovx"), r->fov[0]);
+	put_number(put_name(p, "fovy"), r->fov[1]);
+	put_vector(put_name(p, "eye"), r->eye, 3);
+	put_vector(put_name(p, "gaze"), r->gaze, 3);
+	put_distance(put_name(p, "near"), r->near);
+	put_distance(put_name(p, "far"), r->far);
+	put_number(put_name(p, "aspect"), r->aspect);
 	put_name(p, "reverse_z");
 	put_literal(p, no_near ? "null" : r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", 4, r->near_edge, 0);
@@ -136,8 +115,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 
 static void put_notes(struct printer *p, unsigned bits)
 {
-	put_name(p, "notes");
-	put_open(p, "[");
+	put_open(put_name(p, "notes"), "[");
 	for (int i = 0; i < NOTES; i++)
 		if (bits >> i & 1)
 			put_string(p, notes[i]);
@@ -171,13 +149,11 @@ static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
 	if (o->distances.n > 0)
-		put_named_vector(p, "distances", o->distances.v,
+		put_vector(put_name(p, "distances"), o->distances.v,
 		    o->distances.n);
-	put_name(p, "depth_step");
-	put_open(p, "{");
+	put_open(put_name(p, "depth_step"), "{");
 	for (enum buffer b = 0; b < BUFFERS; b++) {
-		put_name(p, buffers[b]);
-		put_open(p, "[");
+		put_open(put_name(p, buffers[b]), "[");
 		put_number(p, depth_step(z, b, false));
 		put_number(p, depth_step(z, b, true));
 		for (int i = 0; i < o->distances.n; i++)
@@ -194,16 +170,14 @@ static void put_error_bounds(struct printer *p, const double bound[3],
 {
 	int precision = PRECISION_SINGLE;
 
-	put_name(p, "error_bound");
-	put_open(p, "{");
+	put_open(put_name(p, "error_bound"), "{");
 	for (int i = PRECISION_SINGLE; i >= PRECISION_EXACT; i--) {
-		put_name(p, precision_names[i]);
-		put_number(p, bound[i]);
+		put_number(put_name(p, precision_names[i]), bound[i]);
 	}
 	put_close(p, "}");
 	while (precision > PRECISION_EXACT && !(bound[precision] <= tolerance))
 		precision--;
-	put_named_word(p, "precision", precision_names[precision]);
+	put_string(put_name(p, "precision"), precision_names[precision]);
 }
 
 /* Puts the window of a flat document. */
@@ -219,7 +193,7 @@ static void put_window(struct printer *p, const struct document *d)
 		put_device(p, &s->device);
 	else
 		put_literal(p, "null");
-	put_named_vector(p, "scale", w.scale, 2);
+	put_vector(put_name(p, "scale"), w.scale, 2);
 }
 
 /* Puts what inspect prints of a document with a projection. */

@@ -38,13 +38,11 @@ static void put_elements(struct printer *p, const struct elements *m,
 static void put_matrix(struct printer *p, const struct elements *m, bool column)
 {
 	put_open(p, "{");
-	put_name(p, "matrix");
-	put_open(p, "[");
+	put_open(put_name(p, "matrix"), "[");
 	for (int i = 0; i < m->rows; i++)
 		put_numbers(p, m->at[i], m->columns);
 	put_close(p, "]");
-	put_name(p, "vectors");
-	put_string(p, vector_names[column]);
+	put_string(put_name(p, "vectors"), vector_names[column]);
 	put_close(p, "}\n");
 }
 

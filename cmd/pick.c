@@ -56,12 +56,9 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 		.separator = "" };
 
 	if (h->json) {
-		put_name(&p, "distance");
-		put_number(&p, hit.distance);
-		put_name(&p, "device");
-		put_numbers(&p, device, 3);
-		put_name(&p, "point");
-		put_numbers(&p, hit.point, 3);
+		put_number(put_name(&p, "distance"), hit.distance);
+		put_numbers(put_name(&p, "device"), device, 3);
+		put_numbers(put_name(&p, "point"), hit.point, 3);
 		put_text(&p, "}\n");
 	} else {
 		memcpy(p.at, line->s, line->size);

@@ -341,8 +341,7 @@ void object_print(struct printer *p, const struct member *row, int kind,
 		if ((bits & 1) == 0 || !has || !has_kind(row->kinds, kind) ||
 		    is_omitted(row, at + row->offset))
 			continue;
-		put_name(p, row->name);
-		row->type->print(p, row, at + row->offset);
+		row->type->print(put_name(p, row->name), row, at + row->offset);
 	}
 	put_close(p, "}");
 }

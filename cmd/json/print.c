@@ -27,13 +27,14 @@ void put_close(struct printer *p, const char *bracket)
 	p->separator = p->compact ? "," : ", ";
 }
 
-void put_name(struct printer *p, const char *name)
+struct printer *put_name(struct printer *p, const char *name)
 {
 	if (p->level == 1 && !p->compact)
 		p->separator = *p->separator == ',' ? ",\n  " : "\n  ";
 	put_string(p, name);
 	put_text(p, p->compact ? ":" : ": ");
 	p->separator = "";
+	return p;
 }
 
 void put_string(struct printer *p, const char *s)
@@ -63,8 +64,10 @@ void put_number(struct printer *p, double v)
 
 void put_numbers(struct printer *p, const double *v, int n)
 {
-	put_open(p, "[");
-	for (int i = 0; i < n; i++)
+	if (n > 0)
+		put_open(p, "[");
+	for (int i = 0; i == 0 || i < n; i++)
 		put_number(p, v[i]);
-	put_close(p, "]");
+	if (n > 0)
+		put_close(p, "]");
 }

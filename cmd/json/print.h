@@ -28,12 +28,14 @@ void put_text(struct printer *, const char *);
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 
-/* Prints the name of a member. The caller prints the value of the member next. */
-void put_name(struct printer *, const char *name);
+/* Prints the name of a member, and returns the printer for the member's value. */
+struct printer *put_name(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *);
 void put_literal(struct printer *, const char *word); /* such as null */
 void put_number(struct printer *, double v); /* null if v is not finite */
+
+/* Prints the number *v if n is 0, otherwise an array of n numbers. */
 void put_numbers(struct printer *, const double *v, int n);
 
 #endif

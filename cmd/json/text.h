@@ -46,9 +46,6 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n);
  * the name is a token of a JSON pointer (RFC 6901), in which ~1 is / and ~0 is ~. */
 bool json_is_name(struct span string, struct span name, bool pointer);
 
-/* json_check decides whether a text is JSON, and if not, says where and why. It also
- * finds a value in the text, and makes a copy that cJSON parses in less memory. */
-
 /* Two kinds of text are checked. A document is UTF-8, and its strings hold neither
  * \u0000 nor half of a surrogate pair. A line of points has no newline. The strings of
  * a line are copied without being read, so they may hold any bytes but control
@@ -64,9 +61,9 @@ struct json_check {
 	const char *pointer;
 	struct span found;
 	/* NULL, or room for a copy, as much as the text has; json_check moves copy to
-	 * the end of what it writes. The copy has no blanks, no members whose names
-	 * begin with _, no elements of an array to which the pointer leads, and no
-	 * number that is too long for cJSON. */
+	 * the end of what it writes. cJSON parses the copy in less memory, as it has no
+	 * blanks, no members whose names begin with _, no elements of an array to which
+	 * the pointer leads, and no number that is too long for cJSON. */
 	char *copy;
 	const char *at; /* the next character; after an error, the wrong one */
 	char reason[256]; /* what is wrong, after an error */

@@ -24,12 +24,7 @@ static void read_numbers(const struct value *v, const struct member *row,
 static void print_numbers(struct printer *p, const struct member *row,
     const void *at)
 {
-	const double *v = at;
-
-	if (row->n == 0)
-		put_number(p, *v);
-	else
-		put_numbers(p, v, (int)row->n);
+	put_numbers(p, at, (int)row->n);
 }
 
 const struct type type_numbers = { NULL, read_numbers, print_numbers,

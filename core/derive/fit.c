@@ -264,41 +264,37 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Moves the eye by the step first, after which a plane touches the bounds. As the eye's
+/* Moves the eye by a step, after which a plane touches the bounds. As the eye's
  * coordinates are rounded, a part of the bounds can be outside: the eye then moves back
  * by 2^-53 of its largest coordinate, by twice as much, and so on. */
-static const char *move_eye_back(struct scene *s, const struct hull *h,
-    const struct map *to_world, const struct sum first[3])
+static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 {
 	const struct projection given = s->projection;
-	struct sum step[3] = { first[0], first[1] };
 	double outward = looks_back(&s->convention) ? 1 : -1;
 	const double *eye = s->camera.eye;
 	double retreat = 0;
-
-	for (int tries = 0; tries < 100; tries++) {
-		step[2] = sum_add(first[2], sum_of_double(outward * retreat));
-		s->projection = given;
-		eye_after_step(to_world, step, s->camera.eye);
-		if (enclose_persp(s, h))
-			return NULL;
-		for (int k = 0; k < 3 && tries == 0; k++)
-			retreat = fmax(retreat, 0x1p-54 * fabs(eye[k]));
-		retreat = retreat > 0 ? 2 * retreat :
-					0x1p-53 * fabs(sum_double(first[2]));
-	}
-	return NOT_IN_RANGE;
-}
-
-static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
-{
 	struct sum step[3];
 	struct map to_world;
 	const char *why = find_eye_step(s, h, center, step);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world);
-	return why != NULL ? why : move_eye_back(s, h, &to_world, step);
+	if (why != NULL)
+		return why;
+	const struct sum first = step[2];
+
+	for (int tries = 0; tries < 100; tries++) {
+		step[2] = sum_add(first, sum_of_double(outward * retreat));
+		s->projection = given;
+		eye_after_step(&to_world, step, s->camera.eye);
+		if (enclose_persp(s, h))
+			return NULL;
+		for (int k = 0; k < 3 && tries == 0; k++)
+			retreat = fmax(retreat, 0x1p-54 * fabs(eye[k]));
+		retreat = retreat > 0 ? 2 * retreat :
+					0x1p-53 * fabs(sum_double(first));
+	}
+	return NOT_IN_RANGE;
 }
 
 /* Moves the eye so that the bounds are in the middle of the picture. Without has_eye

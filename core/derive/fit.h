@@ -65,25 +65,20 @@ const char *hull_extents(const struct hull *, const struct scene *,
  * outside of, or all bits if the scene has no volume. */
 unsigned hull_outside(const struct hull *, const struct scene *);
 
-/* A direction in model space. scaled is the vector exact over its element of largest
+/* Directions in model space. scaled is the vector exact over its element of largest
  * magnitude, rounded, so that no sum of products of scaled with coordinates overflows.
  * An element of scaled is 0 if and only if the element of exact is 0. */
-struct direction {
-	struct sum exact[3];
-	double scaled[3];
-};
-
 struct directions {
 	int n;
-	struct direction item[BOUNDS_POINTS];
-	double scaled[BOUNDS_POINTS][3]; /* copies for the kernels */
+	struct sum exact[BOUNDS_POINTS][3];
+	double scaled[BOUNDS_POINTS][3];
 };
 
 /* Adds the direction in which column j of the map grows or, if minus, falls. */
 void directions_add(struct directions *, const struct map *, int j, bool minus);
 
-/* The farthest point along a direction, and its distance along direction.scaled, which
- * has an error of at most error. known is false before the first point. */
+/* The farthest point along a direction, and its distance along the direction's scaled,
+ * which has an error of at most error. known is false before the first point. */
 struct farthest {
 	bool known;
 	double point[3], distance, error;

@@ -9,23 +9,22 @@
 void directions_add(struct directions *all, const struct map *m, int j,
     bool minus)
 {
-	struct direction *d = &all->item[all->n];
-	struct sum largest = sum_of_double(0);
+	struct sum *exact = all->exact[all->n], largest = sum_of_double(0);
 
 	for (int i = 0; i < 3; i++) {
-		d->exact[i] = sum_snap_zero(sum_negated_if(minus, m->m[i][j]));
-		if (sum_sign(sum_sub(sum_abs(d->exact[i]), largest)) > 0)
-			largest = sum_abs(d->exact[i]);
+		exact[i] = sum_snap_zero(sum_negated_if(minus, m->m[i][j]));
+		if (sum_compare(sum_abs(exact[i]), largest) > 0)
+			largest = sum_abs(exact[i]);
 	}
 	for (int i = 0; i < 3; i++) {
-		int sign = sum_sign(d->exact[i]);
+		int sign = sum_sign(exact[i]);
 		double scaled = 0;
 
 		if (sign != 0)
-			scaled = sum_ratio(d->exact[i], largest);
+			scaled = sum_ratio(exact[i], largest);
 		if (sign != 0 && scaled == 0)
 			scaled = sign * 0x1p-1074;
-		d->scaled[i] = all->scaled[all->n][i] = scaled;
+		all->scaled[all->n][i] = scaled;
 	}
 	all->n++;
 }
@@ -44,10 +43,10 @@ static double distance_error(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-/* Returns whether p is farther than q. If both are equally far, the point with the
- * greater coordinates counts as farther, so that the order of points does not
- * matter. */
-static bool is_farther(const struct direction *d, const double p[3],
+/* Returns whether p is farther than q in direction j. If both are equally far, the
+ * point with the greater coordinates counts as farther, so that the order of points
+ * does not matter. */
+static bool is_farther(const struct directions *all, int j, const double p[3],
     const double q[3])
 {
 	struct sum step[3];
@@ -55,32 +54,33 @@ static bool is_farther(const struct direction *d, const double p[3],
 	int order = 0;
 
 	for (int i = 0; i < 3; i++)
-		same &= d->scaled[i] == 0 || p[i] == q[i];
+		same &= all->scaled[j][i] == 0 || p[i] == q[i];
 	for (int i = 0; i < 3 && !same; i++)
 		step[i] = sum_diff(p[i], q[i]);
 	if (!same)
-		order = sum_sign(vec3_dot(d->exact, step));
+		order = sum_sign(vec3_dot(all->exact[j], step));
 	for (int i = 0; i < 3 && order == 0; i++)
 		order = (p[i] > q[i]) - (p[i] < q[i]);
 	return order > 0;
 }
 
-/* Returns the distance of p along the direction, with an error below distance_error. */
-static double distance_along(const struct direction *d, const double p[3])
+/* Returns the distance of p along m, with an error below distance_error. */
+static double distance_along(const double m[3], const double p[3])
 {
-	return p[0] * d->scaled[0] + p[1] * d->scaled[1] + p[2] * d->scaled[2];
+	return p[0] * m[0] + p[1] * m[1] + p[2] * m[2];
 }
 
-/* Makes p the farthest point if p is farther. Only if the distances differ by less than
- * their errors, is_farther decides. */
-static void add_point(struct farthest *f, const struct direction *d,
+/* Makes p the farthest point in direction j if p is farther. Only if the distances
+ * differ by less than their errors, is_farther decides. */
+static void add_point(struct extremes *e, const struct directions *all, int j,
     const double p[3], double bound)
 {
-	double value = distance_along(d, p);
+	struct farthest *f = &e->item[j];
+	double value = distance_along(all->scaled[j], p);
 
 	if (!f->known || value - bound > f->distance + f->error ||
 	    (value + bound >= f->distance - f->error &&
-		is_farther(d, p, f->point)))
+		is_farther(all, j, p, f->point)))
 		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value,
 			bound };
 }
@@ -99,9 +99,8 @@ static void add_block(struct extremes *e, const struct directions *all,
 
 	kernels_chosen()->farthest(all->scaled, all->n, in, n, most, largest);
 	for (int j = 0; j < all->n; j++) {
-		const struct direction *d = &all->item[j];
-		struct farthest *f = &e->item[j];
-		double bound = distance_error(d->scaled, largest);
+		const struct farthest *f = &e->item[j];
+		double bound = distance_error(all->scaled[j], largest);
 		double least = most[j] - 2 * bound;
 
 		if (f->known && most[j] + bound < f->distance - f->error)
@@ -110,8 +109,8 @@ static void add_block(struct extremes *e, const struct directions *all,
 			const double p[3] = { in[0][i], in[1][i], in[2][i] };
 
 			/* the comparison is false for nan */
-			if (distance_along(d, p) >= least)
-				add_point(f, d, p, bound);
+			if (distance_along(all->scaled[j], p) >= least)
+				add_point(e, all, j, p, bound);
 		}
 	}
 }
@@ -131,8 +130,8 @@ void extremes_merge(struct extremes *e, const struct directions *all,
 {
 	for (int j = 0; j < all->n; j++)
 		if (other->item[j].known)
-			add_point(&e->item[j], &all->item[j],
-			    other->item[j].point, other->item[j].error);
+			add_point(e, all, j, other->item[j].point,
+			    other->item[j].error);
 }
 
 bool extremes_bounds(const struct extremes *e, const struct directions *all,

@@ -99,11 +99,6 @@ const char *flat_frustum_of(const struct scene *s, enum flat_space from,
 	return NULL;
 }
 
-static int column_sign(const struct transform *t, int j, const double in[4])
-{
-	return sum_sign(point_column(t, j, in));
-}
-
 unsigned frustum_outside(const struct frustum *f, const double in[4])
 {
 	bool flat = f->sides.in == 2;
@@ -113,15 +108,13 @@ unsigned frustum_outside(const struct frustum *f, const double in[4])
 		if (isnan(in[i]))
 			return OUT_NAN;
 	if (!flat &&
-	    (column_sign(&f->ends, 2, in) <= 0 ||
+	    (sum_sign(point_column(&f->ends, 2, in)) <= 0 ||
 		(f->sides.reciprocal && !(in[3] > 0))))
 		return OUT_BEHIND;
-	for (int k = 0; k < 4; k++)
-		out |= column_sign(&f->sides, k, in) < 0 ? 1u << k : 0;
-	for (int k = 0; k < 2 && !flat; k++)
-		out |= column_sign(&f->ends, k, in) < 0 ?
-		    (unsigned)OUT_NEAR << k :
-		    0;
+	for (int k = 0; k < (flat ? 4 : 6); k++)
+		if (sum_sign(point_column(k < 4 ? &f->sides : &f->ends, k % 4,
+			in)) < 0)
+			out |= 1u << k;
 	return out;
 }
 

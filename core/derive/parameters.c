@@ -96,15 +96,6 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Sets those elements of xy to 0 that are negligible beside xy[i][i]. */
-static void clear_rounding_errors(bool parallel, struct upright *u)
-{
-	for (int i = 0; i < 2; i++)
-		for (int j = i + 1; j < (parallel ? 3 : 2); j++)
-			if (is_negligible(u->xy[i][j], u->xy[i][i]))
-				u->xy[i][j] = sum_of_double(0);
-}
-
 static void set_elements(const struct lens *l, struct upright *u)
 {
 	for (int i = 0; i < 6; i++)
@@ -142,7 +133,10 @@ static void upright_of(const struct lens *l, struct upright *u)
 	u->uses_view_axes = false;
 	find_rq_axes(l, u);
 	set_elements(l, u);
-	clear_rounding_errors(l->parallel, u);
+	for (int i = 0; i < 2; i++)
+		for (int j = i + 1; j < (l->parallel ? 3 : 2); j++)
+			if (is_negligible(u->xy[i][j], u->xy[i][i]))
+				u->xy[i][j] = sum_of_double(0);
 }
 
 /* Sets the aspect. If the axes are those of view space, sets near_edge from two
@@ -329,18 +323,17 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		set_edges(u, &r->depth, swap, p);
 }
 
-static double sum_of_squares(double a, double b, double c)
-{
-	return a * a + b * b + c * c;
-}
-
 /* Returns whether the matrix looks transposed. A transposed perspective matrix has the
  * gaze, a unit vector, in its last row and the image of the origin in its last column.
  * A transposed parallel projection has the last row 0 0 0 1. */
 static bool seems_transposed(const double m[4][4])
 {
-	double row = sum_of_squares(m[3][0], m[3][1], m[3][2]);
-	double column = sum_of_squares(m[0][3], m[1][3], m[2][3]);
+	double row = 0, column = 0; /* squares of lengths */
+
+	for (int i = 0; i < 3; i++) {
+		row += m[3][i] * m[3][i];
+		column += m[i][3] * m[i][3];
+	}
 	bool unit = fabs(row - 1) < 0x1p-20 && fabs(column - 1) > 0x1p-20;
 
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));

@@ -24,15 +24,6 @@ static enum kind axonometric_kind(const double f[3])
 	return same > 0 ? KIND_DIMETRIC : KIND_TRIMETRIC;
 }
 
-/* Returns the kind of an oblique projection. cot is the cotangent of the angle between
- * projectors and projection plane. */
-static enum kind oblique_kind(double cot)
-{
-	if (nearly_equal(cot, 1))
-		return KIND_CAVALIER;
-	return nearly_equal(cot, 0.5) ? KIND_CABINET : KIND_GENERAL;
-}
-
 /* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction
  * d project a vector a to a - d (n . a) / (n . d) in a plane with the normal n. */
 static void classify_parallel(const struct lens *l, struct picture *t)
@@ -55,11 +46,14 @@ static void classify_parallel(const struct lens *l, struct picture *t)
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
 		across[k] = sum_snap_zero(across[k]);
+	/* of the angle between projectors and projection plane */
 	double cot = sum_ratio_or_nan(vec3_length(across), size);
 
 	t->taxon = cot <= KIND_TOLERANCE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
 	t->kind = cot <= KIND_TOLERANCE ? axonometric_kind(t->foreshortening) :
-					  oblique_kind(cot);
+	    nearly_equal(cot, 1)        ? KIND_CAVALIER :
+	    nearly_equal(cot, 0.5)      ? KIND_CABINET :
+					  KIND_GENERAL;
 }
 
 /* Returns the kind by the number of vanishing points: one for each world axis that is

@@ -15,20 +15,12 @@ static void set_relative(const struct transform *t, const double in[4],
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Sets *r to coordinate j of the undivided image of p, a point relative to the origin,
- * times the map's divisor. */
-static void find_column(const struct transform *t, int j, const struct sum p[4],
-    struct sum *r)
-{
-	sum_dot(4, p, &t->relative[0][j], 4, r);
-}
-
 struct sum point_column(const struct transform *t, int j, const double in[4])
 {
 	struct sum p[4], r;
 
 	set_relative(t, in, p);
-	find_column(t, j, p, &r);
+	sum_dot(4, p, &t->relative[0][j], 4, &r);
 	return r;
 }
 
@@ -50,7 +42,7 @@ static bool find_divisor(const struct transform *t, const double in[4],
 	if (t->reciprocal && t->out == 4)
 		*d = sum_mul(*d, sum_of_double(in[3]));
 	else
-		find_column(t, 3, p, d);
+		sum_dot(4, p, &t->relative[0][3], 4, d);
 	int sign = sum_sign(*d);
 
 	return t->front ? sign > 0 : sign != 0;
@@ -68,7 +60,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	if (!find_divisor(t, in, p, &d))
 		return;
 	for (int j = 0; j < t->out; j++) {
-		find_column(t, j, p, &q);
+		sum_dot(4, p, &t->relative[0][j], 4, &q);
 		double v = sum_nearest(&q, &d, false);
 
 		if (isfinite(v))
@@ -87,6 +79,6 @@ float point_single(const struct transform *t, const double in[4], int j,
 		return (float)image;
 	set_relative(t, in, p);
 	find_divisor(t, in, p, &d);
-	find_column(t, j, p, &q);
+	sum_dot(4, p, &t->relative[0][j], 4, &q);
 	return (float)sum_nearest(&q, &d, true);
 }

@@ -5,15 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Returns an element of a matrix as two doubles. An element that is not 0 but rounds to
- * 0 becomes the smallest double of its sign. */
-static dd element_rounded(const struct sum *s)
-{
-	dd e = sum_dd(*s);
-
-	return e.hi == 0 ? (dd){ sum_sign(*s) * 0x1p-1074, 0 } : e;
-}
-
 static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->slope[j] = k->noise[j] = 0;
@@ -22,8 +13,11 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 
 		if (!sum_is_exact_zero(&a) && !sum_is_one(&t->map.divisor))
 			a = sum_quotient(a, t->map.divisor);
-		dd e = element_rounded(&a);
+		dd e = sum_dd(a);
 
+		if (e.hi ==
+		    0) /* the smallest double, unless the element is 0 */
+			e = (dd){ sum_sign(a) * 0x1p-1074, 0 };
 		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
 		k->hi[i][j] = e.hi;

@@ -403,31 +403,10 @@ static const char *append_intrinsics(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the matrix of a projection that is given by parameters, in the convention
- * d3d; but a volume's view space is that of c. */
-static const char *scaled_of_parameters(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
-{
-	switch (p->type) {
-	case PROJECTION_PERSP:
-		return persp_matrix(p, c, f);
-	case PROJECTION_ORTHO:
-		return ortho_matrix(p, f);
-	case PROJECTION_OBLIQUE:
-		return oblique_matrix(p, f);
-	case PROJECTION_VOLUME:
-		return volume_matrix(p, f);
-	case PROJECTION_NONE:
-	case PROJECTION_MATRIX:
-		break;
-	}
-	return NULL;
-}
-
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	/* the convention of scaled_of_parameters */
+	/* The convention of f is d3d; but a volume's view space is that of c. */
 	bool volume = p->type == PROJECTION_VOLUME;
 	const struct convention given = {
 		.right_handed = volume && c->right_handed,
@@ -435,15 +414,27 @@ const char *projection_map(const struct projection *p,
 		.ndc_y_down = volume && c->view_y_down,
 	};
 	struct scaled_matrix f = { 0 };
+	const char *why = NULL;
 
-	if (p->type == PROJECTION_NONE) {
+	switch (p->type) {
+	case PROJECTION_NONE:
 		map_identity(r);
 		return NULL;
-	}
-	if (p->type == PROJECTION_MATRIX)
+	case PROJECTION_PERSP:
+		why = persp_matrix(p, c, &f);
+		break;
+	case PROJECTION_ORTHO:
+		why = ortho_matrix(p, &f);
+		break;
+	case PROJECTION_OBLIQUE:
+		why = oblique_matrix(p, &f);
+		break;
+	case PROJECTION_VOLUME:
+		why = volume_matrix(p, &f);
+		break;
+	case PROJECTION_MATRIX:
 		return projection_matrix_map(p, inverse, r);
-	const char *why = scaled_of_parameters(p, c, &f);
-
+	}
 	if (why != NULL)
 		return why;
 	if (inverse)

@@ -96,14 +96,14 @@ static void add_cloud(const struct cloud *c, const struct directions *d,
 }
 
 /* Returns how much farther p is than q. */
-static struct sized farther_by(const struct direction *d, const double p[3],
+static struct sized farther_by(const struct sum exact[3], const double p[3],
     const double q[3])
 {
 	struct sized sum = sized_of(0);
 
 	for (int i = 0; i < 3; i++) {
-		struct sized m = { real_of_ex(d->exact[i].value),
-			magnitude(real_of_ex(d->exact[i].value)) };
+		struct sized m = { real_of_ex(exact[i].value),
+			magnitude(real_of_ex(exact[i].value)) };
 
 		sum = sized_add(sum,
 		    sized_mul(m, sized_sub(sized_of(p[i]), sized_of(q[i]))));
@@ -128,7 +128,7 @@ static void assert_none_farther(const struct cloud *c,
 			if (has_nan(c->p[n]))
 				continue;
 			int mark = real_mark();
-			int sign = truth_sign(farther_by(&d->item[j], c->p[n],
+			int sign = truth_sign(farther_by(d->exact[j], c->p[n],
 						  e->item[j].point),
 			    &doubtful);
 
