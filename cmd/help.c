@@ -93,8 +93,8 @@ static void print_params(const struct command *c)
 			print("\n");
 			put_heading(row->name);
 			print(":\n");
-			print_members(row->members, w->projection_type - 1,
-			    ALL_MEMBERS);
+			print_members(row->members,
+			    (int)w->source.implied_type - 1, ALL_MEMBERS);
 		}
 	}
 	put_heading("\nscene:\n");

@@ -113,15 +113,6 @@ static void put_picture(struct printer *p, const struct picture *r)
 	    isnan(r->intrinsics[0][0]));
 }
 
-static void put_notes(struct printer *p, unsigned bits)
-{
-	put_open(put_name(p, "notes"), "[");
-	for (int i = 0; i < NOTES; i++)
-		if (bits >> i & 1)
-			put_string(p, notes[i]);
-	put_close(p, "]");
-}
-
 /* Refuses a distance of --distances that is not between near and far. */
 static void check_distances(const struct document *d, const struct options *o,
     const struct depth *z)
@@ -213,7 +204,11 @@ static void put_projection(struct printer *p, const struct document *d,
 		put_scene(p, &r.scene);
 	else
 		put_literal(p, "null");
-	put_notes(p, r.notes);
+	put_open(put_name(p, "notes"), "[");
+	for (int i = 0; i < NOTES; i++)
+		if (r.notes >> i & 1)
+			put_string(p, notes[i]);
+	put_close(p, "]");
 }
 
 void run_inspect(const struct command *c, const struct options *o)

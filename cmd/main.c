@@ -24,7 +24,7 @@
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX_3D, run_matrix,                                             \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
-	    .projection_type = type },                                     \
+	    .source.implied_type = type },                                 \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
 /* A window adapts to the device if the document has one. */
@@ -83,7 +83,7 @@ static const struct command commands[] = {
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "print the scene with a camera that holds bounds or points tightly",
 	    FIT, run_fit,
-	    .wants = { .needed = SCENE_PROJECTION, .for_fit = true,
+	    .wants = { .needed = SCENE_PROJECTION, .source.for_fit = true,
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
 		    SCENE_MARGIN },

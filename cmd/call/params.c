@@ -191,10 +191,10 @@ void read_document(const struct command *c, const struct options *o,
 		params.text.s[params.end] = '\0';
 		check_not_points(c, o);
 	}
-	wants.lines_before = (long)params.line - 1;
-	wants.bytes_before = params.column - 1;
-	wants.hint_for_two = two_numbers_hint(c, o);
-	wants.for_plane = o->plane.n > 0;
+	wants.source.lines_before = (long)params.line - 1;
+	wants.source.bytes_before = params.column - 1;
+	wants.source.hint_for_two = two_numbers_hint(c, o);
+	wants.source.for_plane = o->plane.n > 0;
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
 	/* the document's points are not read if operands replace them */

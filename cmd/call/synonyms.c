@@ -159,7 +159,8 @@ static void check_word(const struct command *c, const char *unknown,
 	const unsigned objects[] = { w->lone_member,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
 	/* for a command with any type of projection, searches the members of persp */
-	const int kind = w->projection_type > 0 ? w->projection_type - 1 : 0;
+	const int type = (int)w->source.implied_type,
+		  kind = type > 0 ? type - 1 : 0;
 	const struct member *m, *object;
 	char option[SHOWN_ROOM];
 

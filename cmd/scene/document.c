@@ -18,23 +18,10 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Returns the end of e, an element of a point, whose text begins at s. Refuses e if it
- * is an array or object or, as a coordinate, neither a number nor null. */
-static const char *element_end(struct value *e, const char *s, const char *end,
-    bool coordinate)
-{
-	const char *stop = value_peek(e, s, end);
-
-	if (coordinate && *s != 'n')
-		value_number(e, &range_any);
-	else if (*s == '[' || *s == '{')
-		value_refuse_type(e, "a number, a string or null");
-	return stop;
-}
-
 /* Writes the point v, whose text begins at s, to *out as a line without blanks. Moves
  * *out to the end of the line, and returns the end of the point's text, which is known
- * to be JSON. Refuses a value that is not a point. */
+ * to be JSON. Refuses a value that is not a point: an array of coordinates, each a
+ * number or null, and perhaps of other elements that are no arrays or objects. */
 static const char *write_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
@@ -47,8 +34,12 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 	}
 	*(*out)++ = '[';
 	for (s = json_skip_blanks(s + 1, end); *s != ']'; e.index++) {
-		const char *stop = element_end(&e, s, end, n++ < coordinates);
+		const char *stop = value_peek(&e, s, end);
 
+		if (n++ < coordinates && *s != 'n')
+			value_number(&e, &range_any);
+		else if (*s == '[' || *s == '{')
+			value_refuse_type(&e, "a number, a string or null");
 		memmove(*out, s, (size_t)(stop - s));
 		*out += stop - s;
 		s = json_skip_blanks(stop, end);
@@ -207,21 +198,17 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants)
 {
-	struct source source = { .name = name,
-		.lines_before = wants->lines_before,
-		.bytes_before = wants->bytes_before,
-		.hint_for_two = wants->hint_for_two,
-		.scene_members = scene_members };
 	struct document_wants w = *wants;
+	struct source source = wants->source;
 	struct span points;
+
+	source.name = name;
+	source.scene_members = scene_members;
 	struct value root = value_parse_document(&source, "/points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
 	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
-	source.for_fit = w.for_fit;
-	source.for_plane = w.for_plane;
-	source.implied_type = (unsigned)w.projection_type;
 	*d = (struct document){ .source = source };
 	unsigned seen = find_members(d, &root, wants, m);
 

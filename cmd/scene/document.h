@@ -69,20 +69,15 @@ struct document_wants {
 	 * of SCENE_SPATIAL, and reads points of two coordinates. 0: the command takes
 	 * no flat documents. */
 	unsigned flat_members;
-	/* The only type that a projection may have; its member "type" may be missing.
-	 * PROJECTION_NONE: the projection may have any type, and must have "type". */
-	int projection_type;
-	/* Members that fit finds may be missing: the eye, near, far, width and height
-	 * of a parallel projection, and all members of a flat document's window. */
-	bool for_fit;
-	/* near and far may be missing, unless sizes are given at near: for --plane. */
-	bool for_plane;
+	/* The document's source, of which the command sets what precedes the text,
+	 * hint_for_two, and three members. implied_type: a projection has this type
+	 * alone, and may lack "type". for_fit: the eye, near, far, width and height of
+	 * a parallel projection, and all members of a flat document's window may be
+	 * missing. for_plane: near and far may, unless sizes are given at near. */
+	struct source source;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
 	const struct convention *convention;
-	long lines_before;        /* lines of the file before the text */
-	size_t bytes_before;      /* bytes before the text on its first line */
-	const char *hint_for_two; /* for points of two numbers; or NULL */
 	/* Coordinates of a point; 0: the command does not read the member points. */
 	int coordinates;
 };

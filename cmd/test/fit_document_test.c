@@ -3,11 +3,11 @@
 #include "document.h"
 
 static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
-	.for_fit = true };
+	.source.for_fit = true };
 static const struct document_wants project = { WANTS };
 
 static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
-	.flat_members = SCENE_WINDOW | SCENE_DEVICE, .for_fit = true };
+	.flat_members = SCENE_WINDOW | SCENE_DEVICE, .source.for_fit = true };
 
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
 #define WINDOW_HINT                                                \

@@ -9,15 +9,15 @@ static const struct document_wants lookat = { .lone_member = SCENE_CAMERA,
 static const struct document_wants persp = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection_type = PROJECTION_PERSP };
+	.source.implied_type = PROJECTION_PERSP };
 static const struct document_wants ortho = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection_type = PROJECTION_ORTHO };
+	.source.implied_type = PROJECTION_ORTHO };
 static const struct document_wants volume = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection_type = PROJECTION_VOLUME };
+	.source.implied_type = PROJECTION_VOLUME };
 static const struct document_wants w2n = { .lone_member = SCENE_WINDOW,
 	.needed = SCENE_WINDOW,
 	.used = ~0u,

@@ -6,15 +6,15 @@
 static const struct document_wants persp = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection_type = PROJECTION_PERSP };
+	.source.implied_type = PROJECTION_PERSP };
 static const struct document_wants ortho = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection_type = PROJECTION_ORTHO };
+	.source.implied_type = PROJECTION_ORTHO };
 static const struct document_wants volume = { .lone_member = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
 	WANTS,
-	.projection_type = PROJECTION_VOLUME };
+	.source.implied_type = PROJECTION_VOLUME };
 static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
@@ -404,7 +404,7 @@ static void test_parallel(void **state)
 	assert_int_equal(d.scene.projection.extent, EXTENT_HEIGHT);
 	assert_number(d.scene.projection.near, -1);
 	assert_numbers(d.scene.projection.aspect, 2, 1.5, 1.0);
-	wants.projection_type = PROJECTION_OBLIQUE;
+	wants.source.implied_type = PROJECTION_OBLIQUE;
 #define SHEARED(members)                                  \
 	read_as(&wants,                                   \
 	    "{\"type\":\"oblique\",\"near\":0,\"far\":1," \
