@@ -58,7 +58,7 @@ static void start_at_eye(const struct scene *s, struct transform *t)
 	for (int j = 0; j < 4; j++)
 		m[3][j] = sum_negated_if(sum_sign(m[2][3]) < 0, m[2][j]);
 	memset(m, 0, 3 * sizeof *m);
-	map_set_origin(&t->map, (double[3]){ 0 });
+	map_set_origin(&t->map, NULL);
 	transform_init(t, SPACE_DEVICE, SPACE_WORLD, false);
 }
 

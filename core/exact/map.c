@@ -63,8 +63,8 @@ void map_set_origin(struct map *r, const double origin[3])
 	struct sum p[4] = { [3] = sum_of_double(1) };
 
 	for (int k = 0; k < 3; k++) {
-		r->origin[k] = origin[k];
-		p[k] = sum_of_double(origin[k]);
+		r->origin[k] = origin != NULL ? origin[k] : 0;
+		p[k] = sum_of_double(r->origin[k]);
 	}
 	for (int j = 0; j < 4; j++)
 		map_image(r, j, p, &r->m[4][j]);
@@ -218,6 +218,6 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 	inverse->divisor = sum_of_double(1);
 	memset(inverse->m[4], 0, sizeof inverse->m[4]);
 	map_divide(inverse, det);
-	map_set_origin(inverse, map_is_affine(&a) ? m[3] : (double[3]){ 0 });
+	map_set_origin(inverse, map_is_affine(&a) ? m[3] : NULL);
 	return true;
 }

@@ -32,7 +32,7 @@ void map_identity(struct map *);
 /* Makes the map of a matrix of given numbers, with origin 0. */
 void map_of_doubles(const double m[4][4], struct map *);
 
-/* Sets the origin, and row 4 from the other rows. */
+/* Sets the origin, 0 if it is NULL, and row 4 from the other rows. */
 void map_set_origin(struct map *, const double origin[3]);
 
 /* Divide the images of the map, or only their coordinate j, by d. map_divide needs an

@@ -84,7 +84,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	if (from == SPACE_CLIP || t->reciprocal)
 		t->in = 4;
 	if (from == SPACE_CLIP) /* no origin, as w may differ from 1 */
-		map_set_origin(&t->map, (double[3]){ 0 });
+		map_set_origin(&t->map, NULL);
 	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
 		t->out = 4;
 	t->divide = t->reciprocal ||

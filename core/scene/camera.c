@@ -28,7 +28,7 @@ void convention_change(const struct convention *from,
 			*z = sum_add(*z, sum_scale(*w, t));
 	}
 	if (input && (flips_y || flips_z || depth))
-		map_set_origin(r, (double[3]){ 0 });
+		map_set_origin(r, NULL);
 }
 
 /* An axis of view space is the unit vector v / length. v is an exact polynomial in the
@@ -260,7 +260,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 		return why;
 	map_of_axes(axis, c->matrix[3], true, inverts, r);
 	if (pose)
-		set_eye(r, inverse ? (double[3]){ 0 } : c->matrix[3]);
+		set_eye(r, inverse ? NULL : c->matrix[3]);
 	return NULL;
 }
 

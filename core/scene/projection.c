@@ -367,7 +367,7 @@ static const char *projection_matrix_map(const struct projection *p,
 		       "\"vectors\" says";
 	if (inverse && !map_inverse(p->matrix, r))
 		return "/projection/matrix: singular; it can't be inverted";
-	map_set_origin(r, (double[3]){ 0 });
+	map_set_origin(r, NULL);
 	return NULL;
 }
 
@@ -399,7 +399,7 @@ static const char *append_intrinsics(const struct projection *p,
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
 	map_multiply(r, &canonical, !inverse);
-	map_set_origin(r, (double[3]){ 0 });
+	map_set_origin(r, NULL);
 	return NULL;
 }
 
