@@ -18,8 +18,8 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Returns the end of e, an element of a point, whose text begins at s. Refuses e if it
- * is an array or object or, as a coordinate, neither a number nor null. */
+/* Returns the end of the text of e, an element of a point, which begins at s. Refuses
+ * an array, an object, and a coordinate that is neither a number nor null. */
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {
@@ -70,8 +70,8 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 
 /* Replaces the text of an array of points, or of one point, by a line for each point,
  * and returns the size of the lines. Refuses a value that is not an array. The lines
- * have room: a newline after a point replaces the comma or bracket before the point.
- * The newline after a single point may take the byte after the text. */
+ * fit into the text, as each newline has the room of the comma or bracket before its
+ * point. Only the newline of a single point may take the byte after the text. */
 static size_t write_points(const struct value *v, const struct span *array,
     int coordinates)
 {
