@@ -41,7 +41,8 @@ static _Noreturn void refuse_option(const struct command *c, const char *word,
 	    c->name, word, c->name);
 }
 
-/* Returns the option of c for word: "--name" or, if no other fits, a part of it. */
+/* Returns the option of c for word: "--name", or a beginning that fits no other name.
+ */
 static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {

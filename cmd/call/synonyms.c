@@ -105,8 +105,8 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that names m, which is object or a member of it, with unknown and an
- * example with m or the help to ask. reads: the bits of what the command reads. */
+/* Refuses a word for m, which is object or a member of it. After the text unknown comes
+ * an example with m, or the help to ask. reads: bits of what the command reads. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -127,8 +127,8 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses a word with unknown and a hint as in synonyms. If the hint is an option and c
- * is NULL or does not take the option, names the commands that take it. */
+/* Refuses a word by the text unknown and a hint as in synonyms. If c is NULL or lacks
+ * the option that the hint is, names the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *hint)
 {

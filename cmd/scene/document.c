@@ -18,8 +18,8 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Returns the end of the text of e, an element of a point, which begins at s. Refuses
- * an array, an object, and a coordinate that is neither a number nor null. */
+/* Returns the end of e, an element of a point, whose text begins at s. Refuses e if it
+ * is an array or object or, as a coordinate, neither a number nor null. */
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {

@@ -75,14 +75,14 @@ struct document_wants {
 	/* Members that fit finds may be missing: the eye, near, far, width and height
 	 * of a parallel projection, and all members of a flat document's window. */
 	bool for_fit;
-	/* For --plane: far may be missing, and near unless sizes are given at near. */
+	/* near and far may be missing, unless sizes are given at near: for --plane. */
 	bool for_plane;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
 	const struct convention *convention;
 	long lines_before;        /* lines of the file before the text */
 	size_t bytes_before;      /* bytes before the text on its first line */
-	const char *hint_for_two; /* about points of two numbers; or NULL */
+	const char *hint_for_two; /* for points of two numbers; or NULL */
 	/* Coordinates of a point; 0: the command does not read the member points. */
 	int coordinates;
 };

@@ -256,7 +256,7 @@ static void check_angles(const struct value *v, const struct projection *p)
 }
 
 /* Refuses a perspective that lacks near or far. The command fit finds both. Intrinsics
- * and --plane need neither, and without far make it infinity. But a cross-section given
+ * and --plane need neither; a missing far is then infinity. But a cross-section given
  * at near always needs near. */
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)

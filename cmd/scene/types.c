@@ -321,7 +321,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		    "by more than one number");
 }
 
-/* Prints P: as fx, fy, cx and cy, if it has no more; as K, if P is K and zeros. */
+/* Prints P as fx, fy, cx, cy if it has no more, as K if P is K and zeros, else as P. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

@@ -99,8 +99,9 @@ bool binary_by_blocks(const struct job *);
  * if a point is bad or binary_by_blocks is false. */
 void binary_read(const struct job *, struct chunk *);
 
-/* Reads, transforms and writes a block of f32 in single precision. Returns false, and
- * reads nothing, if the job is another or keeps records, or a point has no image. */
+/* Reads, transforms and writes a block of a job that maps f32 to f32 in single
+ * precision and keeps no records. For another job, or if a point has no image, returns
+ * false. */
 bool binary_map_floats(const struct job *, struct chunk *);
 
 /* Appends to out the images of the block, whose binary points begin at text. Returns

@@ -13,8 +13,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* The size of a thread's stack in bytes. Some systems give only 128 KB. inspect needs
- * up to 320 KB (measured), as each of its maps has 19 KB of exact numbers. */
+/* The size of a thread's stack in bytes. By default some systems give 128 KB. inspect
+ * needs up to 320 KB (measured), as each of its maps has 19 KB of exact numbers. */
 enum { STACK_SIZE = 1 << 20 };
 
 /* Starts a thread with STACK_SIZE. Returns 0 or an error, as pthread_create does. */
