@@ -213,8 +213,7 @@ void value_refuse_type(const struct value *v, const char *wanted)
 }
 
 /* Returns whether x is in the range. In radians, limits of 180 and 90 degrees become PI
- * and PI / 2, which are below pi and pi/2, so even an excluded limit is in the range.
- */
+ * and PI / 2. These are below pi and pi/2, so excluded limits are in the range, too. */
 static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;
