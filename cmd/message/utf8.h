@@ -43,8 +43,8 @@ unsigned escape_find_invisible(const char *);
  * word. An edit changes, adds or drops a letter, or swaps two neighbours. In a word of
  * two to five letters one edit is allowed, in one of up to eight two, in a longer one
  * three. If no word is so near, returns the first that begins with word or that word
- * begins with; the shorter of the two must have three letters. Else returns NULL.
- * Ignores case. */
+ * begins with; the shorter of the two must have three letters. If there is none,
+ * returns NULL. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);
 
 /* Returns whether word is one of words, which are in lower case with blanks between
