@@ -65,7 +65,7 @@ static void fit_read_points(const struct options *o, struct document *d)
 		    "hold in their place");
 }
 
-/* Refuses a scene for the reason why, which core/ returned. If the bounds were computed
+/* Refuses a scene; why is the reason that core/ returned. If the bounds were computed
  * from points, the message for a reason about /bounds names the points instead. */
 static _Noreturn void refuse_fit(const struct options *o,
     const struct document *d, const char *why)

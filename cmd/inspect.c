@@ -120,7 +120,7 @@ static void check_distances(const struct document *d, const struct options *o,
 	double near = depth_distance(z, false), far = depth_distance(z, true);
 	char why[160];
 
-	if (isnan(far)) /* behind the eye: any distance beyond near is right */
+	if (isnan(far)) /* far is behind the eye, and no limit */
 		far = HUGE_VAL;
 	for (int i = 0; i < o->distances.n && !z->open; i++) {
 		double at = o->distances.v[i];
@@ -171,7 +171,6 @@ static void put_error_bounds(struct printer *p, const double bound[3],
 	put_string(put_name(p, "precision"), precision_names[precision]);
 }
 
-/* Puts the window of a flat document. */
 static void put_window(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;

@@ -7,7 +7,7 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* kept_axes[n - 3]: the rows (or columns) of a map that a matrix with n of them has. */
+/* kept_axes[n - 3]: the axes of a map that a matrix with n rows, or n columns, has. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -46,8 +46,8 @@ static void put_matrix(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* Returns the elements of the matrix, for column vectors if column is set: the nearest
- * doubles or, if floats is set, floats. Refuses elements beyond the range of floats. */
+/* Returns the elements of the matrix of t, for column vectors if column is set: the
+ * nearest doubles or, if floats is set, floats. Refuses elements beyond that type. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {

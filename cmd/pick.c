@@ -42,7 +42,7 @@ static struct hit *hit_at(char *buffer, size_t at)
 	return (void *)(buffer + at);
 }
 
-/* Appends a hit with its text, which is line or, for JSON, the members of an object. */
+/* Appends a hit and its text: line or, for JSON, members of an object after "line". */
 static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
@@ -143,7 +143,7 @@ static bool hit_is_header(const struct hit *hit)
 	return hit->distance < -DBL_MAX;
 }
 
-/* The picker of hit_compare, to which qsort passes no further argument. */
+/* The picker for hit_compare, as qsort passes only the two hits to compare. */
 static const struct picker *hit_picker;
 
 /* Compares hits for qsort: by distance, exactly if the nearest doubles are equal, and

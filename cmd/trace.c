@@ -44,8 +44,8 @@ static void images_transform(struct images *m, const struct job *j,
 }
 
 /* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
- * number beyond the range of doubles (with -p single, of floats) is nan, in JSON null.
- * If m is NULL, every number is nan. In JSON, an image without any number is null. */
+ * number beyond the range of doubles (with -p single, of floats) is nan or, in JSON,
+ * null. If m is NULL, all numbers are. In JSON, an image without any number is null. */
 static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {
@@ -74,8 +74,8 @@ static char *trace_put_image(char *at, const struct job *j,
 	return at;
 }
 
-/* Appends the output for a line: the images of point p of m or, for a bad line, whose m
- * is NULL, nan or null. The output as text begins with a blank line. */
+/* Appends the output for a line: the images of point p of m or, if the line is bad and
+ * m is NULL, nan or null. The output as text begins with a blank line. */
 static void trace_put_point(const struct job *j, struct chunk *c,
     const struct line *line, const struct images *m, size_t p)
 {

@@ -48,8 +48,8 @@ void run_fit(const struct command *, const struct options *);
 void run_inspect(const struct command *, const struct options *);
 
 /* Prints the matrix of a transform in the format and precision of the options, for the
- * row or column vectors of the answer's convention. Where
- * points have two coordinates, the matrix has no row or column for z. */
+ * row or column vectors of the answer's convention. The matrix has no row or column for
+ * z of a space whose points have two coordinates. */
 void print_matrix(const struct options *, const struct document *,
     const struct transform *);
 

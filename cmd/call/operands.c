@@ -11,7 +11,7 @@
 #include "../scene/types.h"
 
 /* Refuses word, an operand that is no file; why is the reason. The message ends with
- * hint or, if word is the name of an option, with that option. The name may follow
+ * hint or, if word is the name of an option, with that option. Before the name may be
  * characters from U+2010 to U+201F, such as the dash that editors make of "--". */
 static _Noreturn void refuse_no_file(const struct command *c, const char *word,
     const char *why, const char *hint)
@@ -47,7 +47,7 @@ void operands_check(const struct command *c, const struct options *o)
 	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' "
 	    "shows",
 	    c->name);
-	/* an object without quotes becomes several operands; the first lacks } */
+	/* the shell splits an object without quotes: the first operand lacks } */
 	if (first_nonblank(o->params) != '{')
 		check_file(c, o->params, hint);
 	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
@@ -132,8 +132,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses options that exclude each other. If printed is set, images of points are
- * printed, and have to fit into binary records. */
+/* Refuses options that exclude each other. printed: the job prints images of points,
+ * which have to fit into the binary records, if there are any. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
@@ -191,7 +191,7 @@ static void choose_kernels(void)
 }
 
 /* Sets the names of the numbers that are written for a point. With --append the names
- * begin with the space of the images: device_x. */
+ * of coordinates begin with the space of the images: device_x. */
 static void name_numbers(struct layout *l, const char *space)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };

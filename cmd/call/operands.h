@@ -6,7 +6,7 @@
 #include "options.h"
 #include "../stream/job.h"
 
-/* The hint of pick about a point of two numbers, which may be meant as the position. */
+/* The hint of pick about a point of two numbers, which may be meant for --at. */
 #define POSITION_HINT "; --at 320,240 is the position"
 
 /* Refuses operands that the command does not take or that can't be opened. Runs before

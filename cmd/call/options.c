@@ -108,7 +108,7 @@ static void option_read_numbers(struct options *o, const struct option_row *r,
 	    r->name, word, r->argument, r->name, r->example);
 }
 
-/* Reads a character that can't be part of a number or a name, or the word tab. */
+/* Reads the word tab, or a character that can't be part of a number or a name. */
 static void option_read_separator(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -189,7 +189,7 @@ static const char *const color_names[] = { "auto", "always", "never", NULL };
 
 /* Kinds of commands that share options, as unions of bits of enum command_kind. */
 enum {
-	TAKE_FLAGS = PROJECT | TRACE | MATRIX_2D, /* and take --visible */
+	TAKE_FLAGS = PROJECT | TRACE | MATRIX_2D, /* take --flags, --visible */
 	PRINT_IMAGES = MATRIX_3D | TAKE_FLAGS,
 	PRINT_POINTS = PRINT_IMAGES | PICK,
 	READ_POINTS = PRINT_POINTS | FIT,

@@ -80,11 +80,11 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Reads --errors and --color, the options with a global, at any place in words. They
- * are read first because they hold for messages about other words, too. */
+/* Reads --errors and --color, whose rows have a global, at any place in words. They are
+ * read first because they hold for messages about other words, too. */
 void options_read_first(char **words);
 
-/* Returns the option called name, or NULL. In name, = or a blank ends the option. */
+/* Returns the option called name, which ends at NUL, = or a blank; or NULL. */
 const struct option_row *option_named(const char *name);
 
 /* Writes to list, and returns, the commands that take an option: "fit and trace". */
@@ -108,9 +108,9 @@ struct number_style options_style(const struct options *);
 
 struct member;
 
-/* Returns the member of the scene or of its objects that is called name, else one with
- * the alias name, else NULL. Of several members, returns that of the last object. Sets
- * *object to the member of the scene that is the result or contains it. */
+/* Searches the scene and its objects, the last object first. Returns the member called
+ * name, else one with the alias name, else NULL. Sets *object to the member of the
+ * scene that is the result or contains the result. */
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
@@ -119,8 +119,8 @@ const struct member *synonym_find(const char *name,
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses option, such as "--eye" or "-eye", if its name is a synonym, the name of a
- * member of a scene, or the name of an option with two dashes; else returns. */
+/* Refuses option, such as "--eye" or "-eye", if name is a synonym or names an option or
+ * a member; else returns. name is option without dashes, or a letter's long name. */
 void synonym_check_option(const struct command *, const char *option,
     const char *name);
 

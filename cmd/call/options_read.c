@@ -41,7 +41,7 @@ static _Noreturn void refuse_option(const struct command *c, const char *word,
 	    c->name, word, c->name);
 }
 
-/* Returns the option of c whose name is word, or the only one that begins with word. */
+/* Returns the option of c for word: "--name", or a beginning of only one "--name". */
 static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {

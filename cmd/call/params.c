@@ -79,7 +79,7 @@ static bool params_skip_blanks(void)
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
-/* Searches text further for the document's end. Returns false if it is not there. */
+/* Searches the rest of text for the document's end. Returns false if there is none. */
 static bool params_find_end(void)
 {
 	if (params.end == params.begin && !params_skip_blanks())
@@ -140,9 +140,9 @@ bool params_next(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses PARAMS if it holds points, with EXIT_USAGE: the call is wrong, not the file.
- * After blank lines and comments, points begin with a number. If POINTS are given,
- * points may also begin with [ or, in binary, with any byte but {. */
+/* Refuses PARAMS that holds points, with EXIT_USAGE: the call is wrong, not the file.
+ * PARAMS holds points if it begins with a number, after blank lines and comments. If
+ * POINTS are given, [ or, for binary input, any byte but { also begins points. */
 static void check_not_points(const struct command *c, const struct options *o)
 {
 	const struct place place = { .file = params.name };

@@ -98,15 +98,15 @@ const struct member *synonym_find(const char *name,
 {
 	const struct member *m = NULL;
 
-	/* prefers a name to an alias, and kind 0 to other kinds */
+	/* prefers a name to an alias, and projections of kind 0 (persp) to others */
 	for (int i = 0; i < 4 && m == NULL; i++)
 		m = find_member(SCENE_ALL, i % 2 == 0 ? 0 : ANY_KIND, name,
 		    i >= 2, object);
 	return m;
 }
 
-/* Refuses a word that names the member m of object. The message is unknown and then an
- * example with m, or the help to ask. reads: bits of members that the command reads. */
+/* Refuses a word for m, which is object or a member of it. After the text unknown comes
+ * an example with m, or the help to ask. reads: bits of what the command reads. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -127,8 +127,8 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses a word with the text unknown and a hint as in synonyms. If c is NULL or does
- * not take the hint's option, names the commands that take this option. */
+/* Refuses a word by the text unknown and a hint as in synonyms. If c is NULL or lacks
+ * the option that the hint is, names the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *hint)
 {
@@ -155,7 +155,8 @@ static void check_word(const struct command *c, const char *unknown,
 	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
 	const unsigned reads = c != NULL ? document_used_members(w) : 0;
 	const struct option_row *r = option_named(name);
-	/* in project --at, pick's option is more likely meant than camera.at */
+	/* an option of another command is likelier meant than a spatial member of the
+	 * same name: in project --at, pick's option is likelier than camera.at */
 	const unsigned objects[] = { w->lone_member,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
 	/* for a command with any type of projection, searches the members of persp */
@@ -195,7 +196,7 @@ void synonym_check_option(const struct command *c, const char *option,
 	check_word(c, unknown, name);
 }
 
-/* Returns the name of a command or member that is nearest to word; or NULL. */
+/* Returns the command, member, --help or --version that is nearest to word; or NULL. */
 static const char *nearest_known(const struct command *commands,
     const char *word)
 {
@@ -220,7 +221,7 @@ void synonym_refuse_word(const struct command *commands, bool topic,
 	const char first = first_nonblank(word), *near = NULL;
 	const bool option = *word == '-' &&
 	    (word[1] != '-' || option_named(word + 2) != NULL);
-	/* the word is an option or an operand, which follow a command */
+	/* word looks like an option or operand; either has to follow a command */
 	const bool early = !topic &&
 	    (option || first == '{' || first == '[' ||
 		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);

@@ -48,7 +48,7 @@ static bool in_token(char c)
 	    strchr(":[]{}\"'/#", c) == NULL;
 }
 
-/* Returns the end of the word or number, or else of the one character, at s->at. */
+/* Returns the end of the word, the number or else the character at s->at. */
 static const char *token_end(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -99,8 +99,8 @@ static const char *hint_of(const struct json_check *s)
 	return NULL;
 }
 
-/* Returns false. Writes as s->reason what is expected at s->at, what is there instead,
- * and a hint: that of hint_of or else the parameter, which may be NULL. */
+/* Returns false. Writes to s->reason what is wanted, what is at s->at instead, and the
+ * hint of hint_of or, if that is NULL, the parameter hint, which may be NULL, too. */
 static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
@@ -117,8 +117,8 @@ static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 	return false;
 }
 
-/* Checks an escape in a string. A document may hold neither \u0000 nor half of a
- * surrogate pair, \ud800 to \udfff; json_unescape makes U+FFFD of such a half. */
+/* Checks an escape in a string. In a document, refuses \u0000, and half of a surrogate
+ * pair (\ud800 to \udfff), of which json_unescape would make U+FFFD. */
 static bool check_escape(struct json_check *s)
 {
 	const char *p = s->at, *next = p;
@@ -180,8 +180,8 @@ const char *json_scalar_end(const char *p, const char *end)
 	return json_number(p, end, NULL);
 }
 
-/* Appends the number at s->at to the copy or, if the number is too long for cJSON, the
- * shortest text of the same double. */
+/* Appends to the copy the number from s->at to end or, if the number is too long for
+ * cJSON, the shortest text of the same double. */
 static void copy_number(struct json_check *s, const char *end)
 {
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };

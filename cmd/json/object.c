@@ -88,10 +88,10 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Refuses v, a member that is not in the table, unless any document may have it. The
- * message names the first of these that exists: the member with this alias; the objects
- * of the scene that have the member, or else the alias; the object beside which the
- * scene has the member; the member with the nearest name; else all members. */
+/* Refuses v, a member that the table lacks, unless any document may have it. The
+ * message says the first of these that is true: v->name is an alias in the table; it is
+ * a name or else an alias in other objects of the scene; it names a member of the scene
+ * itself; it is near a name in the table. Else the message lists the table. */
 static void check_unknown(const struct value *v, const struct member *table,
     int kind)
 {
@@ -153,13 +153,13 @@ struct way_bits {
 	const struct member *table;
 	int kind;
 	size_t n;
-	uint64_t all_members;        /* members of all ways */
-	uint64_t members[WAYS_MAX];  /* members of each way */
-	uint64_t required[WAYS_MAX]; /* without optional members */
+	uint64_t all_members;        /* of all ways */
+	uint64_t members[WAYS_MAX];  /* of each way */
+	uint64_t required[WAYS_MAX]; /* less optional members */
 };
 
-/* Returns the bits of a list of ways for a kind. They are made once and kept, as each
- * scene needs about ten lists. The tables have 24 pairs of a list and a kind. */
+/* Returns the bits of a list of ways for a kind. Keeps them for the next call: kept has
+ * room for more pairs of a list and a kind than the tables have. */
 static const struct way_bits *find_way_bits(const struct member *table,
     int kind, const char *const *list)
 {
@@ -189,7 +189,7 @@ static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
 	return list_words(out, names, " and ", "\"");
 }
 
-/* Writes "give A and B, or C": each way without optional members that are not given. */
+/* Writes all ways as "give A and B, or C". Leaves out optional members not given. */
 static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
     uint64_t given)
 {
@@ -204,9 +204,9 @@ static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
 	}
 }
 
-/* Refuses an object because of the first member in members. If way is 0, that member is
- * missing. Otherwise way has the given members of a way that is complete, and that
- * member does not belong to this way. */
+/* Refuses v because of the first of members, m. If way is 0, m is missing. If way is
+ * not 0, its bits are the given members of a way that is complete, and m does not
+ * belong to that way. */
 static _Noreturn void refuse_way(const struct value *v,
     const struct way_bits *b, uint64_t given, uint64_t members, uint64_t way)
 {
@@ -299,8 +299,8 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 	return given;
 }
 
-/* Returns whether a member with the value *at is not printed: the value is the default,
- * or 0 as a size, which means that the size was not given. */
+/* Returns whether object_print leaves out a member with the value *at: a default that
+ * is not always shown, or a size of 0, which means that no size was given. */
 static bool is_omitted(const struct member *row, const void *at)
 {
 	const double *v = at;

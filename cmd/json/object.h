@@ -14,13 +14,13 @@ struct member;
 /* All members of a table as bits: row i is bit i. */
 #define ALL_MEMBERS (~UINT64_C(0))
 
-/* The type of a member. read and print get the row, and the address of the field. */
+/* The type of a member. read and print get the member's row and its field's address. */
 struct type {
 	const char *name; /* in the help; NULL: see member_type */
 	void (*read)(const struct value *, const struct member *, void *);
 	/* NULL: members of this type are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
-	size_t number_size; /* in bytes, in the struct; 0: no defaults */
+	size_t number_size; /* bytes of a number in the field; 0: no defaults */
 };
 
 /* A row of a table. */
@@ -35,22 +35,22 @@ struct member {
 	const struct value_range *range; /* of numbers; NULL: range_any */
 	const char *const *words;        /* possible strings; NULL ends them */
 	unsigned word_0;                 /* the field's value for words[0] */
-	/* The kinds of objects that have the member, as bits; 0: all kinds. Kinds are
-	 * the words of the table's first row, such as the types of projections. Several
-	 * rows may have the same name if their kinds differ. */
+	/* The kinds of objects that have the member, as bits; 0: all kinds. Kind i is
+	 * word i of the table's first row, such as a type of projection. Several rows
+	 * may have the same name if their kinds differ. */
 	unsigned kinds;
 	/* The default as JSON, with angles in degrees; or NULL. A member that has its
 	 * default is printed only if shown is set. */
 	const char *fallback;
 	bool shown;
-	/* For the help: whose default is used before fallback, as "-c's"; or NULL. */
+	/* For the help: words for a default that precedes fallback; or NULL. */
 	const char *default_from;
 	/* Names of the member in other programs, in lower case without _ and -, with
 	 * blanks between the names; or NULL. */
 	const char *aliases;
 	/* A hint for users who gave an alias; or NULL. */
 	const char *note;
-	/* For the help: the unit, "degrees" for all angles, or NULL; a description. */
+	/* For the help. unit may be NULL; it is "degrees" for all angles. */
 	const char *unit, *about;
 	/* For an object of a scene: the table of its members, the ways to combine them,
 	 * an example of the object, and a command that reads the example. */
@@ -85,7 +85,7 @@ struct ways {
 	 * of the object's way; 0: there is no such field. */
 	size_t offset;
 	unsigned way_0;
-	bool own_plane; /* --plane takes the ways of fit, too */
+	bool own_plane; /* --plane takes the ways of fit_way, too */
 };
 
 /* Reads an object of the kind to the struct at base: all defaults, the members that are
@@ -102,14 +102,14 @@ void object_read_member(const struct value *, const struct member *,
     void *base);
 
 /* Prints the struct at base as an object with those members in bits that the kind has.
- * Leaves out members of ways that the struct does not have, members with their
- * defaults, and sizes of 0, which were not given. */
+ * Leaves out defaults, sizes of 0, which were not given, and members that belong only
+ * to ways other than the struct's. */
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
-/* Returns the row of the member with the name that objects of the kind have, or NULL.
- * member_named also finds a member by an alias. */
-enum { ANY_KIND = -1 };
+/* Search the rows that objects of the kind have, or all. Return the row called name, or
+ * NULL. member_named returns the row with the alias name if no row has the name. */
+enum { ANY_KIND = -1 }; /* searches all rows */
 const struct member *member_of(const struct member *, int kind,
     const char *name);
 const struct member *member_named(const struct member *, int kind,
@@ -119,12 +119,12 @@ const struct member *member_named(const struct member *, int kind,
  * or right". The words may be written to out. */
 const char *member_type(const struct member *, char out[LIST_ROOM]);
 
-/* Returns the members of a way, names, that objects of the kind have, as bits. If
- * required is set, leaves out optional members. */
+/* Returns, as bits, the members that the kind has of those in names, which is a way of
+ * struct ways. If required is set, leaves out optional members. */
 uint64_t member_bits(const struct member *, int kind, const char *names,
     bool required);
 
-/* Returns the index of the way that an object with the members given, as bits, has.
+/* Returns the index of the object's way. given has the object's members as bits.
  * Refuses an object that lacks members of each way, or has members of several. */
 int object_way(const struct value *, const struct member *, int kind,
     uint64_t given, const struct ways *);

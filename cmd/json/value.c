@@ -20,7 +20,7 @@ const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* Returns the place of the byte at in text, which is the text of source. */
+/* Returns the place of the byte *at in the file of source. text is the whole text. */
 static struct place source_place_at(const struct source *source,
     const char *text, const char *at)
 {
@@ -165,8 +165,8 @@ size_t value_count(const struct value *v)
  * with its / has at most TOKEN_MAX bytes: a longer name is cut. */
 enum { TOKENS_MAX = 5, TOKEN_MAX = 64 };
 
-/* Writes the pointer to a value (RFC 6901), such as /camera/eye/0, in which ~ is ~0 and
- * / is ~1. Returns the end of the pointer. */
+/* Writes the pointer to a value, such as /camera/eye/0. In a name, ~ becomes ~0 and /
+ * becomes ~1 (RFC 6901). Returns the end of the pointer. */
 static char *write_pointer(const struct value *v, char *out)
 {
 	if (v->parent == NULL)
@@ -212,8 +212,8 @@ void value_refuse_type(const struct value *v, const char *wanted)
 	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
-/* Returns whether x is in the range. In radians, 180 and 90 degrees become PI and PI /
- * 2, the largest doubles below pi and pi/2, so the limits are always in the range. */
+/* Returns whether x is in the range. In radians, limits of 180 and 90 degrees become PI
+ * and PI / 2. These are below pi and pi/2, so excluded limits are in the range, too. */
 static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;

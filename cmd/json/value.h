@@ -20,13 +20,13 @@ struct source {
 	const char *text, *end;
 	bool column_vectors;   /* matrices are for column, not row, vectors */
 	unsigned unit;         /* of angles: an enum angle_unit */
-	unsigned implied_type; /* of a projection that names none; or 0 */
+	unsigned implied_type; /* of a projection without "type"; or 0 */
 	bool for_fit;          /* what the command fit finds may be missing */
 	bool for_plane;        /* near and far may be missing, for --plane */
 	bool flat;             /* the document is of two dimensions */
 	bool has_axes;         /* a convention gives the view axes */
-	bool is_operand;       /* not a scene: --keep-going does not skip it */
-	const char *hint_for_two; /* for points of two numbers; or NULL */
+	bool is_operand;       /* POINTS, which --keep-going does not skip */
+	const char *hint_for_two; /* about points of two numbers; or NULL */
 	const struct member *scene_members; /* for hints in messages */
 };
 

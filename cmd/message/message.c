@@ -28,8 +28,8 @@ bool is_colored(int fd)
 }
 
 /* A message, file name or pointer is cut at MESSAGE_MAX bytes; no path that can be
- * opened is as long. A line has room for all three, each byte of which may become
- * JSON_ESCAPE_MAX bytes, and as much again for fixed text, which needs less. */
+ * opened is as long. A line has room for all three and as much fixed text as one of
+ * them. Each byte of them may become JSON_ESCAPE_MAX bytes. */
 enum {
 	MESSAGE_MAX = 4096,
 	LINE_ROOM = 4 * JSON_ESCAPE_MAX * MESSAGE_MAX,
@@ -58,7 +58,7 @@ static void add_escaped(const char *s, size_t n)
 	    n < MESSAGE_MAX ? n : MESSAGE_MAX, message_state.json, "");
 }
 
-/* Adds the message as text, after its place or, if before_place is set, before it. */
+/* Adds the message as text. The place is first or, if p->before_place is set, last. */
 static void add_text(int status, const struct place *p,
     struct scene_place scene, const char *message)
 {
@@ -90,7 +90,7 @@ static void add_text(int status, const struct place *p,
 }
 
 /* Returns the length of a message before its hint: up to the first "; " outside of
- * quotes. An opening quote is first or after a blank, unlike an apostrophe. */
+ * quotes. An opening quote, unlike an apostrophe, is first or follows a blank. */
 static size_t reason_length(const char *message)
 {
 	const char *s;

@@ -20,7 +20,7 @@ struct scene_place {
  * --errors json, a JSON object. */
 struct place {
 	const char *file;
-	long long line;      /* from 1; not in text if pointer is set */
+	long long line;      /* from 1; text omits it if pointer is set */
 	size_t column;       /* in bytes from 1; shown in JSON alone */
 	bool of_points;      /* line counts binary points */
 	const char *pointer; /* into a JSON document: "/camera/eye" */
@@ -43,8 +43,8 @@ extern struct message_state {
 	unsigned json;  /* 1: a message is a JSON object in one line */
 	unsigned color; /* an enum color */
 	struct scene_place scene; /* the current scene of --scenes */
-	/* Where die_at jumps after a message whose place is of_scene, which then has
-	 * EXIT_INPUT; NULL: it exits. Only the first thread jumps, while no other works. */
+	/* Where die_at jumps if the place is of_scene, after a message with EXIT_INPUT.
+	 * NULL: it exits. Only the first thread jumps, while no other works. */
 	jmp_buf *on_refusal;
 } message_state;
 

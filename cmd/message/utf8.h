@@ -42,9 +42,9 @@ unsigned escape_find_invisible(const char *);
 /* Returns the word of the list words, which NULL ends, that is the fewest edits from
  * word. An edit changes, adds or drops a letter, or swaps two neighbours. In a word of
  * two to five letters one edit is allowed, in one of up to eight two, in a longer one
- * three. If no word is so near, returns the first that begins with word, or with which
- * word begins, if the beginning has three letters or more; else NULL. Case does not
- * count. */
+ * three. If no word is so near, returns the first that begins with word or that word
+ * begins with; the shorter of the two must have three letters. If there is none,
+ * returns NULL. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);
 
 /* Returns whether word is one of words, which are in lower case with blanks between

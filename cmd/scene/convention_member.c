@@ -58,7 +58,7 @@ static void read_convention_member(const struct value *v,
 		    conventions[value_word(v, row->words)];
 }
 
-/* Prints a convention by its name or, without one, by the members other than d3d's. */
+/* Prints a convention's name or, if it has none, the members that differ from d3d's. */
 static void print_convention_member(struct printer *p, const struct member *row,
     const void *at)
 {

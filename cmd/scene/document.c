@@ -61,8 +61,8 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 
 /* Replaces the text of an array of points, or of one point, by a line for each point,
  * and returns the size of the lines. Refuses a value that is not an array. The lines
- * have room: a newline after a point replaces the comma or bracket before the point.
- * The newline after a single point may take the byte after the text. */
+ * fit into the text, as each newline has the room of the comma or bracket before its
+ * point. Only the newline of a single point may take the byte after the text. */
 static size_t write_points(const struct value *v, const struct span *array,
     int coordinates)
 {

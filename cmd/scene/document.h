@@ -25,7 +25,7 @@ enum scene_member {
 	SCENE_PICK = 1024,
 	SCENE_MARGIN = 2048,
 	SCENE_ALL = 2 * SCENE_MARGIN - 1,
-	/* the members that map model space to the device of three dimensions */
+	/* members of a 3D scene, which map model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
 	    SCENE_VIEWPORT,
 };
@@ -90,8 +90,8 @@ void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
 /* Replaces text[0..size), a point or a list of points, by lines, and returns the lines.
- * Each line is the JSON array of a point, as it was written. A point must begin with as
- * many numbers or nulls as coordinates says. */
+ * Each line is a point's JSON array without blanks. A point must begin with as many
+ * numbers or nulls as coordinates says. */
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *hint_for_two, size_t *points_size);
 
@@ -107,10 +107,8 @@ void document_refuse_if(const struct document *d, const char *why);
  * back as the same scene and pick. Of a flat document, leaves out SCENE_SPATIAL. */
 void print_scene(const struct document *, bool compact);
 
-/* Prints the convention and the members of SCENE_SPATIAL. */
+/* Print the convention and SCENE_SPATIAL as members; a device as an object. */
 void put_scene(struct printer *, const struct scene *);
-
-/* Prints a device as an object. */
 void put_device(struct printer *, const struct device *);
 
 #endif

@@ -183,7 +183,7 @@ const struct ways projection_ways[] = {
 	{ .way = { NULL } },
 };
 
-/* The ways to give near and far with intrinsics, which need neither. */
+/* The ways to give near and far where neither is needed: with intrinsics or --plane. */
 static const struct ways optional_planes = {
 	.way = { "near far? reverse_z?", "" },
 };
@@ -255,9 +255,9 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* Refuses a perspective that lacks near or far. Intrinsics and --plane need neither;
- * far is then infinity. The command fit finds both. But a cross-section at near needs
- * near. */
+/* Refuses a perspective that lacks near or far. The command fit finds both. Intrinsics
+ * and --plane need neither; a missing far is then infinity. But a cross-section given
+ * at near always needs near. */
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
@@ -334,8 +334,8 @@ static void set_image_size(const struct value *v,
 	}
 }
 
-/* Returns whether the projection depends on an aspect. A parallel projection does in
- * the command fit, which widens it to the aspect that it has or the viewport has. */
+/* Returns whether the projection depends on an aspect. In the command fit a parallel
+ * projection does if it or the viewport has one, to which fit widens the projection. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {

@@ -134,8 +134,8 @@ static const struct ways matrix_ways[] = { { .way = { "matrix vectors?" } },
 static const struct member matrix_row = { .members = matrix_members,
 	.ways = matrix_ways };
 
-/* Returns whether rows of a matrix are for column vectors, as the member "vectors" of v
- * says or, without it, their shape or, if they are square, the document. */
+/* Returns whether rows of a matrix are for column vectors: by the member "vectors" of
+ * v, else by the number of rows and columns or, if they are equal, by the document. */
 static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, square = rows == columns;
@@ -152,7 +152,7 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 	return given;
 }
 
-/* Refuses a matrix m read for row vectors that is affine only for column vectors. */
+/* Refuses m, read for row vectors, if m is affine only for column vectors. */
 static void check_transposed(const struct value *v, const double m[4][4])
 {
 	bool last = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
@@ -179,8 +179,8 @@ static void read_rows(const struct value *v, size_t rows, size_t columns,
 			value_numbers(&row, &range_any, columns, out);
 }
 
-/* Reads a matrix. Rows for column vectors are transposed. 16 numbers are not, as their
- * order is row by row for row vectors, and column by column for column vectors. */
+/* Reads a matrix. Rows for column vectors are transposed. A list of 16 numbers is not,
+ * as its order is by rows for row vectors, and by columns for column vectors. */
 static void read_matrix(const struct value *v, const struct member *member,
     void *out)
 {
@@ -215,7 +215,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 				j < columns ?
 			    e[i * columns + j] :
 			    i == j;
-	/* The last element of an inverse by doubles may be 1 - 2^-53. */
+	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
 	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
 		m[3][3] = 1;
 	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
@@ -316,7 +316,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		    "by more than one number");
 }
 
-/* Prints fx, fy, cx and cy, if P has no other numbers, else K if P is K, else P. */
+/* Prints P as fx, fy, cx, cy if it has no more, as K if P is K and zeros, else as P. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

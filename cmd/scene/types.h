@@ -54,8 +54,8 @@ extern const struct type type_projection;
 /* The names of the types from PROJECTION_PERSP on; NULL ends them. */
 extern const char *const projection_types[];
 
-/* Sets what a projection, which was read from the value, takes from the viewport, which
- * may be NULL: a missing aspect and, for intrinsics, the size of the image. */
+/* Completes a projection that was read from the value. Sets a missing aspect and, for
+ * intrinsics, the size of the image by the viewport, which may be NULL. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
 
@@ -93,8 +93,8 @@ extern const struct member convention_members[];
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
-/* Refuses the member name of the object, whose numbers depend on the view axes, if
- * neither the document nor the command line has a convention. */
+/* Refuses the member of the object that is called name, if neither the document nor the
+ * command line has a convention: the numbers of the member depend on the view axes. */
 void require_convention(const struct value *object, const char *name);
 
 #endif

@@ -77,7 +77,7 @@ static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-/* Makes line block_lines a bad line. Returns what chunk_complain returns. */
+/* Makes line c->block_lines of the block bad. Returns what chunk_complain returns. */
 static bool binary_refuse(const struct job *j, struct chunk *c,
     const char *reason)
 {
@@ -85,8 +85,8 @@ static bool binary_refuse(const struct job *j, struct chunk *c,
 	return chunk_complain(j, c, reason);
 }
 
-/* Refuses those of n points with a coordinate beyond MAGNITUDE_MAX, and removes them
- * from the columns. If a point ends the chunk, the block ends before that point. */
+/* Refuses each of n points that has a coordinate beyond MAGNITUDE_MAX, and removes it
+ * from the columns. If such a point ends the chunk, the block ends before the point. */
 static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 {
 	size_t *kept = &c->block_points;

@@ -12,8 +12,8 @@ struct chunk *chunk_new(void)
 	if (c != NULL) {
 		memset(c, 0, offsetof(struct chunk, stretch));
 		piece_resize(&c->piece, PIECE_ROOM);
-		/* This is enough for most output. If a thread allocates more, the C
-		 * library maps an arena for it, which costs more than the room. */
+		/* Most output fits. If a thread allocates more, the C library maps an
+		 * arena for the thread, which costs more than this room. */
 		c->room = 16 * PIECE_ROOM;
 		c->out = xrealloc(NULL, c->room);
 		return c;

@@ -107,7 +107,7 @@ static void block_read(struct job *j, struct chunk *c)
 }
 
 /* Transforms the block's points. Returns true only if all images are finite. Rays are
- * computed exactly in every precision; single rounds them to floats. */
+ * computed exactly in every precision; precision single rounds them to floats. */
 static bool block_transform(const struct job *j, struct chunk *c)
 {
 	bool single = j->precision == PRECISION_SINGLE ||
@@ -123,7 +123,7 @@ static bool block_transform(const struct job *j, struct chunk *c)
 
 /* Replaces each coordinate of the image of point p by nan if it is not finite in the
  * output's format. Returns whether any is nan. In precision exact, computes floats with
- * point_single: rounding a double to a float may not give the nearest float. */
+ * point_single: the nearest double may round to another than the nearest float. */
 static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 {
 	bool nan = false, narrow = j->layout.out.format == FORMAT_F32;
@@ -161,10 +161,10 @@ struct writer {
 	bool in_place;    /* an image replaces its point, or follows the line */
 	bool adds_values; /* values are added after those that were read */
 	int order[4];     /* of the coordinates on the previous line */
-	unsigned char outside[POINTS_BLOCK]; /* planes as bits, by point */
+	unsigned char outside[POINTS_BLOCK]; /* of which planes, as bits */
 
-	/* The digits of a batch of images: enough of them for vector loops, few enough
-	 * for the first-level cache. */
+	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
+	 * loops, and few enough for the first-level cache. */
 	size_t first_of_batch;
 	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
 };
@@ -218,8 +218,8 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	    at);
 }
 
-/* Writes a line, or a binary point in its place. A point in the line is point p of the
- * block, whose image is written; in a bad line, each coordinate becomes nan. */
+/* Writes a line with the image of its point, which is point p of the block, or writes a
+ * binary point for the line. In a bad line each coordinate becomes nan. */
 static char *put_line(struct writer *w, const struct line *line, size_t p,
     char *at)
 {

@@ -99,13 +99,14 @@ bool binary_by_blocks(const struct job *);
  * if a point is bad or binary_by_blocks is false. */
 void binary_read(const struct job *, struct chunk *);
 
-/* Reads, transforms and writes a block in single precision. Returns false and leaves
- * the chunk unchanged if a point has no image, or if the input or output is not f32. */
+/* Reads, transforms and writes a block of a job that maps f32 to f32 in single
+ * precision and keeps no records. For another job, or if a point has no image, returns
+ * false. */
 bool binary_map_floats(const struct job *, struct chunk *);
 
-/* Appends the images of the block, whose binary points begin at text, to out. If an
- * image is not finite, or point_single has to round a float, only sets the lines of the
- * block and returns false. */
+/* Appends to out the images of the block, whose binary points begin at text. Returns
+ * false if an image is not finite, or if point_single has to round a float; then only
+ * the lines of the block are set. */
 bool binary_write(const struct job *, struct chunk *, const char *text);
 
 /* Returns the number of bytes that are written for each point. */

@@ -14,9 +14,9 @@
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
 /* The first pieces of a source have FIRST_PIECE bytes. Later ones have about 1 / PIECES
- * of the bytes before them, and at most PIECE_ROOM. Small pieces touch few fresh pages,
- * on which the system spends more time than a thread on the points in them; and threads
- * with small last pieces end at about the same time. */
+ * of the bytes before them, and at most PIECE_ROOM. A short source thus touches few
+ * pages: the system needs more time for a fresh page than a thread for the points in
+ * it. As the last pieces are small, too, all threads end at about the same time. */
 enum { FIRST_PIECE = 1 << 15, PIECES = 64 };
 
 void piece_resize(struct piece *p, size_t room)
