@@ -73,7 +73,7 @@ struct document_wants {
 	 * hint_for_two, and three members. implied_type: a projection has this type
 	 * alone, and may lack "type". for_fit: the eye, near, far, width and height of
 	 * a parallel projection, and all members of a flat document's window may be
-	 * missing. for_plane: near and far may, unless sizes are given at near. */
+	 * missing. for_plane: near, if no size is given at it, and far may. */
 	struct source source;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
