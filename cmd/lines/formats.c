@@ -52,8 +52,8 @@ static bool json_line_check(struct dialect d, struct span line,
 
 	if (*s != '[' && *s != '{')
 		snprintf(reason, REASON_MAX,
-		    "is neither a JSON array nor an object; one a line: jq -c "
-		    "'.[]'");
+		    "is neither a JSON array nor an object; is this csv or "
+		    "text? say -i csv or -i text");
 	else if (json_check(&c))
 		return true;
 	else if (format_cr_only(d, line, reason))

@@ -171,20 +171,28 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 
 	for (; cursor_next(&c, &f); n++)
 		blanks |= say_empty_field(l, &f, reason);
+	const size_t full = n - (f.value.s == f.value.end);
+	const bool tab = l->in.separator == '\t';
+	const bool lacks_name = first == FIRST_ROW &&
+	    full == l->header_fields + 1 && full > 2;
+
 	if (first != FIRST_NONE && n > l->max_fields &&
-	    (l->header_fields == 0 || !layout_has_names(l)))
+	    (l->header_fields == 0 || (!lacks_name && !layout_has_names(l))))
 		l->max_fields = n;
-	n -= f.value.s == f.value.end;
-	if (n <= l->max_fields || l->header_fields == 0)
+	if (full <= l->max_fields || l->header_fields == 0)
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the %s %zu; %s%s", n,
+		    "has %zu fields and the %s %zu; %s%.*s%s%s", full,
 		    l->header_fields == l->max_fields ? "header" : "first row",
 		    l->max_fields,
-		    first == FIRST_ROW && n == l->max_fields + 1 ?
-			"name the first column, too, or number --columns" :
-			"quote a field that has the separator in it",
+		    lacks_name ? "name the first column, too, as by sed "
+				 "'1s/^/row" :
+				 "quote a field that has the separator in it",
+		    !lacks_name ? 0 :
+			tab     ? 2 :
+				  1,
+		    tab ? "\\t" : &l->in.separator, lacks_name ? "/'" : "",
 		    l->in.separator == ',' ? ", or write 1.5 for 1,5" : "");
 	return true;
 }

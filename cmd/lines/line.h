@@ -61,8 +61,11 @@ struct layout {
 	size_t
 	    max_fields; /* of the header or a longer first row; 0: not known */
 	bool reordered; /* in the last header field i is not coordinate i */
-	/* by a comment above the first row; n is the number of all its names */
-	struct columns comment_columns;
+	size_t first_line; /* the number of the first line, from 1 */
+	/* A comment above the first row names so many columns, 0: none. A row of so
+	 * many fields is refused for this reason. */
+	size_t comment_names;
+	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* the output keeps binary records, and adds the images */
 	const char *two_hint; /* for points of two numbers; or NULL */
@@ -283,14 +286,13 @@ bool say_empty_field(const struct layout *, const struct field *f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_columns of the layout if the words of a comment are names of columns,
- * and the coordinates are not the first columns. */
+/* Sets comment_names of the layout if a comment names columns, and the coordinates may be
+ * others than the first columns. */
 void say_note_columns(struct layout *, struct span text);
 
 /* Returns whether a first row can't be read without a header, and writes the reason:
- * the header of a file before reordered the columns, or a comment above names the
- * columns of coordinates, has as many names as the row has fields, and these columns
- * are numbers. With --columns by name: the row is lost, and has a reason already. */
+ * the header of a file before reordered the columns, or a comment names as many
+ * columns. With --columns by name: the row is lost, and has a reason already. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 

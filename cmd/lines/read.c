@@ -163,6 +163,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 		.size = (uint32_t)(text.end - text.s),
 		.kind = LINE_COPY };
 	if (first_line) {
+		l->first_line++;
 		text.s = skip_bom(text.s, text.end);
 		line->has_bom = text.s > line->s;
 	}

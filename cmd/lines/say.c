@@ -25,8 +25,9 @@ struct separator {
 	const char *shown, *option;
 };
 
-/* Returns a separator in f that is not the layout's; NULL if there is none. A comma and
- * a blank are frequent within fields and count only if f is alone on its line. */
+/* Returns a separator in f, before its last byte, that is not the layout's; NULL if
+ * there is none. A comma and a blank are frequent within fields and count only if f is
+ * alone on its line. */
 static const struct separator *find_separator(const struct layout *l,
     struct span f, bool alone)
 {
@@ -38,9 +39,9 @@ static const struct separator *find_separator(const struct layout *l,
 		{ ' ', "a blank", "-i csv --separator ' '" },
 	};
 
-	for (int k = 0; k < (alone ? 5 : 3); k++)
+	for (int k = 0; f.s < f.end && k < (alone ? 5 : 3); k++)
 		if (rows[k].c != l->in.separator &&
-		    memchr(f.s, rows[k].c, (size_t)(f.end - f.s)) != NULL)
+		    memchr(f.s, rows[k].c, (size_t)(f.end - f.s - 1)) != NULL)
 			return &rows[k];
 	return NULL;
 }
@@ -68,6 +69,11 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 	const struct separator *other = json ?
 	    NULL :
 	    find_separator(l, f, format_of(l->in)->header && after != NULL);
+	const char *s = f.s;
+
+	while (json && is_blank(*--s))
+		;
+	const bool member = *s == ':';
 
 	if (other != NULL && other->c == ',' &&
 	    number_read(after + 1, f.end, &v) == f.end)
@@ -80,14 +86,22 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 		    number_read(skip_separator(after, f.end), f.end, &v) !=
 			NULL)))
 		say_separator(l, other, reason);
+	else if (!json && f.end[-1] == ';')
+		say_more(reason, "; leave out each ; by tr -d ';'");
 	else
 		say_more(reason, "; a number is wanted%s",
 		    after != NULL && json ?
 			", as JSON writes it" :
 			after != NULL ?
 			", and nothing else in the field" :
+			member && *f.s == '[' ?
+			"; for lists see jq -c '[.x,.y,.z]|transpose[]'" :
+			member && *f.s == '{' ?
+			"; --columns takes pointers, such as /x/value" :
 			*f.s == '[' || *f.s == '{' ?
 			"; one array or object a line: jq -c '.[]'" :
+			f.end - f.s == 1 && *f.s == 'v' ?
+			"; in OBJ, grep '^v ' and --columns 2,3,4 find points" :
 			!json && l->columns.n == 0 && i == 0 ?
 			"; --columns says which fields the coordinates are" :
 			"");
@@ -105,7 +119,9 @@ void say_field(const struct layout *l, int i, struct span f,
 		    coordinate_name(i), l->reads,
 		    i == 2 && l->two_hint != NULL ? l->two_hint : "");
 	} else if (!json && (*f.s == '[' || *f.s == '{')) {
-		say_more(reason, "looks like JSON; say -i json");
+		say_more(reason, "looks like JSON; say -i json%s",
+		    *f.s == '[' ? ", or take the brackets out by tr -d '[]'" :
+				  "");
 	} else {
 		say_more(reason, "%s is '%s'", coordinate_name(i),
 		    escaped(word, f.s, (size_t)(f.end - f.s)));
@@ -136,8 +152,21 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Copies the names of the fields after the cursor. Leaves out the units in brackets of
- * a comment, which is read as text. */
+/* Returns the name in a field of a comment without quotes and without a unit, such as
+ * in t[s], x_m or y/m. */
+static struct span name_word(struct span f)
+{
+	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
+	const char *s = f.s;
+
+	while (s < f.end && strchr(" /([\"'", *s) == NULL &&
+	    (*s != '_' || s != f.s + 1 || strchr("xyzwXYZW", *f.s) == NULL))
+		s++;
+	return (struct span){ f.s, s };
+}
+
+/* Copies the names of the fields after the cursor, or the words of a comment. Leaves
+ * out the units in brackets of a comment. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -147,11 +176,12 @@ static void copy_names(struct cursor c, struct names *names)
 	while (cursor_next(&c, &f)) {
 		struct span all = c.members ?
 		    (struct span){ f.name.s + 1, f.name.end - 1 } :
-		    f.value;
+		    c.names ? f.value :
+			      name_word(f.value);
 		size_t size = (size_t)(all.end - all.s);
 
-		if (c.in.format == FORMAT_TEXT && size > 0 &&
-		    (strchr("[(", *all.s) || strchr("])", all.end[-1])))
+		if (!c.members && !c.names &&
+		    (size == 0 || strchr("])", all.end[-1]) != NULL))
 			continue;
 		if (names->n == NAMES_MAX || size >= COLUMN_ROOM) {
 			names->omitted = true;
@@ -226,25 +256,35 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 }
 
 /* Adds to the reason --columns with all that guess_columns finds: "; say --columns
- * px,py,pz or vx,vy,vz". Returns false if that is nothing, or more than two. */
-static bool say_guess(const struct names *names, int reads,
+ * px,py,pz or vx,vy,vz". By number, leaves out what lacks a name. Returns false if that
+ * is nothing, or too much. */
+static bool say_guess(const struct names *names, int reads, bool by_number,
     char reason[REASON_MAX])
 {
 	const size_t was = strlen(reason);
-	int n = 0, k = 0, found[4];
+	int k = 0, found[4];
 	bool all = true;
 
 	while (guess_columns(names, reads, &k, found)) {
-		say_more(reason, n++ == 0 ? "; say --columns " : " or ");
+		if (by_number &&
+		    (found[reads - 1] < 0 || (reads > 3 && found[2] < 0)))
+			continue;
+		say_more(reason,
+		    reason[was] == '\0' ? "; say --columns " : " or ");
 		for (int i = 0; i < reads; i++) {
-			say_more(reason, "%s%s", i > 0 ? "," : "",
-			    found[i] < 0 ? "NAME" : names->list[found[i]]);
+			say_more(reason, i > 0 ? "," : "");
+			if (by_number)
+				say_more(reason, "%d", found[i] + 1);
+			else
+				say_more(reason, "%s",
+				    found[i] < 0 ? "NAME" :
+						   names->list[found[i]]);
 			all &= found[i] >= 0;
 		}
 	}
 	if (!all)
 		say_more(reason, ", where NAME is another column");
-	if (n > 2 || strlen(reason) == REASON_MAX - 1)
+	if (strlen(reason) == REASON_MAX - 1)
 		reason[was] = '\0';
 	return reason[was] != '\0';
 }
@@ -262,8 +302,6 @@ static void say_names(const struct layout *l, struct cursor c,
 	int i = 0;
 
 	copy_names(c, &names);
-	if (names.n > 0 && strncmp(names.list[0], "sep=", 4) == 0)
-		say_more(reason, "; leave this line out by tail -n +2");
 	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
 	const size_t head = typed != NULL ? strcspn(typed, ".[") : 0;
 
@@ -279,16 +317,23 @@ static void say_names(const struct layout *l, struct cursor c,
 	} else if (typed != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
-	} else if (typed == NULL && !say_guess(&names, l->reads, reason)) {
+	} else if (typed == NULL &&
+	    !say_guess(&names, l->reads, false, reason)) {
 		const struct separator *other = find_separator(l, header,
 		    names.n == 1);
 
-		if (other != NULL) {
+		if (other != NULL)
 			say_separator(l, other, reason);
+		else
+			say_more(reason,
+			    "; say with --columns which the coordinates are");
+		if (names.n < l->reads || *names.list[names.n - 1] == '\0')
+			say_more(reason,
+			    "; if this line is a title, leave it out by sed "
+			    "%zud",
+			    l->first_line);
+		if (other != NULL)
 			return;
-		}
-		say_more(reason,
-		    "; say with --columns which the coordinates are");
 	}
 	if (names.n > 0 || names.omitted)
 		say_more(reason, "%s it has ",
@@ -304,16 +349,23 @@ void say_missing(const struct layout *l, int i, struct cursor c,
     const struct chosen *found, char reason[REASON_MAX])
 {
 	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
+	const struct separator *other = c.bracket == NULL &&
+		cursor_count(c) == 1 ?
+	    find_separator(l, (struct span){ c.s, c.end }, true) :
+	    NULL;
 	char shown[ESCAPED_MAX];
 
 	*reason = '\0';
 	if (name == NULL) {
 		if (l->columns.n == 0)
 			say_field(l, i, (struct span){ NULL, NULL }, reason);
-		else if (!say_empty_field(l, &(struct field){ .next = NULL },
-			     reason))
+		else if (other != NULL ||
+		    !say_empty_field(l, &(struct field){ .next = NULL },
+			reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
+		if (other != NULL)
+			say_separator(l, other, reason);
 		return;
 	}
 	escaped(shown, name, strlen(name));
@@ -339,57 +391,62 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 
 void say_note_columns(struct layout *l, struct span text)
 {
-	struct columns told = { 0 };
-	struct layout other = *l;
-	int k = 0, *field = other.columns.field;
+	const char separator = format_of(l->in)->header ? l->in.separator : ',';
+	char reason[REASON_MAX] = "the comment above names the columns";
+	char *remedy = strchr(reason, '\0'), in_order[REASON_MAX] = "";
 	struct names names;
+	double v;
 
 	for (const char *s = text.s; s < text.end; s++)
-		if (strchr("#%!;:=", *s) != NULL)
+		if (*s != separator && strchr("#%!;:=", *s) != NULL)
 			text.s = s + 1;
 	copy_names(line_cursor((struct dialect){ FORMAT_TEXT, ' ' }, text),
 	    &names);
-	other.columns.n = names.n;
-	while (!names.omitted && guess_columns(&names, l->reads, &k, field)) {
-		if (field[l->reads - 1] < 0 || (l->reads > 3 && field[2] < 0))
-			continue;
-		if (layout_in_order(&other))
-			return;
-		if (told.n == 0)
-			told = other.columns;
-	}
-	if (told.n > 0)
-		l->comment_columns = told;
+	const int words = names.n;
+	const bool table = memchr(text.s, separator,
+			       (size_t)(text.end - text.s)) != NULL;
+
+	if (table)
+		copy_names(line_cursor((struct dialect){ FORMAT_CSV,
+					   separator },
+			       text),
+		    &names);
+	bool unknown = table && format_of(l->in)->header && separator != ' ' &&
+	    names.n == words && names.n > 2;
+
+	for (int i = 0; i < names.n; i++)
+		unknown &= number_read(names.list[i],
+			       strchr(names.list[i], '\0'), &v) == NULL;
+	if (names.omitted ||
+	    (!say_guess(&names, l->reads, true, reason) && !unknown))
+		return;
+	say_more(in_order, "; say --columns %.*s", 2 * l->reads - 1, "1,2,3,4");
+	const size_t n = strlen(in_order);
+	const bool is_first = strncmp(remedy, in_order, n) == 0 &&
+	    (remedy[n] == '\0' ||
+		(remedy[n] == ' ' && strcasecmp(names.list[0], "x") == 0));
+
+	if (*remedy == '\0')
+		say_more(reason,
+		    "; say with --columns, by number, which the coordinates "
+		    "are");
+	l->comment_names = is_first ? 0 : (size_t)names.n;
+	strcpy(l->comment_reason, reason);
 }
 
 bool say_needs_header(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
-	const int *field = l->comment_columns.field;
-	struct cursor c = line_cursor(l->in, row);
-	bool numbers = l->comment_columns.n > 0;
-	struct field f;
-	int n = 0;
-	double v;
-
 	if (!l->columns.by_default)
 		return lost && layout_has_names(l);
-	if (l->header != HEADER_MAYBE)
-		return false;
-	for (; cursor_next(&c, &f); n++)
-		for (int i = 0; i < l->reads; i++)
-			numbers &= n != field[i] ||
-			    format_number(l->in, f.value.s, f.value.end, &v) ==
-				f.value.end;
-	if (!l->reordered && (!numbers || n != l->comment_columns.n))
+	if (l->header != HEADER_MAYBE ||
+	    (!l->reordered &&
+		cursor_count(line_cursor(l->in, row)) != l->comment_names))
 		return false;
 	strcpy(reason,
 	    l->reordered ?
 		"lacks the header of a file before; say --columns by number" :
-		"the comment above names other columns");
-	for (int i = 0; i < l->reads && !l->reordered; i++)
-		say_more(reason, "%s%d", i > 0 ? "," : "; say --columns ",
-		    field[i] + 1);
+		l->comment_reason);
 	return true;
 }
 
@@ -408,9 +465,10 @@ void say_text_header(const struct layout *l, struct span line,
 			return;
 	}
 	snprintf(reason, REASON_MAX,
-	    "looks like a header; say %s, or leave it out by tail -n +2, with "
+	    "looks like a header; say %s, or leave it out by sed %zud, with "
 	    "--columns if x is not in the first column",
 	    other == NULL       ? "-i csv --separator ' '" :
 		other->c == ',' ? "-i csv" :
-				  other->option);
+				  other->option,
+	    l->first_line);
 }

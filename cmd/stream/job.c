@@ -284,15 +284,23 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(at - c->out);
 }
 
-/* Refuses a source that begins like a .npy file, UTF-16 or an archive. As binary points
- * may begin with the bytes of an archive or of a byte order mark, binary input is
- * refused only if it is .npy, or UTF-16 with three ASCII characters after the mark. */
+/* Refuses a source that begins like a .npy file, UTF-16, an archive or a mesh, and text
+ * that begins like binary points. As binary points may begin with the bytes of an
+ * archive or of a byte order mark, binary input is refused only if it is .npy, or UTF-16
+ * with three ASCII characters after the mark. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
-	static const char *const archives[][2] = {
+	static const char *const others[][2] = {
 		{ "\x1f\x8b", "is gzip; zcat makes it text" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
+		{ "ply\n",
+		    "is a mesh in PLY; if it is ascii, sed "
+		    "'1,/^end_header/d' | head -n N leaves its N "
+		    "vertices" },
+		{ "OFF\n",
+		    "is a mesh in OFF; sed 1,2d | head -n N leaves its "
+		    "N vertices" },
 	};
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = (size_t)(c->end - c->text);
@@ -300,12 +308,12 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	const int big = n > 0 && s[0] == 0xfe;
 	char reason[REASON_MAX] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
 				  "it UTF-8";
-	int k = binary || n < 4 ? 3 : 0;
+	int k = binary || n < 4 ? 5 : 0;
 
-	while (k < 3 && memcmp(s, archives[k][0], strlen(archives[k][0])) != 0)
+	while (k < 5 && memcmp(s, others[k][0], strlen(others[k][0])) != 0)
 		k++;
-	if (k < 3)
-		strcpy(reason, archives[k][1]);
+	if (k < 5)
+		strcpy(reason, others[k][1]);
 	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
 		/* the header's size has two bytes in version 1, four in others */
 		snprintf(reason, sizeof reason,
@@ -313,8 +321,12 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "
 		    "False",
 		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
-	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0 ||
-	    (binary && (n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0)))
+	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0) {
+		if (binary || memchr(s, '\0', n < 64 ? n : 64) == NULL)
+			return;
+		strcpy(reason, "is binary; say -i f64 or -i f32");
+	} else if (binary &&
+	    (n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0))
 		return;
 	c->refused = true;
 	chunk_complain(j, c, reason);

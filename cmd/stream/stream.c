@@ -246,7 +246,7 @@ void stream(struct job *j, struct point_source s)
 	pool.source = &s;
 	pool.can_read = true;
 	pool.first = FIRST_BYTE;
-	j->layout.comment_columns.n = 0;
+	j->layout.comment_names = j->layout.first_line = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&pool.lock);
 }
