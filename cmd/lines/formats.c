@@ -35,7 +35,7 @@ bool format_cr_only(struct dialect d, struct span line, char reason[REASON_MAX])
 		s++;
 	if (s == line.end)
 		return false;
-	snprintf(reason, REASON_MAX,
+	strcpy(reason,
 	    "has carriage returns alone for line ends; make them newlines: tr "
 	    "'\\r' '\\n'");
 	return true;
@@ -51,7 +51,7 @@ static bool json_line_check(struct dialect d, struct span line,
 		.end = line.end };
 
 	if (*s != '[' && *s != '{')
-		snprintf(reason, REASON_MAX,
+		strcpy(reason,
 		    "is neither a JSON array nor an object; is this csv or "
 		    "text? say -i csv or -i text");
 	else if (json_check(&c))
@@ -144,7 +144,7 @@ static bool csv_check(struct dialect d, struct span line,
 	for (; c.s != NULL && !f.unclosed; c.s = f.next)
 		next_of_csv(&c, &f);
 	if (f.unclosed)
-		snprintf(reason, REASON_MAX,
+		strcpy(reason,
 		    "a quote is not closed on the line; a field with a newline "
 		    "in it can't be read");
 	return !f.unclosed;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -79,16 +78,7 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
-static bool begins_with_digit(struct span f)
-{
-	f.s += f.s < f.end && (*f.s == '-' || *f.s == '+');
-	f.s += f.s < f.end && *f.s == '.';
-	return f.s < f.end && isdigit((unsigned char)*f.s);
-}
-
-/* Returns whether the first line is no row: no coordinate is a number, and not all are
- * missing values such as NA, or begin with a digit, as 1,5 does. */
-static bool looks_like_header(const struct layout *l, struct cursor header)
+bool header_is_likely(const struct layout *l, struct cursor header)
 {
 	bool all_missing = true, all_digits = true;
 	struct chosen c;
@@ -105,7 +95,9 @@ static bool looks_like_header(const struct layout *l, struct cursor header)
 			all_missing = false;
 		else if (!isnan(v))
 			return false;
-		all_digits &= begins_with_digit(f);
+		f.s += f.end - f.s > 1 && strchr("+-", *f.s) != NULL;
+		all_digits &= f.s < f.end &&
+		    strchr("0123456789.", *f.s) != NULL;
 	}
 	return !all_missing && !all_digits;
 }
@@ -145,7 +137,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	const bool ambiguous = undecided && is_ambiguous(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
-	    (undecided && !ambiguous && !looks_like_header(l, header)))
+	    (undecided && !ambiguous && !header_is_likely(l, header)))
 		return false;
 	choose(l, header, &chosen);
 	line->kind = LINE_REFUSED;
@@ -170,11 +162,11 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 	struct field f = { .next = NULL };
 
 	for (; cursor_next(&c, &f); n++)
-		blanks |= say_empty_field(l, &f, reason);
+		blanks |= say_empty_field(l, f.whole, reason);
 	const size_t full = n - (f.value.s == f.value.end);
-	const bool tab = l->in.separator == '\t';
 	const bool lacks_name = first == FIRST_ROW &&
 	    full == l->header_fields + 1 && full > 2;
+	const char separator[] = { l->in.separator, '\0' };
 
 	if (first != FIRST_NONE && n > l->max_fields &&
 	    (l->header_fields == 0 || (!lacks_name && !layout_has_names(l))))
@@ -183,16 +175,17 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the %s %zu; %s%.*s%s%s", full,
+		    lacks_name ?
+			"has %zu fields and the %s %zu; name the first column, "
+			"too, as by sed '1s/^/row%s/'%s" :
+			"has %zu fields and the %s %zu; quote a field that has "
+			"the separator in it%s%s",
+		    full,
 		    l->header_fields == l->max_fields ? "header" : "first row",
 		    l->max_fields,
-		    lacks_name ? "name the first column, too, as by sed "
-				 "'1s/^/row" :
-				 "quote a field that has the separator in it",
-		    !lacks_name ? 0 :
-			tab     ? 2 :
-				  1,
-		    tab ? "\\t" : &l->in.separator, lacks_name ? "/'" : "",
-		    l->in.separator == ',' ? ", or write 1.5 for 1,5" : "");
+		    !lacks_name            ? "" :
+			*separator == '\t' ? "\\t" :
+					     separator,
+		    *separator == ',' ? ", or write 1.5 for 1,5" : "");
 	return true;
 }

@@ -112,8 +112,7 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The numbers that are written in a line: number k is v[k * stride], and its digits are
- * text[k * text_stride]. */
+/* The written numbers: number k is v[k * stride], with digits text[k * text_stride]. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
@@ -270,6 +269,10 @@ bool header_read(struct layout *, struct span text, struct line *,
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
 
+/* Returns whether the first line is no row: no coordinate is a number, and not all are
+ * missing values such as NA, or begin with a digit, as 1,5 does. */
+bool header_is_likely(const struct layout *, struct cursor);
+
 /* Returns a cursor over the names of a header, whose text has no byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);
 
@@ -277,9 +280,8 @@ struct cursor header_cursor(struct dialect, struct span text);
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field of csv whose separator is a blank, and writes how
- * to mend the line. */
-bool say_empty_field(const struct layout *, const struct field *f,
+/* Returns whether f is an empty field between blanks of csv, and writes the reason. */
+bool say_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
 
 /* Writes that coordinate i was not found after the cursor, or was found twice. */
@@ -296,10 +298,9 @@ void say_note_columns(struct layout *, struct span text);
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that the first line of text looks like a header, unless a field in the place
- * of a coordinate begins with a number or a bracket. */
+/* Writes that the first line of text looks like a header. */
 void say_text_header(const struct layout *, struct span line,
-    const struct chosen *, char reason[REASON_MAX]);
+    char reason[REASON_MAX]);
 
 /* walk.c reads simple lines fast, by an index of a stretch of text. The index lists the
  * stops, which are the bytes that can end a field. A walk goes from stop to stop and
@@ -346,8 +347,7 @@ struct walk {
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Sets the stretch that begins at text, and its index. Returns false if no line ends in
- * the stretch. */
+/* Sets the stretch that begins at text, and its index. Returns false if no line ends. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 

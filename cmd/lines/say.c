@@ -19,44 +19,37 @@ say_more(char reason[REASON_MAX], const char *format, ...)
 	va_end(arguments);
 }
 
-/* A character that may separate fields, and the options to read such fields. */
-struct separator {
-	char c;
-	const char *shown, *option;
-};
-
-/* Returns a separator in f, before its last byte, that is not the layout's; NULL if
- * there is none. A comma and a blank are frequent within fields and count only if f is
- * alone on its line. */
-static const struct separator *find_separator(const struct layout *l,
-    struct span f, bool alone)
+/* Returns a separator in f, before its last byte, that is not the layout's; 0 if there
+ * is none. A comma or blank within a field is frequent; it counts if f is alone. */
+static char find_separator(const struct layout *l, struct span f, bool alone)
 {
-	static const struct separator rows[] = {
-		{ ';', ";", "-i csv --separator ';'" },
-		{ '|', "|", "-i csv --separator '|'" },
-		{ '\t', "a tab", "-i tsv" },
-		{ ',', "a comma", "-i csv --separator ," },
-		{ ' ', "a blank", "-i csv --separator ' '" },
-	};
+	const char *c = alone ? ";|\t, " : ";|\t";
 
-	for (int k = 0; f.s < f.end && k < (alone ? 5 : 3); k++)
-		if (rows[k].c != l->in.separator &&
-		    memchr(f.s, rows[k].c, (size_t)(f.end - f.s - 1)) != NULL)
-			return &rows[k];
-	return NULL;
+	while (*c != '\0' && f.s < f.end &&
+	    (*c == l->in.separator ||
+		memchr(f.s, *c, (size_t)(f.end - f.s - 1)) == NULL))
+		c++;
+	return f.s < f.end ? *c : '\0';
 }
 
-static void say_separator(const struct layout *l, const struct separator *other,
+/* Adds to the reason the options to read fields with the separator c. */
+static void say_options(char c, char reason[REASON_MAX])
+{
+	say_more(reason, c == '\t' ? "-i tsv" : "-i csv --separator '%c'", c);
+}
+
+static void say_separator(const struct layout *l, char c,
     char reason[REASON_MAX])
 {
+	say_more(reason,
+	    c == '\t' ? "; is a tab the separator? " :
+			"; is '%c' the separator? ",
+	    c);
 	if (l->header_fields > 1)
 		say_more(reason,
-		    "; is %s the separator? the header has another; make both "
-		    "the same by tr or sed",
-		    other->shown);
+		    "the header has another; make both the same by tr or sed");
 	else
-		say_more(reason, "; is %s the separator? say %s", other->shown,
-		    other->option);
+		say_options(c, strcat(reason, "say "));
 }
 
 /* Adds to the reason how to mend f, which should be a number and coordinate i. */
@@ -66,8 +59,8 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 	const bool json = *format_of(l->in)->open != '\0';
 	double v;
 	const char *after = number_read(f.s, f.end, &v);
-	const struct separator *other = json ?
-	    NULL :
+	const char other = json ?
+	    '\0' :
 	    find_separator(l, f, format_of(l->in)->header && after != NULL);
 	const char *s = f.s;
 
@@ -75,13 +68,12 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 		;
 	const bool member = *s == ':';
 
-	if (other != NULL && other->c == ',' &&
-	    number_read(after + 1, f.end, &v) == f.end)
+	if (other == ',' && number_read(after + 1, f.end, &v) == f.end)
 		say_more(reason, "; a decimal point is a point: 1.5");
 	else if (f.end - f.s > 2 && memcmp(f.s, "---", 3) == 0)
 		say_more(reason, "; leave out such lines by grep -v -e ---");
-	else if (other != NULL &&
-	    (other->c != ' ' ||
+	else if (other != '\0' &&
+	    (other != ' ' ||
 		(l->in.separator != ';' &&
 		    number_read(skip_separator(after, f.end), f.end, &v) !=
 			NULL)))
@@ -129,13 +121,12 @@ void say_field(const struct layout *l, int i, struct span f,
 	}
 }
 
-bool say_empty_field(const struct layout *l, const struct field *f,
+bool say_empty_field(const struct layout *l, struct span f,
     char reason[REASON_MAX])
 {
-	if (l->in.separator != ' ' || !format_of(l->in)->header ||
-	    f->whole.s < f->whole.end)
+	if (l->in.separator != ' ' || !format_of(l->in)->header || f.s < f.end)
 		return false;
-	snprintf(reason, REASON_MAX,
+	strcpy(reason,
 	    "has too few fields or an empty one; make blanks in a row one by "
 	    "sed 's/^ *//' | tr -s ' ', or say -i text, without a header by "
 	    "tail -n +2");
@@ -152,8 +143,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Returns the name in a field of a comment without quotes and without a unit, such as
- * in t[s], x_m or y/m. */
+/* Returns the name in a field of a comment, without quotes and units: t[s], x_m, y/m. */
 static struct span name_word(struct span f)
 {
 	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
@@ -255,9 +245,8 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 	return false;
 }
 
-/* Adds to the reason --columns with all that guess_columns finds: "; say --columns
- * px,py,pz or vx,vy,vz". By number, leaves out what lacks a name. Returns false if that
- * is nothing, or too much. */
+/* Adds to the reason --columns with all that guess_columns finds, by name or number: ";
+ * say --columns px,py,pz or vx,vy,vz". Returns false if that is nothing or too much. */
 static bool say_guess(const struct names *names, int reads, bool by_number,
     char reason[REASON_MAX])
 {
@@ -319,20 +308,17 @@ static void say_names(const struct layout *l, struct cursor c,
 		    escaped(shown, near, strlen(near)));
 	} else if (typed == NULL &&
 	    !say_guess(&names, l->reads, false, reason)) {
-		const struct separator *other = find_separator(l, header,
-		    names.n == 1);
+		const char other = find_separator(l, header, names.n == 1);
 
-		if (other != NULL)
+		if (other != '\0')
 			say_separator(l, other, reason);
 		else
 			say_more(reason,
 			    "; say with --columns which the coordinates are");
 		if (names.n < l->reads || *names.list[names.n - 1] == '\0')
-			say_more(reason,
-			    "; if this line is a title, leave it out by sed "
-			    "%zud",
+			say_more(reason, "; leave out a title line by sed %zud",
 			    l->first_line);
-		if (other != NULL)
+		if (other != '\0')
 			return;
 	}
 	if (names.n > 0 || names.omitted)
@@ -349,22 +335,20 @@ void say_missing(const struct layout *l, int i, struct cursor c,
     const struct chosen *found, char reason[REASON_MAX])
 {
 	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
-	const struct separator *other = c.bracket == NULL &&
-		cursor_count(c) == 1 ?
+	const char other = c.bracket == NULL && cursor_count(c) == 1 ?
 	    find_separator(l, (struct span){ c.s, c.end }, true) :
-	    NULL;
+	    '\0';
 	char shown[ESCAPED_MAX];
 
 	*reason = '\0';
 	if (name == NULL) {
 		if (l->columns.n == 0)
 			say_field(l, i, (struct span){ NULL, NULL }, reason);
-		else if (other != NULL ||
-		    !say_empty_field(l, &(struct field){ .next = NULL },
-			reason))
+		else if (other != '\0' ||
+		    !say_empty_field(l, (struct span){ NULL, NULL }, reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
-		if (other != NULL)
+		if (other != '\0')
 			say_separator(l, other, reason);
 		return;
 	}
@@ -381,8 +365,8 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 		    reason);
 	} else if (c.names) {
 		say_more(reason,
-		    "the header has two columns for %s, %ld and %ld; say with "
-		    "--columns, by number, which the coordinates are",
+		    "the header has two columns for %s, %ld and %ld; say "
+		    "--columns by number",
 		    name, found->index[i] + 1, found->second_index[i] + 1);
 	} else {
 		say_more(reason, "has two members '%s'", shown);
@@ -391,46 +375,39 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 
 void say_note_columns(struct layout *l, struct span text)
 {
-	const char separator = format_of(l->in)->header ? l->in.separator : ',';
+	const bool csv = format_of(l->in)->header;
+	const struct dialect table = { FORMAT_CSV,
+		csv ? l->in.separator : ',' };
 	char reason[REASON_MAX] = "the comment above names the columns";
-	char *remedy = strchr(reason, '\0'), in_order[REASON_MAX] = "";
+	char *remedy = strchr(reason, '\0');
+	const size_t n = 2 * (size_t)l->reads - 1;
 	struct names names;
-	double v;
 
 	for (const char *s = text.s; s < text.end; s++)
-		if (*s != separator && strchr("#%!;:=", *s) != NULL)
+		if (*s != table.separator && strchr("#%!;:=", *s) != NULL)
 			text.s = s + 1;
+	const struct cursor c = line_cursor(table, text);
+
 	copy_names(line_cursor((struct dialect){ FORMAT_TEXT, ' ' }, text),
 	    &names);
 	const int words = names.n;
-	const bool table = memchr(text.s, separator,
-			       (size_t)(text.end - text.s)) != NULL;
 
-	if (table)
-		copy_names(line_cursor((struct dialect){ FORMAT_CSV,
-					   separator },
-			       text),
-		    &names);
-	bool unknown = table && format_of(l->in)->header && separator != ' ' &&
-	    names.n == words && names.n > 2;
-
-	for (int i = 0; i < names.n; i++)
-		unknown &= number_read(names.list[i],
-			       strchr(names.list[i], '\0'), &v) == NULL;
-	if (names.omitted ||
-	    (!say_guess(&names, l->reads, true, reason) && !unknown))
+	if (memchr(text.s, table.separator, (size_t)(text.end - text.s)))
+		copy_names(c, &names);
+	if (names.omitted)
 		return;
-	say_more(in_order, "; say --columns %.*s", 2 * l->reads - 1, "1,2,3,4");
-	const size_t n = strlen(in_order);
-	const bool is_first = strncmp(remedy, in_order, n) == 0 &&
-	    (remedy[n] == '\0' ||
-		(remedy[n] == ' ' && strcasecmp(names.list[0], "x") == 0));
+	if (!say_guess(&names, l->reads, true, reason)) {
+		if (!csv || table.separator == ' ' || names.n < 3 ||
+		    names.n != words || !header_is_likely(l, c))
+			return;
+		say_more(reason, "; say --columns by number");
+	}
+	const char *columns = remedy + strlen("; say --columns ");
+	const bool first = strncmp(columns, "1,2,3,4", n) == 0 &&
+	    (columns[n] == '\0' ||
+		(columns[n] == ' ' && strcasecmp(*names.list, "x") == 0));
 
-	if (*remedy == '\0')
-		say_more(reason,
-		    "; say with --columns, by number, which the coordinates "
-		    "are");
-	l->comment_names = is_first ? 0 : (size_t)names.n;
+	l->comment_names = first ? 0 : (size_t)names.n;
 	strcpy(l->comment_reason, reason);
 }
 
@@ -451,24 +428,13 @@ bool say_needs_header(const struct layout *l, struct span row, bool lost,
 }
 
 void say_text_header(const struct layout *l, struct span line,
-    const struct chosen *found, char reason[REASON_MAX])
+    char reason[REASON_MAX])
 {
-	const struct separator *other = find_separator(l, line, true);
+	const char other = find_separator(l, line, true);
 
-	for (int i = 0; i < l->reads; i++) {
-		struct span f = found->field[i].value;
-		double v;
-
-		if (found->times[i] > 0 && f.s < f.end &&
-		    (*f.s == '[' || *f.s == '{' ||
-			format_number(l->in, f.s, f.end, &v) != NULL))
-			return;
-	}
-	snprintf(reason, REASON_MAX,
-	    "looks like a header; say %s, or leave it out by sed %zud, with "
-	    "--columns if x is not in the first column",
-	    other == NULL       ? "-i csv --separator ' '" :
-		other->c == ',' ? "-i csv" :
-				  other->option,
+	strcpy(reason, "looks like a header; say ");
+	say_options(other != '\0' ? other : ' ', reason);
+	say_more(reason,
+	    ", or leave it out by sed %zud, with --columns if x is not first",
 	    l->first_line);
 }

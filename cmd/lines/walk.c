@@ -11,8 +11,7 @@
  * removes the branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* Returns the stops of a dialect: the bytes that can end a field, and the bytes that
- * can make a line not simple. */
+/* Returns the stops: bytes that can end a field, or can make a line not simple. */
 static struct byte_set stops_of(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -186,8 +185,7 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Passes the number of coordinate k. Returns false if the number is too long for vector
- * code or, in JSON, not legal. */
+/* Passes the number of coordinate k, unless it is too long, or not legal in JSON. */
 INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
@@ -283,8 +281,7 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 	return NO_COORDINATE;
 }
 
-/* Passes a JSON value that is not a coordinate. Bit i of leads is set if path i leads
- * into the value. */
+/* Passes a JSON value that is no coordinate. Bit i of leads: path i leads into it. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct paths *paths, unsigned leads, int levels)
 {
@@ -331,8 +328,7 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 }
 
 /* Returns whether the separator after the n coordinates of text shows that no comma is
- * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma says whether commas are
- * between the coordinates. */
+ * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma: coordinates have commas. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
 {
@@ -418,8 +414,7 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 	return MORE_FIELDS;
 }
 
-/* Passes the fields up to the newline or the closing bracket, and in text up to the
- * last coordinate. */
+/* Passes the fields up to a newline or closing bracket, or text's last coordinate. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {

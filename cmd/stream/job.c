@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Does a job on a chunk in blocks: reads lines, transforms their points, and writes the
- * lines with the images. */
+/* Does a job on a chunk in blocks: reads lines, transforms points, writes images. */
 #include "job.h"
 
 #include <math.h>
@@ -10,8 +9,7 @@
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 
-/* Reads text, the next line of the block, with line_read. Returns false if the line is
- * bad and ends the chunk. */
+/* Reads text, the next line, with line_read. Returns false if the chunk ends there. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
 {
@@ -163,8 +161,7 @@ struct writer {
 	int order[4];     /* of the coordinates on the previous line */
 	unsigned char outside[POINTS_BLOCK]; /* planes as bits, by point */
 
-	/* The digits of a batch of images: enough of them for vector loops, few enough
-	 * for the first-level cache. */
+	/* a batch's digits: enough for vector loops, few enough for the cache */
 	size_t first_of_batch;
 	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
 };
@@ -295,12 +292,8 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
 		{ "ply\n",
-		    "is a mesh in PLY; if it is ascii, sed "
-		    "'1,/^end_header/d' | head -n N leaves its N "
-		    "vertices" },
-		{ "OFF\n",
-		    "is a mesh in OFF; sed 1,2d | head -n N leaves its "
-		    "N vertices" },
+		    "is PLY; sed 1,/end_header/d | head -n N keeps N points" },
+		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
 	};
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = (size_t)(c->end - c->text);
@@ -351,8 +344,7 @@ void job_do(struct job *j, struct chunk *c)
 		const char *text = c->text;
 
 		c->block_lines = c->block_points = 0;
-		/* a point without image is rarely the only one, so binary_map_floats
-		 * would fail again */
+		/* after a point without image binary_map_floats often fails */
 		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c))
 			continue;
 		if (binary)

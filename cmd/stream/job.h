@@ -118,8 +118,7 @@ char *binary_put(const struct layout *, const struct chunk *,
 
 /* stream.c does a job on sources of points, with several threads. */
 
-/* Calls run(data), in a new thread if the program's stack may be too small, and returns
- * when run has returned. */
+/* Calls run(data), in a new thread if the stack may be too small, and waits for it. */
 void call_with_stack(void *(*run)(void *), void *data);
 
 /* Does the job on the points of a source. Prints the output for all points that were

@@ -150,8 +150,7 @@ static struct chunk *begin_chunk(void)
 	source_read(pool.source, &pool.job->layout, &c->piece);
 	pthread_mutex_lock(&pool.lock);
 	pool.can_read = c->piece.state < PIECE_LAST;
-	/* after PIECE_EARLY no other thread is needed: this one may be ready before a
-	 * slow source has more bytes */
+	/* after PIECE_EARLY, the source may be slower than this thread */
 	if (c->piece.state != PIECE_EARLY)
 		wake_or_start_thread();
 	return c;
