@@ -65,6 +65,8 @@ struct layout {
 	/* A comment above the first row names so many columns, 0: none. A row of so
 	 * many fields is refused for this reason. */
 	size_t comment_names;
+	uint32_t
+	    comment_numbers; /* bit i is set if field i is to be a number */
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* the output keeps binary records, and adds the images */

@@ -87,7 +87,7 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 			after != NULL ?
 			", and nothing else in the field" :
 			member && *f.s == '[' ?
-			"; for lists see jq -c '[.x,.y,.z]|transpose[]'" :
+			"; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
 			member && *f.s == '{' ?
 			"; --columns takes pointers, such as /x/value" :
 			*f.s == '[' || *f.s == '{' ?
@@ -245,9 +245,10 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 	return false;
 }
 
-/* Adds to the reason --columns with all that guess_columns finds, by name or number: ";
- * say --columns px,py,pz or vx,vy,vz". Returns false if that is nothing or too much. */
-static bool say_guess(const struct names *names, int reads, bool by_number,
+/* Adds to the reason --columns with all that guess_columns finds: "; say --columns
+ * px,py,pz or vx,vy,vz". Says numbers unless numbers is NULL, and sets a bit of it for
+ * each. Returns false if that is nothing or too much. */
+static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
 	const size_t was = strlen(reason);
@@ -255,20 +256,22 @@ static bool say_guess(const struct names *names, int reads, bool by_number,
 	bool all = true;
 
 	while (guess_columns(names, reads, &k, found)) {
-		if (by_number &&
+		if (numbers != NULL &&
 		    (found[reads - 1] < 0 || (reads > 3 && found[2] < 0)))
 			continue;
 		say_more(reason,
 		    reason[was] == '\0' ? "; say --columns " : " or ");
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, i > 0 ? "," : "");
-			if (by_number)
-				say_more(reason, "%d", found[i] + 1);
-			else
+			all &= found[i] >= 0;
+			if (numbers == NULL) {
 				say_more(reason, "%s",
 				    found[i] < 0 ? "NAME" :
 						   names->list[found[i]]);
-			all &= found[i] >= 0;
+				continue;
+			}
+			say_more(reason, "%d", found[i] + 1);
+			*numbers |= 1u << found[i];
 		}
 	}
 	if (!all)
@@ -307,7 +310,7 @@ static void say_names(const struct layout *l, struct cursor c,
 		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
 	} else if (typed == NULL &&
-	    !say_guess(&names, l->reads, false, reason)) {
+	    !say_guess(&names, l->reads, NULL, reason)) {
 		const char other = find_separator(l, header, names.n == 1);
 
 		if (other != '\0')
@@ -315,7 +318,10 @@ static void say_names(const struct layout *l, struct cursor c,
 		else
 			say_more(reason,
 			    "; say with --columns which the coordinates are");
-		if (names.n < l->reads || *names.list[names.n - 1] == '\0')
+		if (other == ' ' ||
+		    (other == '\0' &&
+			(names.n < l->reads ||
+			    *names.list[names.n - 1] == '\0')))
 			say_more(reason, "; leave out a title line by sed %zud",
 			    l->first_line);
 		if (other != '\0')
@@ -380,6 +386,7 @@ void say_note_columns(struct layout *l, struct span text)
 		csv ? l->in.separator : ',' };
 	char reason[REASON_MAX] = "the comment above names the columns";
 	char *remedy = strchr(reason, '\0');
+	uint32_t numbers = 0;
 	const size_t n = 2 * (size_t)l->reads - 1;
 	struct names names;
 
@@ -396,7 +403,7 @@ void say_note_columns(struct layout *l, struct span text)
 		copy_names(c, &names);
 	if (names.omitted)
 		return;
-	if (!say_guess(&names, l->reads, true, reason)) {
+	if (!say_guess(&names, l->reads, &numbers, reason)) {
 		if (!csv || table.separator == ' ' || names.n < 3 ||
 		    names.n != words || !header_is_likely(l, c))
 			return;
@@ -408,17 +415,27 @@ void say_note_columns(struct layout *l, struct span text)
 		(columns[n] == ' ' && strcasecmp(*names.list, "x") == 0));
 
 	l->comment_names = first ? 0 : (size_t)names.n;
+	l->comment_numbers = numbers;
 	strcpy(l->comment_reason, reason);
 }
 
 bool say_needs_header(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
+	struct cursor c = line_cursor(l->in, row);
+	bool fits = l->comment_names > 0;
+	struct field f;
+	double v;
+
 	if (!l->columns.by_default)
 		return lost && layout_has_names(l);
+	for (size_t i = 0; fits && i < l->comment_names; i++)
+		fits = cursor_next(&c, &f) &&
+		    ((l->comment_numbers >> i & 1) == 0 ||
+			format_number(l->in, f.value.s, f.value.end, &v) ==
+			    f.value.end);
 	if (l->header != HEADER_MAYBE ||
-	    (!l->reordered &&
-		cursor_count(line_cursor(l->in, row)) != l->comment_names))
+	    (!l->reordered && (!fits || c.s != NULL)))
 		return false;
 	strcpy(reason,
 	    l->reordered ?
