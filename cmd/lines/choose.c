@@ -102,8 +102,7 @@ struct search {
 
 /* Returns whether the separator before f, field k of text, counts. If only some of the
  * separators that count have commas, the commas may be decimal. After the last
- * coordinate, a separator counts if f may be decimals: f is a number after two
- * coordinates, or after a comma without a blank. */
+ * coordinate, it counts if f may be decimals: after two numbers, or a comma alone. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {

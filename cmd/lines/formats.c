@@ -45,7 +45,6 @@ static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	const char *what = *s == '{' ? "object" : "array";
 	struct json_check c = { .kind = JSON_LINE,
 		.text = line.s,
 		.end = line.end };
@@ -60,9 +59,9 @@ static bool json_line_check(struct dialect d, struct span line,
 		return false;
 	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
-		    "the %s does not end with the line; one %s a line: jq -c "
-		    "%s",
-		    what, what, *s == '{' ? "." : "'.[]'");
+		    "does not end with the line; one array or object a line: "
+		    "jq -c %s",
+		    *s == '{' ? "." : "'.[]'");
 	else
 		snprintf(reason, REASON_MAX, "is no JSON: %s", c.reason);
 	return false;
@@ -86,8 +85,7 @@ static void next_of_text(struct cursor *c, struct field *f)
 }
 
 /* Sets *f to a field of csv. A field that begins with a quote may contain separators,
- * and "" for a quote, up to the closing quote. In any other field, such as 5" pipe, a
- * quote is an ordinary character. */
+ * and "" for a quote, up to the closing quote. In any other field a quote is a byte. */
 static void next_of_csv(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;

@@ -6,10 +6,8 @@
  * line_read in read.c reads every other line, and alone decides what a legal line is:
  * a cursor goes over the fields of the line, choose.c finds the coordinates among these
  * fields, and say.c writes what is wrong. The first line of csv may be a header, which
- * header.c reads.
- *
- * in_place.h writes a line of which only numbers change. line_write in splice.c writes
- * every other line: it divides the line into fields again and copies them. */
+ * header.c reads. in_place.h writes a line of which only numbers change, and splice.c
+ * writes every other line. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -32,9 +30,8 @@ enum {
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
 	int field[4]; /* the number of each coordinate's field, from 0 */
-	/* The name of each coordinate's column of csv or member of JSON, where a
-	 * name that begins with / is a JSON pointer; NULL if its number is
-	 * given. By default the names are x, y, z and w. */
+	/* The name of each coordinate's column or member, by default x, y, z, w. A
+	 * name of JSON that begins with / is a pointer. NULL: by number. */
 	const char *name[4];
 	bool by_default; /* --columns is not given */
 };
@@ -62,8 +59,7 @@ struct layout {
 	    max_fields; /* of the header or a longer first row; 0: not known */
 	bool reordered; /* in the last header field i is not coordinate i */
 	size_t first_line; /* the number of the first line, from 1 */
-	/* A comment above the first row names so many columns, 0: none. A row of so
-	 * many fields is refused for this reason. */
+	/* a first row with as many fields as a comment names is refused; 0: none */
 	size_t comment_names;
 	uint32_t
 	    comment_numbers; /* bit i is set if field i is to be a number */
@@ -84,8 +80,7 @@ enum line_kind {
 	LINE_REFUSED, /* a wrong header or first row: the source is refused */
 };
 
-/* The bytes [from, to) of a line. 32 bits are enough: a line has at most 64 MiB with
- * its newline, and a line in a document 256 MiB. */
+/* The bytes [from, to) of a line, which has at most 256 MiB, in a document. */
 struct part {
 	uint32_t from, to;
 };
@@ -212,8 +207,7 @@ char *line_write(const struct layout *, const struct line *,
  * and three more for each field. */
 char *line_put_rest(const struct layout *, const struct line *, char *out);
 
-/* Returns a cursor before the first field of a line. A line of JSON must be an array or
- * object that json_check accepts. */
+/* Returns a cursor before the first field of a line, which its format takes. */
 struct cursor line_cursor(struct dialect, struct span line);
 
 /* Returns a cursor over a JSON array or object in a line that ends at end. */
@@ -245,8 +239,7 @@ void choose_parts(const struct layout *, const struct chosen *, struct line *);
  * pointer leads into, or around, the value of another; 0 if there is none. */
 int choose_overlap(const struct layout *, const struct chosen *);
 
-/* Returns whether a column of a header or a member of an object has a name that the
- * output adds, and writes the reason. */
+/* Returns whether a column or member has a name that the output adds; says which. */
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
@@ -290,8 +283,7 @@ bool say_empty_field(const struct layout *, struct span f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_names of the layout if a comment names columns, and the coordinates may be
- * others than the first columns. */
+/* Sets comment_names if a comment names columns, and the first may be the wrong ones. */
 void say_note_columns(struct layout *, struct span text);
 
 /* Returns whether a first row can't be read without a header, and writes the reason:

@@ -19,8 +19,7 @@ static bool in_range(const struct layout *l, int i, double v,
 	return false;
 }
 
-/* Reads the coordinates v. Returns false, and writes the reason, if one of them is
- * missing, is not a number, or is out of range. */
+/* Reads the coordinates v. Returns false, and writes the reason, if one is wrong. */
 static bool read_coordinates(const struct layout *l, struct cursor c,
     const struct chosen *found, double v[4], char reason[REASON_MAX])
 {
@@ -43,8 +42,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 	return true;
 }
 
-/* Returns whether path, from --columns, can become the name of an added member: path is
- * not a JSON pointer, is short, and needs no escapes. */
+/* Returns whether path can name an added member: a short name that needs no escapes. */
 static bool can_be_added(const char *path)
 {
 	char shown[JSON_ESCAPE_MAX * PREFIX_ROOM];

@@ -128,8 +128,7 @@ bool say_empty_field(const struct layout *l, struct span f,
 		return false;
 	strcpy(reason,
 	    "has too few fields or an empty one; make blanks in a row one by "
-	    "sed 's/^ *//' | tr -s ' ', or say -i text, without a header by "
-	    "tail -n +2");
+	    "sed 's/^ *//' | tr -s ' ', or say -i text");
 	return true;
 }
 
@@ -155,8 +154,7 @@ static struct span name_word(struct span f)
 	return (struct span){ f.s, s };
 }
 
-/* Copies the names of the fields after the cursor, or the words of a comment. Leaves
- * out the units in brackets of a comment. */
+/* Copies the names of the fields after the cursor, or of a comment without units. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -184,8 +182,7 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the number of the name that consists of the first n bytes of a and of word,
- * whose case does not count; -1 if there is none. */
+/* Returns the number of the name that is n bytes of a and then word in any case, or -1. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {

@@ -7,8 +7,7 @@
 #include "../../core/scene/scene.h"
 #include "../json/text.h"
 
-/* The functions of the walk are inlined once for each format, so that the compiler
- * removes the branches of other formats. */
+/* Inlined once for each format, the functions have no branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
 /* Returns the stops: bytes that can end a field, or can make a line not simple. */
@@ -166,8 +165,7 @@ INLINE bool pass_string(struct walker *p, bool may_have_escapes)
 	return true;
 }
 
-/* Returns whether a plain number is legal JSON: a leading 0 has no digit after it, and
- * the point has digits on both sides. */
+/* Returns whether a plain number is legal JSON, unlike 01, .5 and 1. */
 INLINE bool is_json_number(const char *s, const char *end)
 {
 	s += *s == '-';
@@ -260,8 +258,7 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 	return rest;
 }
 
-/* Returns the coordinate whose path ends at the field of that name or index. Sets bit i
- * of leads if path i leads to the field. */
+/* Returns the coordinate whose path ends at that name or index. Sets the bits of leads. */
 INLINE int follow_paths(const struct paths *t, int n, struct span name,
     unsigned *leads)
 {
@@ -546,8 +543,7 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
-/* Calls a copy of walk_batch for points of three coordinates that are the first fields,
- * or a copy for all other points. */
+/* Calls a copy of walk_batch for three coordinates at the first fields, or another. */
 INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)

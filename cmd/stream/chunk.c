@@ -12,8 +12,7 @@ struct chunk *chunk_new(void)
 	if (c != NULL) {
 		memset(c, 0, offsetof(struct chunk, stretch));
 		piece_resize(&c->piece, PIECE_ROOM);
-		/* This is enough for most output. If a thread allocates more, the C
-		 * library maps an arena for it, which costs more than the room. */
+		/* enough for most output: for more, a thread maps an arena */
 		c->room = 16 * PIECE_ROOM;
 		c->out = xrealloc(NULL, c->room);
 		return c;

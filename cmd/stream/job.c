@@ -55,8 +55,7 @@ static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
 	return true;
 }
 
-/* Reads the next lines of the stretch, up to PLAIN_BATCH and as many as fit into the
- * block. Returns false if a bad line ends the chunk. */
+/* Reads lines of the stretch to the block. Returns false if a bad line ends the chunk. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;
@@ -73,16 +72,14 @@ static bool block_walk(struct job *j, struct chunk *c)
 	return block_add_lines(j, c, n, unread, v);
 }
 
-/* Reads up to POINTS_BLOCK lines as a block, and their points to the columns. A bad
- * line ends the chunk unless the job keeps going. */
+/* Reads up to POINTS_BLOCK lines as a block, and their points to the columns. */
 static void block_read(struct job *j, struct chunk *c)
 {
 	struct stretch *s = &c->stretch;
 	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* line_read reads the header, from which walk_plan takes the columns,
-		 * and the first row, which has to fit the header */
+		/* line_read reads the header, with the columns, and a row */
 		if (!c->walk_planned && !c->first) {
 			c->walk_planned = true;
 			c->can_walk = number_loops() != NULL &&
@@ -282,9 +279,8 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 }
 
 /* Refuses a source that begins like a .npy file, UTF-16, an archive or a mesh, and text
- * that begins like binary points. As binary points may begin with the bytes of an
- * archive or of a byte order mark, binary input is refused only if it is .npy, or UTF-16
- * with three ASCII characters after the mark. */
+ * that begins like binary points. Binary points may begin with any bytes, so they are
+ * refused only if they are .npy, or UTF-16 with three ASCII characters. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
 	static const char *const others[][2] = {

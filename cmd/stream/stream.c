@@ -219,8 +219,7 @@ static void *thread_main(void *unused)
 	return unused;
 }
 
-/* Returns how many threads the job gets: at most one for each processor, as two would
- * evict each other's data from its cache. */
+/* Returns how many threads the job gets: at most one for each processor's cache. */
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);
