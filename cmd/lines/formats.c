@@ -59,8 +59,8 @@ static bool json_line_check(struct dialect d, struct span line,
 		return false;
 	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
-		    "does not end with the line; one array or object a line: "
-		    "jq -c %s",
+		    "a bracket is not closed on the line; one array or object "
+		    "a line: jq -c %s",
 		    *s == '{' ? "." : "'.[]'");
 	else
 		snprintf(reason, REASON_MAX, "is no JSON: %s", c.reason);

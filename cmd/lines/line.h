@@ -51,8 +51,7 @@ struct layout {
 	int reads, writes; /* the numbers read of a point, and written for it */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
-	/* The names of the written numbers and, at COORDINATES_MAX, of the word of
-	 * --flags; "" for a number or word that is not written. */
+	/* names of the written numbers and, last, of the word of --flags; or "" */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t header_fields; /* 0: there is no header */
 	size_t
@@ -283,7 +282,7 @@ bool say_empty_field(const struct layout *, struct span f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_names if a comment names columns, and the first may be the wrong ones. */
+/* Sets comment_names if a comment names columns, of which the first may be wrong. */
 void say_note_columns(struct layout *, struct span text);
 
 /* Returns whether a first row can't be read without a header, and writes the reason:
@@ -341,7 +340,7 @@ struct walk {
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Sets the stretch that begins at text, and its index. Returns false if no line ends. */
+/* Sets the stretch that begins at text, and its index. Returns false without a line. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 

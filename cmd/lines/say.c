@@ -142,7 +142,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Returns the name in a field of a comment, without quotes and units: t[s], x_m, y/m. */
+/* Returns the name in a field of a comment, without quotes and units, as t in t[s]. */
 static struct span name_word(struct span f)
 {
 	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
@@ -182,7 +182,7 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the number of the name that is n bytes of a and then word in any case, or -1. */
+/* Returns the number of the name that is n bytes of a and word in any case, or -1. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {

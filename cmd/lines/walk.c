@@ -258,7 +258,7 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 	return rest;
 }
 
-/* Returns the coordinate whose path ends at that name or index. Sets the bits of leads. */
+/* Returns the coordinate whose path ends at that name or index, and sets leads. */
 INLINE int follow_paths(const struct paths *t, int n, struct span name,
     unsigned *leads)
 {
@@ -325,7 +325,7 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 }
 
 /* Returns whether the separator after the n coordinates of text shows that no comma is
- * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma: coordinates have commas. */
+ * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma: others are before. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
 {

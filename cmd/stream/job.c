@@ -55,7 +55,7 @@ static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
 	return true;
 }
 
-/* Reads lines of the stretch to the block. Returns false if a bad line ends the chunk. */
+/* Reads lines of the stretch to the block. Returns false if the chunk ends there. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;

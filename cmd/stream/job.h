@@ -125,8 +125,7 @@ void stream(struct job *, struct point_source);
 /* answer.c prints the output of chunks in the order of their source, reports bad lines
  * and points without image, and shows progress on standard error. */
 
-/* Turns progress on if asked is true, or standard error is a terminal and standard
- * output is not. Only the first call has an effect. */
+/* Turns progress on, at the first call, if asked or if only stderr is a terminal. */
 void answer_start_progress(bool asked);
 
 /* Begins a source, whose lines are counted from 1. */

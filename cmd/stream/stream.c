@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* With these macros headers declare sched_getaffinity on Linux, and on other systems
- * _SC_NPROCESSORS_ONLN, which POSIX does not have. */
+/* Headers then declare sched_getaffinity on Linux, _SC_NPROCESSORS_ONLN elsewhere. */
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
@@ -49,8 +48,7 @@ void call_with_stack(void *(*run)(void *), void *data)
 	pthread_join(t, NULL);
 }
 
-/* A thread is started for each BYTES_PER_THREAD bytes that were read of a source: to
- * start one for fewer would take more time than it saves. */
+/* A thread is started for so many bytes of a source; for fewer it saves no time. */
 enum { BYTES_PER_THREAD = 1 << 16 };
 
 /* A thread without a chunk looks LOOKS_MAX times for one before it sleeps. Between two
@@ -111,8 +109,7 @@ static void add_unused(struct chunk *c)
 
 static void *thread_main(void *);
 
-/* Wakes a thread if it can begin a chunk, or starts a thread, with two more chunks: it
- * works on one while the other waits to be answered. */
+/* Wakes a thread if it can begin a chunk, or starts a thread, with two more chunks. */
 static void wake_or_start_thread(void)
 {
 	pthread_t t;
