@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include <math.h>
 #include <stdio.h>
 
 /* Skips a # before the names, but not a # that is a field alone. If the separator is a
@@ -77,30 +76,6 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
-bool header_is_likely(const struct layout *l, struct cursor header)
-{
-	bool all_missing = true, all_digits = true;
-	struct chosen c;
-
-	header.names = false; /* look for the coordinates of a row */
-	choose(l, header, &c);
-	for (int i = 0; i < l->reads; i++) {
-		struct span f = c.field[i].value;
-		double v;
-
-		if (c.times[i] == 0)
-			continue;
-		if (format_number(l->in, f.s, f.end, &v) != f.end)
-			all_missing = false;
-		else if (!isnan(v))
-			return false;
-		f.s += f.end - f.s > 1 && strchr("+-", *f.s) != NULL;
-		all_digits &= f.s < f.end &&
-		    strchr("0123456789.", *f.s) != NULL;
-	}
-	return !all_missing && !all_digits;
-}
-
 bool header_is_comment(const struct layout *l, struct span text, bool first)
 {
 	const char *s = skip_blanks(l->in, text.s, text.end);
@@ -136,7 +111,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	const bool ambiguous = undecided && is_ambiguous(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
-	    (undecided && !ambiguous && !header_is_likely(l, header)))
+	    (undecided && !ambiguous && !choose_is_header(l, header)))
 		return false;
 	choose(l, header, &chosen);
 	line->kind = LINE_REFUSED;

@@ -242,6 +242,10 @@ int choose_overlap(const struct layout *, const struct chosen *);
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
+/* Returns whether the first line is no row: no coordinate is a number, and not all are
+ * missing values such as NA, or begin with a digit, as 1,5 does. */
+bool choose_is_header(const struct layout *, struct cursor);
+
 /* Returns whether the token is the number k in decimal, without leading zeros. */
 bool is_index(struct span token, long k);
 
@@ -262,10 +266,6 @@ bool header_read(struct layout *, struct span text, struct line *,
  * names, so that each name is one column too far to the left. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
-
-/* Returns whether the first line is no row: no coordinate is a number, and not all are
- * missing values such as NA, or begin with a digit, as 1,5 does. */
-bool header_is_likely(const struct layout *, struct cursor);
 
 /* Returns a cursor over the names of a header, whose text has no byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);

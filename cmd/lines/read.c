@@ -146,7 +146,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (first != FIRST_LINE || !line_is_bad(line))
 		return;
 	l->max_fields = 0; /* a bad row may lack fields */
-	if (in->blanks && l->columns.n == 0 && header_is_likely(l, c) &&
+	if (in->blanks && l->columns.n == 0 && choose_is_header(l, c) &&
 	    strchr("[{", *skip_blanks(l->in, text.s, text.end)) == NULL)
 		say_text_header(l, text, reason);
 }

@@ -32,10 +32,11 @@ static char find_separator(const struct layout *l, struct span f, bool alone)
 	return f.s < f.end ? *c : '\0';
 }
 
-/* Adds to the reason the options to read fields with the separator c. */
+/* Adds to the reason what to say for fields with the separator c. */
 static void say_options(char c, char reason[REASON_MAX])
 {
-	say_more(reason, c == '\t' ? "-i tsv" : "-i csv --separator '%c'", c);
+	say_more(reason,
+	    c == '\t' ? "say -i tsv" : "say -i csv --separator '%c'", c);
 }
 
 static void say_separator(const struct layout *l, char c,
@@ -49,7 +50,7 @@ static void say_separator(const struct layout *l, char c,
 		say_more(reason,
 		    "the header has another; make both the same by tr or sed");
 	else
-		say_options(c, strcat(reason, "say "));
+		say_options(c, reason);
 }
 
 /* Adds to the reason how to mend f, which should be a number and coordinate i. */
@@ -402,7 +403,7 @@ void say_note_columns(struct layout *l, struct span text)
 		return;
 	if (!say_guess(&names, l->reads, &numbers, reason)) {
 		if (!csv || table.separator == ' ' || names.n < 3 ||
-		    names.n != words || !header_is_likely(l, c))
+		    names.n != words || !choose_is_header(l, c))
 			return;
 		say_more(reason, "; say --columns by number");
 	}
@@ -446,7 +447,7 @@ void say_text_header(const struct layout *l, struct span line,
 {
 	const char other = find_separator(l, line, true);
 
-	strcpy(reason, "looks like a header; say ");
+	strcpy(reason, "looks like a header; ");
 	say_options(other != '\0' ? other : ' ', reason);
 	say_more(reason,
 	    ", or leave it out by sed %zud, with --columns if x is not first",
