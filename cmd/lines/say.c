@@ -32,7 +32,6 @@ static char find_separator(const struct layout *l, struct span f, bool alone)
 	return f.s < f.end ? *c : '\0';
 }
 
-/* Adds to the reason what to say for fields with the separator c. */
 static void say_options(char c, char reason[REASON_MAX])
 {
 	say_more(reason,
