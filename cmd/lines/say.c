@@ -401,8 +401,8 @@ void say_note_columns(struct layout *l, struct span text)
 	if (names.omitted)
 		return;
 	if (!say_guess(&names, l->reads, &numbers, reason)) {
-		if (!csv || table.separator == ' ' || names.n < 3 ||
-		    names.n != words || !choose_is_header(l, c))
+		if (!csv || table.separator == ' ' || text.s[-1] == ':' ||
+		    names.n < 3 || names.n != words || !choose_is_header(l, c))
 			return;
 		say_more(reason, "; say --columns by number");
 	}
