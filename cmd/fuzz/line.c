@@ -42,14 +42,14 @@ static bool can_read_back(const struct layout *l)
 }
 
 static void check_back(const struct layout *l, const double v[],
-    struct span text)
+    struct span text, bool has_bom)
 {
 	struct layout back = *l;
 	struct line line = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
-	enum first header = skip_bom(text.s, text.end) > text.s ? FIRST_LINE :
-								  FIRST_NONE;
+	bool first = has_bom && skip_bom(text.s, text.end) > text.s;
+	enum first header = first ? FIRST_LINE : FIRST_NONE;
 
 	for (int i = 0; i < back.columns.n && l->in.format == FORMAT_CSV; i++)
 		back.columns.name[i] = NULL;
@@ -105,7 +105,7 @@ static void write_back(const struct layout *l, const struct line *line,
 	if (l->out.format == FORMAT_JSON && end > out)
 		check_json(text);
 	if (line->kind == LINE_POINT && can_read_back(l))
-		check_back(l, v, text);
+		check_back(l, v, text, line->has_bom);
 	free(out);
 }
 

@@ -2,6 +2,7 @@
 #include "line.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <strings.h>
 
@@ -102,8 +103,7 @@ struct search {
 
 /* Returns whether the separator before f, field k of text, counts. If only some of the
  * separators that count have commas, the commas may be decimal. After the last
- * coordinate, a separator counts if f may be decimals: f is a number after two
- * coordinates, or after a comma without a blank. */
+ * coordinate, it counts if f may be decimals: after two numbers, or a comma alone. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {
@@ -230,4 +230,28 @@ bool choose_clashes(const struct layout *l, const struct chosen *c,
 		    members ? "has a member" : "the header has a column",
 		    l->name[i - 4], l->append ? "--append" : "the output");
 	return i < SOUGHT;
+}
+
+bool choose_is_header(const struct layout *l, struct cursor header)
+{
+	bool all_missing = true, all_digits = true;
+	struct chosen c;
+
+	header.names = false; /* look for the coordinates of a row */
+	choose(l, header, &c);
+	for (int i = 0; i < l->reads; i++) {
+		struct span f = c.field[i].value;
+		double v;
+
+		if (c.times[i] == 0)
+			continue;
+		if (format_number(l->in, f.s, f.end, &v) != f.end)
+			all_missing = false;
+		else if (!isnan(v))
+			return false;
+		f.s += f.end - f.s > 1 && strchr("+-", *f.s) != NULL;
+		all_digits &= f.s < f.end &&
+		    strchr("0123456789.", *f.s) != NULL;
+	}
+	return !all_missing && !all_digits;
 }

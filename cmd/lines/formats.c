@@ -35,7 +35,7 @@ bool format_cr_only(struct dialect d, struct span line, char reason[REASON_MAX])
 		s++;
 	if (s == line.end)
 		return false;
-	snprintf(reason, REASON_MAX,
+	strcpy(reason,
 	    "has carriage returns alone for line ends; make them newlines: tr "
 	    "'\\r' '\\n'");
 	return true;
@@ -45,24 +45,23 @@ static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	const char *what = *s == '{' ? "object" : "array";
 	struct json_check c = { .kind = JSON_LINE,
 		.text = line.s,
 		.end = line.end };
 
 	if (*s != '[' && *s != '{')
-		snprintf(reason, REASON_MAX,
-		    "is neither a JSON array nor an object; one a line: jq -c "
-		    "'.[]'");
+		strcpy(reason,
+		    "is neither a JSON array nor an object; is this csv or "
+		    "text? say -i csv or -i text");
 	else if (json_check(&c))
 		return true;
 	else if (format_cr_only(d, line, reason))
 		return false;
 	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
-		    "the %s does not end with the line; one %s a line: jq -c "
-		    "%s",
-		    what, what, *s == '{' ? "." : "'.[]'");
+		    "a bracket is not closed on the line; one array or object "
+		    "a line: jq -c %s",
+		    *s == '{' ? "." : "'.[]'");
 	else
 		snprintf(reason, REASON_MAX, "is no JSON: %s", c.reason);
 	return false;
@@ -86,8 +85,7 @@ static void next_of_text(struct cursor *c, struct field *f)
 }
 
 /* Sets *f to a field of csv. A field that begins with a quote may contain separators,
- * and "" for a quote, up to the closing quote. In any other field, such as 5" pipe, a
- * quote is an ordinary character. */
+ * and "" for a quote, up to the closing quote. In any other field a quote is a byte. */
 static void next_of_csv(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
@@ -144,7 +142,7 @@ static bool csv_check(struct dialect d, struct span line,
 	for (; c.s != NULL && !f.unclosed; c.s = f.next)
 		next_of_csv(&c, &f);
 	if (f.unclosed)
-		snprintf(reason, REASON_MAX,
+		strcpy(reason,
 		    "a quote is not closed on the line; a field with a newline "
 		    "in it can't be read");
 	return !f.unclosed;

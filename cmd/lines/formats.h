@@ -65,12 +65,11 @@ struct format_row {
 	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 
-	/* Returns whether a line can be divided into fields; if not, writes the
-	 * reason. NULL: every line can. */
+	/* Returns whether a line has fields, or writes why not. NULL: always. */
 	bool (
 	    *check)(struct dialect, struct span line, char reason[REASON_MAX]);
-	/* Sets the field that begins at c->s, except previous_end and comma, and
-	 * c->previous_end to the end of the field. */
+	/* Sets the field at c->s, except previous_end and comma, and moves
+	 * c->previous_end to its end. */
 	void (*next)(struct cursor *c, struct field *);
 };
 
@@ -123,8 +122,7 @@ static inline bool is_blank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
-/* Returns whether c is white space in a dialect. In JSON \v and \f are not white space,
- * and in csv the separator is not. */
+/* Returns whether c is white space: not \v and \f in JSON, nor the separator of csv. */
 static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
     char c)
 {

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 
 /* Skips a # before the names, but not a # that is a field alone. If the separator is a
@@ -37,8 +35,7 @@ static int find_missing_name(const struct layout *l, const struct chosen *c)
 	return i;
 }
 
-/* Returns whether the header has one column for each coordinate, and none with a name
- * that the output adds; if not, writes the reason. */
+/* Returns whether the header has each coordinate, and no name that the output adds. */
 static bool is_usable(const struct layout *l, struct cursor header,
     const struct chosen *c, char reason[REASON_MAX])
 {
@@ -79,37 +76,6 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
-static bool begins_with_digit(struct span f)
-{
-	f.s += f.s < f.end && (*f.s == '-' || *f.s == '+');
-	f.s += f.s < f.end && *f.s == '.';
-	return f.s < f.end && isdigit((unsigned char)*f.s);
-}
-
-/* Returns whether the first line is no row: no coordinate is a number, and not all are
- * missing values such as NA, or begin with a digit, as 1,5 does. */
-static bool looks_like_header(const struct layout *l, struct cursor header)
-{
-	bool all_missing = true, all_digits = true;
-	struct chosen c;
-
-	header.names = false; /* look for the coordinates of a row */
-	choose(l, header, &c);
-	for (int i = 0; i < l->reads; i++) {
-		struct span f = c.field[i].value;
-		double v;
-
-		if (c.times[i] == 0)
-			continue;
-		if (format_number(l->in, f.s, f.end, &v) != f.end)
-			all_missing = false;
-		else if (!isnan(v))
-			return false;
-		all_digits &= begins_with_digit(f);
-	}
-	return !all_missing && !all_digits;
-}
-
 bool header_is_comment(const struct layout *l, struct span text, bool first)
 {
 	const char *s = skip_blanks(l->in, text.s, text.end);
@@ -145,7 +111,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	const bool ambiguous = undecided && is_ambiguous(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
-	    (undecided && !ambiguous && !looks_like_header(l, header)))
+	    (undecided && !ambiguous && !choose_is_header(l, header)))
 		return false;
 	choose(l, header, &chosen);
 	line->kind = LINE_REFUSED;
@@ -170,21 +136,30 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 	struct field f = { .next = NULL };
 
 	for (; cursor_next(&c, &f); n++)
-		blanks |= say_empty_field(l, &f, reason);
+		blanks |= say_empty_field(l, f.whole, reason);
+	const size_t full = n - (f.value.s == f.value.end);
+	const bool lacks_name = first == FIRST_ROW &&
+	    full == l->header_fields + 1 && full > 2;
+	const char separator[] = { l->in.separator, '\0' };
+
 	if (first != FIRST_NONE && n > l->max_fields &&
-	    (l->header_fields == 0 || !layout_has_names(l)))
+	    (l->header_fields == 0 || (!lacks_name && !layout_has_names(l))))
 		l->max_fields = n;
-	n -= f.value.s == f.value.end;
-	if (n <= l->max_fields || l->header_fields == 0)
+	if (full <= l->max_fields || l->header_fields == 0)
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the %s %zu; %s%s", n,
+		    lacks_name ?
+			"has %zu fields and the %s %zu; name the first column, "
+			"too, as by sed '1s/^/row%s/'%s" :
+			"has %zu fields and the %s %zu; quote a field that has "
+			"the separator in it%s%s",
+		    full,
 		    l->header_fields == l->max_fields ? "header" : "first row",
 		    l->max_fields,
-		    first == FIRST_ROW && n == l->max_fields + 1 ?
-			"name the first column, too, or number --columns" :
-			"quote a field that has the separator in it",
-		    l->in.separator == ',' ? ", or write 1.5 for 1,5" : "");
+		    !lacks_name            ? "" :
+			*separator == '\t' ? "\\t" :
+					     separator,
+		    *separator == ',' ? ", or write 1.5 for 1,5" : "");
 	return true;
 }

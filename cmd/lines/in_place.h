@@ -80,8 +80,7 @@ static inline char added_separator(const struct layout *l,
 					   l->out.separator;
 }
 
-/* Copies the line from done up to next. Copies the first byte without a branch, even if
- * the gap is empty, because most gaps have one byte. */
+/* Copies the line from done to next, one byte without a branch: most gaps have one. */
 static inline char *put_gap(const struct line *line, uint32_t done,
     uint32_t next, char *out)
 {

@@ -6,10 +6,8 @@
  * line_read in read.c reads every other line, and alone decides what a legal line is:
  * a cursor goes over the fields of the line, choose.c finds the coordinates among these
  * fields, and say.c writes what is wrong. The first line of csv may be a header, which
- * header.c reads.
- *
- * in_place.h writes a line of which only numbers change. line_write in splice.c writes
- * every other line: it divides the line into fields again and copies them. */
+ * header.c reads. in_place.h writes a line of which only numbers change, and splice.c
+ * writes every other line. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -32,9 +30,8 @@ enum {
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
 	int field[4]; /* the number of each coordinate's field, from 0 */
-	/* The name of each coordinate's column of csv or member of JSON, where a
-	 * name that begins with / is a JSON pointer; NULL if its number is
-	 * given. By default the names are x, y, z and w. */
+	/* The name of each coordinate's column or member, by default x, y, z, w. A
+	 * name of JSON that begins with / is a pointer. NULL: by number. */
 	const char *name[4];
 	bool by_default; /* --columns is not given */
 };
@@ -54,15 +51,18 @@ struct layout {
 	int reads, writes; /* the numbers read of a point, and written for it */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
-	/* The names of the written numbers and, at COORDINATES_MAX, of the word of
-	 * --flags; "" for a number or word that is not written. */
+	/* names of the written numbers and, last, of the word of --flags; or "" */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t header_fields; /* 0: there is no header */
 	size_t
 	    max_fields; /* of the header or a longer first row; 0: not known */
 	bool reordered; /* in the last header field i is not coordinate i */
-	/* by a comment above the first row; n is the number of all its names */
-	struct columns comment_columns;
+	size_t first_line; /* the number of the first line, from 1 */
+	/* a first row with as many fields as a comment names is refused; 0: none */
+	size_t comment_names;
+	uint32_t
+	    comment_numbers; /* bit i is set if field i is to be a number */
+	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* the output keeps binary records, and adds the images */
 	const char *two_hint; /* for points of two numbers; or NULL */
@@ -79,8 +79,7 @@ enum line_kind {
 	LINE_REFUSED, /* a wrong header or first row: the source is refused */
 };
 
-/* The bytes [from, to) of a line. 32 bits are enough: a line has at most 64 MiB with
- * its newline, and a line in a document 256 MiB. */
+/* The bytes [from, to) of a line, which has at most 256 MiB, in a document. */
 struct part {
 	uint32_t from, to;
 };
@@ -109,8 +108,7 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The numbers that are written in a line: number k is v[k * stride], and its digits are
- * text[k * text_stride]. */
+/* The written numbers: number k is v[k * stride], with digits text[k * text_stride]. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
@@ -208,8 +206,7 @@ char *line_write(const struct layout *, const struct line *,
  * and three more for each field. */
 char *line_put_rest(const struct layout *, const struct line *, char *out);
 
-/* Returns a cursor before the first field of a line. A line of JSON must be an array or
- * object that json_check accepts. */
+/* Returns a cursor before the first field of a line, which its format takes. */
 struct cursor line_cursor(struct dialect, struct span line);
 
 /* Returns a cursor over a JSON array or object in a line that ends at end. */
@@ -241,10 +238,13 @@ void choose_parts(const struct layout *, const struct chosen *, struct line *);
  * pointer leads into, or around, the value of another; 0 if there is none. */
 int choose_overlap(const struct layout *, const struct chosen *);
 
-/* Returns whether a column of a header or a member of an object has a name that the
- * output adds, and writes the reason. */
+/* Returns whether a column or member has a name that the output adds; says which. */
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
+
+/* Returns whether the first line is no row: no coordinate is a number, and not all are
+ * missing values such as NA, or begin with a digit, as 1,5 does. */
+bool choose_is_header(const struct layout *, struct cursor);
 
 /* Returns whether the token is the number k in decimal, without leading zeros. */
 bool is_index(struct span token, long k);
@@ -274,30 +274,26 @@ struct cursor header_cursor(struct dialect, struct span text);
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field of csv whose separator is a blank, and writes how
- * to mend the line. */
-bool say_empty_field(const struct layout *, const struct field *f,
+/* Returns whether f is an empty field between blanks of csv, and writes the reason. */
+bool say_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
 
 /* Writes that coordinate i was not found after the cursor, or was found twice. */
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_columns of the layout if the words of a comment are names of columns,
- * and the coordinates are not the first columns. */
+/* Sets comment_names if a comment names columns, of which the first may be wrong. */
 void say_note_columns(struct layout *, struct span text);
 
 /* Returns whether a first row can't be read without a header, and writes the reason:
- * the header of a file before reordered the columns, or a comment above names the
- * columns of coordinates, has as many names as the row has fields, and these columns
- * are numbers. With --columns by name: the row is lost, and has a reason already. */
+ * the header of a file before reordered the columns, or a comment names as many
+ * columns. With --columns by name: the row is lost, and has a reason already. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that the first line of text looks like a header, unless a field in the place
- * of a coordinate begins with a number or a bracket. */
+/* Writes that the first line of text looks like a header. */
 void say_text_header(const struct layout *, struct span line,
-    const struct chosen *, char reason[REASON_MAX]);
+    char reason[REASON_MAX]);
 
 /* walk.c reads simple lines fast, by an index of a stretch of text. The index lists the
  * stops, which are the bytes that can end a field. A walk goes from stop to stop and
@@ -344,8 +340,7 @@ struct walk {
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Sets the stretch that begins at text, and its index. Returns false if no line ends in
- * the stretch. */
+/* Sets the stretch that begins at text, and its index. Returns false without a line. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 

@@ -19,8 +19,7 @@ static bool in_range(const struct layout *l, int i, double v,
 	return false;
 }
 
-/* Reads the coordinates v. Returns false, and writes the reason, if one of them is
- * missing, is not a number, or is out of range. */
+/* Reads the coordinates v. Returns false, and writes the reason, if one is wrong. */
 static bool read_coordinates(const struct layout *l, struct cursor c,
     const struct chosen *found, double v[4], char reason[REASON_MAX])
 {
@@ -35,7 +34,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 			say_field(l, i,
 			    format_of(l->in)->header ? f->whole : f->value,
 			    reason);
-		else if (!say_empty_field(l, f, reason) &&
+		else if (!say_empty_field(l, f->whole, reason) &&
 		    in_range(l, i, v[i], reason))
 			continue;
 		return false;
@@ -43,8 +42,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 	return true;
 }
 
-/* Returns whether path, from --columns, can become the name of an added member: path is
- * not a JSON pointer, is short, and needs no escapes. */
+/* Returns whether path can name an added member: a short name that needs no escapes. */
 static bool can_be_added(const char *path)
 {
 	char shown[JSON_ESCAPE_MAX * PREFIX_ROOM];
@@ -68,14 +66,13 @@ static bool can_be_kept(const struct layout *l, struct cursor c,
 	return choose_overlap(l, found) == 0;
 }
 
-/* Returns whether --columns fits a line of JSON, numbers an array and names an object;
- * if not, writes the reason. */
+/* Returns whether --columns numbers an array or names an object; if not, writes why. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
 	if (l->columns.n == 0 || members == (l->columns.name[0] != NULL))
 		return true;
-	snprintf(reason, REASON_MAX,
+	strcpy(reason,
 	    members ?
 		"is an object; --columns is to name its members: x,y,z, or "
 		"/position/0" :
@@ -96,11 +93,11 @@ static bool is_legal(const struct layout *l, struct cursor c,
 		    "image below other names",
 		    fields, l->header_fields);
 	else if (c.bracket != NULL && choose_overlap(l, found) > 0)
-		snprintf(reason, REASON_MAX,
+		strcpy(reason,
 		    "has a coordinate in another; --columns names values "
 		    "apart");
 	else if (found->mixed_commas)
-		snprintf(reason, REASON_MAX,
+		strcpy(reason,
 		    "has commas between some numbers and not between others; "
 		    "is the comma a decimal point? write 1.5 for 1,5");
 	else
@@ -147,8 +144,9 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (first != FIRST_LINE || !line_is_bad(line))
 		return;
 	l->max_fields = 0; /* a bad row may lack fields */
-	if (in->blanks && l->columns.n == 0)
-		say_text_header(l, text, &found, reason);
+	if (in->blanks && l->columns.n == 0 && choose_is_header(l, c) &&
+	    strchr("[{", *skip_blanks(l->in, text.s, text.end)) == NULL)
+		say_text_header(l, text, reason);
 }
 
 void line_read(struct layout *l, struct span text, enum first *first,
@@ -161,6 +159,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 		.size = (uint32_t)(text.end - text.s),
 		.kind = LINE_COPY };
 	if (first_line) {
+		l->first_line++;
 		text.s = skip_bom(text.s, text.end);
 		line->has_bom = text.s > line->s;
 	}

@@ -19,43 +19,37 @@ say_more(char reason[REASON_MAX], const char *format, ...)
 	va_end(arguments);
 }
 
-/* A character that may separate fields, and the options to read such fields. */
-struct separator {
-	char c;
-	const char *shown, *option;
-};
-
-/* Returns a separator in f that is not the layout's; NULL if there is none. A comma and
- * a blank are frequent within fields and count only if f is alone on its line. */
-static const struct separator *find_separator(const struct layout *l,
-    struct span f, bool alone)
+/* Returns a separator in f, before its last byte, that is not the layout's; 0 if there
+ * is none. A comma or blank within a field is frequent; it counts if f is alone. */
+static char find_separator(const struct layout *l, struct span f, bool alone)
 {
-	static const struct separator rows[] = {
-		{ ';', ";", "-i csv --separator ';'" },
-		{ '|', "|", "-i csv --separator '|'" },
-		{ '\t', "a tab", "-i tsv" },
-		{ ',', "a comma", "-i csv --separator ," },
-		{ ' ', "a blank", "-i csv --separator ' '" },
-	};
+	const char *c = alone ? ";|\t, " : ";|\t";
 
-	for (int k = 0; k < (alone ? 5 : 3); k++)
-		if (rows[k].c != l->in.separator &&
-		    memchr(f.s, rows[k].c, (size_t)(f.end - f.s)) != NULL)
-			return &rows[k];
-	return NULL;
+	while (*c != '\0' && f.s < f.end &&
+	    (*c == l->in.separator ||
+		memchr(f.s, *c, (size_t)(f.end - f.s - 1)) == NULL))
+		c++;
+	return f.s < f.end ? *c : '\0';
 }
 
-static void say_separator(const struct layout *l, const struct separator *other,
+static void say_options(char c, char reason[REASON_MAX])
+{
+	say_more(reason,
+	    c == '\t' ? "say -i tsv" : "say -i csv --separator '%c'", c);
+}
+
+static void say_separator(const struct layout *l, char c,
     char reason[REASON_MAX])
 {
+	say_more(reason,
+	    c == '\t' ? "; is a tab the separator? " :
+			"; is '%c' the separator? ",
+	    c);
 	if (l->header_fields > 1)
 		say_more(reason,
-		    "; is %s the separator? the header has another; make both "
-		    "the same by tr or sed",
-		    other->shown);
+		    "the header has another; make both the same by tr or sed");
 	else
-		say_more(reason, "; is %s the separator? say %s", other->shown,
-		    other->option);
+		say_options(c, reason);
 }
 
 /* Adds to the reason how to mend f, which should be a number and coordinate i. */
@@ -65,29 +59,41 @@ static void say_remedy(const struct layout *l, int i, struct span f,
 	const bool json = *format_of(l->in)->open != '\0';
 	double v;
 	const char *after = number_read(f.s, f.end, &v);
-	const struct separator *other = json ?
-	    NULL :
+	const char other = json ?
+	    '\0' :
 	    find_separator(l, f, format_of(l->in)->header && after != NULL);
+	const char *s = f.s;
 
-	if (other != NULL && other->c == ',' &&
-	    number_read(after + 1, f.end, &v) == f.end)
+	while (json && is_blank(*--s))
+		;
+	const bool member = *s == ':';
+
+	if (other == ',' && number_read(after + 1, f.end, &v) == f.end)
 		say_more(reason, "; a decimal point is a point: 1.5");
 	else if (f.end - f.s > 2 && memcmp(f.s, "---", 3) == 0)
 		say_more(reason, "; leave out such lines by grep -v -e ---");
-	else if (other != NULL &&
-	    (other->c != ' ' ||
+	else if (other != '\0' &&
+	    (other != ' ' ||
 		(l->in.separator != ';' &&
 		    number_read(skip_separator(after, f.end), f.end, &v) !=
 			NULL)))
 		say_separator(l, other, reason);
+	else if (!json && f.end[-1] == ';')
+		say_more(reason, "; leave out each ; by tr -d ';'");
 	else
 		say_more(reason, "; a number is wanted%s",
 		    after != NULL && json ?
 			", as JSON writes it" :
 			after != NULL ?
 			", and nothing else in the field" :
+			member && *f.s == '[' ?
+			"; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
+			member && *f.s == '{' ?
+			"; --columns takes pointers, such as /x/value" :
 			*f.s == '[' || *f.s == '{' ?
 			"; one array or object a line: jq -c '.[]'" :
+			f.end - f.s == 1 && *f.s == 'v' ?
+			"; in OBJ, grep '^v ' and --columns 2,3,4 find points" :
 			!json && l->columns.n == 0 && i == 0 ?
 			"; --columns says which fields the coordinates are" :
 			"");
@@ -105,7 +111,9 @@ void say_field(const struct layout *l, int i, struct span f,
 		    coordinate_name(i), l->reads,
 		    i == 2 && l->two_hint != NULL ? l->two_hint : "");
 	} else if (!json && (*f.s == '[' || *f.s == '{')) {
-		say_more(reason, "looks like JSON; say -i json");
+		say_more(reason, "looks like JSON; say -i json%s",
+		    *f.s == '[' ? ", or take the brackets out by tr -d '[]'" :
+				  "");
 	} else {
 		say_more(reason, "%s is '%s'", coordinate_name(i),
 		    escaped(word, f.s, (size_t)(f.end - f.s)));
@@ -113,16 +121,14 @@ void say_field(const struct layout *l, int i, struct span f,
 	}
 }
 
-bool say_empty_field(const struct layout *l, const struct field *f,
+bool say_empty_field(const struct layout *l, struct span f,
     char reason[REASON_MAX])
 {
-	if (l->in.separator != ' ' || !format_of(l->in)->header ||
-	    f->whole.s < f->whole.end)
+	if (l->in.separator != ' ' || !format_of(l->in)->header || f.s < f.end)
 		return false;
-	snprintf(reason, REASON_MAX,
+	strcpy(reason,
 	    "has too few fields or an empty one; make blanks in a row one by "
-	    "sed 's/^ *//' | tr -s ' ', or say -i text, without a header by "
-	    "tail -n +2");
+	    "sed 's/^ *//' | tr -s ' ', or say -i text");
 	return true;
 }
 
@@ -136,8 +142,19 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Copies the names of the fields after the cursor. Leaves out the units in brackets of
- * a comment, which is read as text. */
+/* Returns the name in a field of a comment, without quotes and units, as t in t[s]. */
+static struct span name_word(struct span f)
+{
+	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
+	const char *s = f.s;
+
+	while (s < f.end && strchr(" /([\"'", *s) == NULL &&
+	    (*s != '_' || s != f.s + 1 || strchr("xyzwXYZW", *f.s) == NULL))
+		s++;
+	return (struct span){ f.s, s };
+}
+
+/* Copies the names of the fields after the cursor, or of a comment without units. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -147,11 +164,12 @@ static void copy_names(struct cursor c, struct names *names)
 	while (cursor_next(&c, &f)) {
 		struct span all = c.members ?
 		    (struct span){ f.name.s + 1, f.name.end - 1 } :
-		    f.value;
+		    c.names ? f.value :
+			      name_word(f.value);
 		size_t size = (size_t)(all.end - all.s);
 
-		if (c.in.format == FORMAT_TEXT && size > 0 &&
-		    (strchr("[(", *all.s) || strchr("])", all.end[-1])))
+		if (!c.members && !c.names &&
+		    (size == 0 || strchr("])", all.end[-1]) != NULL))
 			continue;
 		if (names->n == NAMES_MAX || size >= COLUMN_ROOM) {
 			names->omitted = true;
@@ -164,8 +182,7 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the number of the name that consists of the first n bytes of a and of word,
- * whose case does not count; -1 if there is none. */
+/* Returns the number of the name that is n bytes of a and word in any case, or -1. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -226,25 +243,37 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 }
 
 /* Adds to the reason --columns with all that guess_columns finds: "; say --columns
- * px,py,pz or vx,vy,vz". Returns false if that is nothing, or more than two. */
-static bool say_guess(const struct names *names, int reads,
+ * px,py,pz or vx,vy,vz". Says numbers unless numbers is NULL, and sets a bit of it for
+ * each. Returns false if that is nothing or too much. */
+static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
 	const size_t was = strlen(reason);
-	int n = 0, k = 0, found[4];
+	int k = 0, found[4];
 	bool all = true;
 
 	while (guess_columns(names, reads, &k, found)) {
-		say_more(reason, n++ == 0 ? "; say --columns " : " or ");
+		if (numbers != NULL &&
+		    (found[reads - 1] < 0 || (reads > 3 && found[2] < 0)))
+			continue;
+		say_more(reason,
+		    reason[was] == '\0' ? "; say --columns " : " or ");
 		for (int i = 0; i < reads; i++) {
-			say_more(reason, "%s%s", i > 0 ? "," : "",
-			    found[i] < 0 ? "NAME" : names->list[found[i]]);
+			say_more(reason, i > 0 ? "," : "");
 			all &= found[i] >= 0;
+			if (numbers == NULL) {
+				say_more(reason, "%s",
+				    found[i] < 0 ? "NAME" :
+						   names->list[found[i]]);
+				continue;
+			}
+			say_more(reason, "%d", found[i] + 1);
+			*numbers |= 1u << found[i];
 		}
 	}
 	if (!all)
 		say_more(reason, ", where NAME is another column");
-	if (n > 2 || strlen(reason) == REASON_MAX - 1)
+	if (strlen(reason) == REASON_MAX - 1)
 		reason[was] = '\0';
 	return reason[was] != '\0';
 }
@@ -262,8 +291,6 @@ static void say_names(const struct layout *l, struct cursor c,
 	int i = 0;
 
 	copy_names(c, &names);
-	if (names.n > 0 && strncmp(names.list[0], "sep=", 4) == 0)
-		say_more(reason, "; leave this line out by tail -n +2");
 	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
 	const size_t head = typed != NULL ? strcspn(typed, ".[") : 0;
 
@@ -279,16 +306,23 @@ static void say_names(const struct layout *l, struct cursor c,
 	} else if (typed != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
-	} else if (typed == NULL && !say_guess(&names, l->reads, reason)) {
-		const struct separator *other = find_separator(l, header,
-		    names.n == 1);
+	} else if (typed == NULL &&
+	    !say_guess(&names, l->reads, NULL, reason)) {
+		const char other = find_separator(l, header, names.n == 1);
 
-		if (other != NULL) {
+		if (other != '\0')
 			say_separator(l, other, reason);
+		else
+			say_more(reason,
+			    "; say with --columns which the coordinates are");
+		if (other == ' ' ||
+		    (other == '\0' &&
+			(names.n < l->reads ||
+			    *names.list[names.n - 1] == '\0')))
+			say_more(reason, "; leave out a title line by sed %zud",
+			    l->first_line);
+		if (other != '\0')
 			return;
-		}
-		say_more(reason,
-		    "; say with --columns which the coordinates are");
 	}
 	if (names.n > 0 || names.omitted)
 		say_more(reason, "%s it has ",
@@ -304,16 +338,21 @@ void say_missing(const struct layout *l, int i, struct cursor c,
     const struct chosen *found, char reason[REASON_MAX])
 {
 	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
+	const char other = c.bracket == NULL && cursor_count(c) == 1 ?
+	    find_separator(l, (struct span){ c.s, c.end }, true) :
+	    '\0';
 	char shown[ESCAPED_MAX];
 
 	*reason = '\0';
 	if (name == NULL) {
 		if (l->columns.n == 0)
 			say_field(l, i, (struct span){ NULL, NULL }, reason);
-		else if (!say_empty_field(l, &(struct field){ .next = NULL },
-			     reason))
+		else if (other != '\0' ||
+		    !say_empty_field(l, (struct span){ NULL, NULL }, reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
+		if (other != '\0')
+			say_separator(l, other, reason);
 		return;
 	}
 	escaped(shown, name, strlen(name));
@@ -329,8 +368,8 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 		    reason);
 	} else if (c.names) {
 		say_more(reason,
-		    "the header has two columns for %s, %ld and %ld; say with "
-		    "--columns, by number, which the coordinates are",
+		    "the header has two columns for %s, %ld and %ld; say "
+		    "--columns by number",
 		    name, found->index[i] + 1, found->second_index[i] + 1);
 	} else {
 		say_more(reason, "has two members '%s'", shown);
@@ -339,78 +378,77 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 
 void say_note_columns(struct layout *l, struct span text)
 {
-	struct columns told = { 0 };
-	struct layout other = *l;
-	int k = 0, *field = other.columns.field;
+	const bool csv = format_of(l->in)->header;
+	const struct dialect table = { FORMAT_CSV,
+		csv ? l->in.separator : ',' };
+	char reason[REASON_MAX] = "the comment above names the columns";
+	char *remedy = strchr(reason, '\0');
+	uint32_t numbers = 0;
+	const size_t n = 2 * (size_t)l->reads - 1;
 	struct names names;
 
 	for (const char *s = text.s; s < text.end; s++)
-		if (strchr("#%!;:=", *s) != NULL)
+		if (*s != table.separator && strchr("#%!;:=", *s) != NULL)
 			text.s = s + 1;
+	const struct cursor c = line_cursor(table, text);
+
 	copy_names(line_cursor((struct dialect){ FORMAT_TEXT, ' ' }, text),
 	    &names);
-	other.columns.n = names.n;
-	while (!names.omitted && guess_columns(&names, l->reads, &k, field)) {
-		if (field[l->reads - 1] < 0 || (l->reads > 3 && field[2] < 0))
-			continue;
-		if (layout_in_order(&other))
+	const int words = names.n;
+
+	if (memchr(text.s, table.separator, (size_t)(text.end - text.s)))
+		copy_names(c, &names);
+	if (names.omitted)
+		return;
+	if (!say_guess(&names, l->reads, &numbers, reason)) {
+		if (!csv || table.separator == ' ' || text.s[-1] == ':' ||
+		    names.n < 3 || names.n != words || !choose_is_header(l, c))
 			return;
-		if (told.n == 0)
-			told = other.columns;
+		say_more(reason, "; say --columns by number");
 	}
-	if (told.n > 0)
-		l->comment_columns = told;
+	const char *columns = remedy + strlen("; say --columns ");
+	const bool first = strncmp(columns, "1,2,3,4", n) == 0 &&
+	    (columns[n] == '\0' ||
+		(columns[n] == ' ' && strcasecmp(*names.list, "x") == 0));
+
+	l->comment_names = first ? 0 : (size_t)names.n;
+	l->comment_numbers = numbers;
+	strcpy(l->comment_reason, reason);
 }
 
 bool say_needs_header(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
-	const int *field = l->comment_columns.field;
 	struct cursor c = line_cursor(l->in, row);
-	bool numbers = l->comment_columns.n > 0;
+	bool fits = l->comment_names > 0;
 	struct field f;
-	int n = 0;
 	double v;
 
 	if (!l->columns.by_default)
 		return lost && layout_has_names(l);
-	if (l->header != HEADER_MAYBE)
-		return false;
-	for (; cursor_next(&c, &f); n++)
-		for (int i = 0; i < l->reads; i++)
-			numbers &= n != field[i] ||
-			    format_number(l->in, f.value.s, f.value.end, &v) ==
-				f.value.end;
-	if (!l->reordered && (!numbers || n != l->comment_columns.n))
+	for (size_t i = 0; fits && i < l->comment_names; i++)
+		fits = cursor_next(&c, &f) &&
+		    ((l->comment_numbers >> i & 1) == 0 ||
+			format_number(l->in, f.value.s, f.value.end, &v) ==
+			    f.value.end);
+	if (l->header != HEADER_MAYBE ||
+	    (!l->reordered && (!fits || c.s != NULL)))
 		return false;
 	strcpy(reason,
 	    l->reordered ?
 		"lacks the header of a file before; say --columns by number" :
-		"the comment above names other columns");
-	for (int i = 0; i < l->reads && !l->reordered; i++)
-		say_more(reason, "%s%d", i > 0 ? "," : "; say --columns ",
-		    field[i] + 1);
+		l->comment_reason);
 	return true;
 }
 
 void say_text_header(const struct layout *l, struct span line,
-    const struct chosen *found, char reason[REASON_MAX])
+    char reason[REASON_MAX])
 {
-	const struct separator *other = find_separator(l, line, true);
+	const char other = find_separator(l, line, true);
 
-	for (int i = 0; i < l->reads; i++) {
-		struct span f = found->field[i].value;
-		double v;
-
-		if (found->times[i] > 0 && f.s < f.end &&
-		    (*f.s == '[' || *f.s == '{' ||
-			format_number(l->in, f.s, f.end, &v) != NULL))
-			return;
-	}
-	snprintf(reason, REASON_MAX,
-	    "looks like a header; say %s, or leave it out by tail -n +2, with "
-	    "--columns if x is not in the first column",
-	    other == NULL       ? "-i csv --separator ' '" :
-		other->c == ',' ? "-i csv" :
-				  other->option);
+	strcpy(reason, "looks like a header; ");
+	say_options(other != '\0' ? other : ' ', reason);
+	say_more(reason,
+	    ", or leave it out by sed %zud, with --columns if x is not first",
+	    l->first_line);
 }

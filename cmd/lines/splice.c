@@ -315,8 +315,7 @@ static void put_other_fields(struct splice *w)
 	const struct layout *l = w->l;
 	const struct line *line = w->line;
 	const struct format_row *in = format_of(l->in), *to = format_of(l->out);
-	/* an empty field of csv becomes "" in JSON, so that the next fields keep
-	 * their places in the array */
+	/* an empty field of csv becomes "" in JSON, and the next keep their places */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
 	char *out = w->out;

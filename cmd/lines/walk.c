@@ -7,12 +7,10 @@
 #include "../../core/scene/scene.h"
 #include "../json/text.h"
 
-/* The functions of the walk are inlined once for each format, so that the compiler
- * removes the branches of other formats. */
+/* Inlined once for each format, the functions have no branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* Returns the stops of a dialect: the bytes that can end a field, and the bytes that
- * can make a line not simple. */
+/* Returns the stops: bytes that can end a field, or can make a line not simple. */
 static struct byte_set stops_of(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -167,8 +165,7 @@ INLINE bool pass_string(struct walker *p, bool may_have_escapes)
 	return true;
 }
 
-/* Returns whether a plain number is legal JSON: a leading 0 has no digit after it, and
- * the point has digits on both sides. */
+/* Returns whether a plain number is legal JSON, unlike 01, .5 and 1. */
 INLINE bool is_json_number(const char *s, const char *end)
 {
 	s += *s == '-';
@@ -186,8 +183,7 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Passes the number of coordinate k. Returns false if the number is too long for vector
- * code or, in JSON, not legal. */
+/* Passes the number of coordinate k, unless it is too long, or not legal in JSON. */
 INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
@@ -262,8 +258,7 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 	return rest;
 }
 
-/* Returns the coordinate whose path ends at the field of that name or index. Sets bit i
- * of leads if path i leads to the field. */
+/* Returns the coordinate whose path ends at that name or index, and sets leads. */
 INLINE int follow_paths(const struct paths *t, int n, struct span name,
     unsigned *leads)
 {
@@ -283,8 +278,7 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 	return NO_COORDINATE;
 }
 
-/* Passes a JSON value that is not a coordinate. Bit i of leads is set if path i leads
- * into the value. */
+/* Passes a JSON value that is no coordinate. Bit i of leads: path i leads into it. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct paths *paths, unsigned leads, int levels)
 {
@@ -331,8 +325,7 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 }
 
 /* Returns whether the separator after the n coordinates of text shows that no comma is
- * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma says whether commas are
- * between the coordinates. */
+ * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma: others are before. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
 {
@@ -418,8 +411,7 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 	return MORE_FIELDS;
 }
 
-/* Passes the fields up to the newline or the closing bracket, and in text up to the
- * last coordinate. */
+/* Passes the fields up to a newline or closing bracket, or text's last coordinate. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {
@@ -551,8 +543,7 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
-/* Calls a copy of walk_batch for points of three coordinates that are the first fields,
- * or a copy for all other points. */
+/* Calls a copy of walk_batch for three coordinates at the first fields, or another. */
 INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)

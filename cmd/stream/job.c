@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Does a job on a chunk in blocks: reads lines, transforms their points, and writes the
- * lines with the images. */
+/* Does a job on a chunk in blocks: reads lines, transforms points, writes images. */
 #include "job.h"
 
 #include <math.h>
@@ -10,8 +9,7 @@
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 
-/* Reads text, the next line of the block, with line_read. Returns false if the line is
- * bad and ends the chunk. */
+/* Reads text, the next line, with line_read. Returns false if the chunk ends there. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
 {
@@ -57,8 +55,7 @@ static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
 	return true;
 }
 
-/* Reads the next lines of the stretch, up to PLAIN_BATCH and as many as fit into the
- * block. Returns false if a bad line ends the chunk. */
+/* Reads lines of the stretch to the block. Returns false if the chunk ends there. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;
@@ -75,16 +72,14 @@ static bool block_walk(struct job *j, struct chunk *c)
 	return block_add_lines(j, c, n, unread, v);
 }
 
-/* Reads up to POINTS_BLOCK lines as a block, and their points to the columns. A bad
- * line ends the chunk unless the job keeps going. */
+/* Reads up to POINTS_BLOCK lines as a block, and their points to the columns. */
 static void block_read(struct job *j, struct chunk *c)
 {
 	struct stretch *s = &c->stretch;
 	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* line_read reads the header, from which walk_plan takes the columns,
-		 * and the first row, which has to fit the header */
+		/* line_read reads the header, with the columns, and a row */
 		if (!c->walk_planned && !c->first) {
 			c->walk_planned = true;
 			c->can_walk = number_loops() != NULL &&
@@ -284,15 +279,18 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(at - c->out);
 }
 
-/* Refuses a source that begins like a .npy file, UTF-16 or an archive. As binary points
- * may begin with the bytes of an archive or of a byte order mark, binary input is
- * refused only if it is .npy, or UTF-16 with three ASCII characters after the mark. */
+/* Refuses a source that begins like a .npy file, UTF-16, an archive or a mesh, and text
+ * that begins like binary points. Binary points may begin with any bytes, so they are
+ * refused only if they are .npy, or UTF-16 with three ASCII characters. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
-	static const char *const archives[][2] = {
+	static const char *const others[][2] = {
 		{ "\x1f\x8b", "is gzip; zcat makes it text" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
+		{ "ply\n",
+		    "is PLY; sed 1,/end_header/d | head -n N keeps N points" },
+		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
 	};
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = (size_t)(c->end - c->text);
@@ -300,12 +298,12 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	const int big = n > 0 && s[0] == 0xfe;
 	char reason[REASON_MAX] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
 				  "it UTF-8";
-	int k = binary || n < 4 ? 3 : 0;
+	int k = binary || n < 4 ? 5 : 0;
 
-	while (k < 3 && memcmp(s, archives[k][0], strlen(archives[k][0])) != 0)
+	while (k < 5 && memcmp(s, others[k][0], strlen(others[k][0])) != 0)
 		k++;
-	if (k < 3)
-		strcpy(reason, archives[k][1]);
+	if (k < 5)
+		strcpy(reason, others[k][1]);
 	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
 		/* the header's size has two bytes in version 1, four in others */
 		snprintf(reason, sizeof reason,
@@ -313,8 +311,12 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "
 		    "False",
 		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
-	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0 ||
-	    (binary && (n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0)))
+	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0) {
+		if (binary || memchr(s, '\0', n < 64 ? n : 64) == NULL)
+			return;
+		strcpy(reason, "is binary; say -i f64 or -i f32");
+	} else if (binary &&
+	    (n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0))
 		return;
 	c->refused = true;
 	chunk_complain(j, c, reason);
@@ -339,8 +341,7 @@ void job_do(struct job *j, struct chunk *c)
 		const char *text = c->text;
 
 		c->block_lines = c->block_points = 0;
-		/* a point without image is rarely the only one, so binary_map_floats
-		 * would fail again */
+		/* after a point without image binary_map_floats often fails */
 		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c))
 			continue;
 		if (binary)

@@ -35,8 +35,7 @@ struct chunk {
 	size_t imageless;       /* points without image */
 	size_t first_imageless; /* the line of the first such point */
 
-	/* The block: lines of the chunk that are transformed together. in and image
-	 * have a column for each coordinate of their points. */
+	/* The block: lines that are transformed together, with columns of numbers. */
 	size_t block_lines, block_points;
 	bool walk_planned, can_walk; /* walk_plan was called; returned true */
 	struct walk walk;
@@ -75,24 +74,21 @@ struct job {
 
 struct chunk *chunk_new(void);
 
-/* Makes room for more bytes of output. Returns out + size, where the caller writes the
- * bytes before adding their number to size. */
+/* Returns out + size with room for more bytes, whose number the caller adds to size. */
 char *chunk_reserve(struct chunk *, size_t more);
 
 /* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
  * of the planes whose bits are set in outside. The word belongs to the chunk. */
 const struct word *chunk_flags(struct chunk *, unsigned outside);
 
-/* Adds a complaint about line block_lines of the block. Returns whether the job goes on
- * with the next line; if not, ends the chunk. */
+/* Adds a complaint about line block_lines. Returns false if this ends the chunk. */
 bool chunk_complain(const struct job *, struct chunk *, const char *reason);
 
 /* Writes to the chunk's out the output for its piece, which has whole lines or whole
  * binary points. Stops at the first bad one unless the job keeps going. */
 void job_do(struct job *, struct chunk *);
 
-/* Returns whether the job writes one binary point for each binary point that it reads,
- * so that whole blocks can be written at once. */
+/* Returns whether the job writes a binary point for each that it reads. */
 bool binary_by_blocks(const struct job *);
 
 /* Reads a block of up to POINTS_BLOCK binary points. Sets the lines of the block only
@@ -119,8 +115,7 @@ char *binary_put(const struct layout *, const struct chunk *,
 
 /* stream.c does a job on sources of points, with several threads. */
 
-/* Calls run(data), in a new thread if the program's stack may be too small, and returns
- * when run has returned. */
+/* Calls run(data), in a new thread if the stack may be too small, and waits for it. */
 void call_with_stack(void *(*run)(void *), void *data);
 
 /* Does the job on the points of a source. Prints the output for all points that were
@@ -131,8 +126,7 @@ void stream(struct job *, struct point_source);
 /* answer.c prints the output of chunks in the order of their source, reports bad lines
  * and points without image, and shows progress on standard error. */
 
-/* Turns progress on if asked is true, or standard error is a terminal and standard
- * output is not. Only the first call has an effect. */
+/* Turns progress on, at the first call, if asked or if only stderr is a terminal. */
 void answer_start_progress(bool asked);
 
 /* Begins a source, whose lines are counted from 1. */
@@ -146,8 +140,7 @@ void answer_chunk(const struct job *, struct chunk *);
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */
 void answer_refused_scene(enum format);
 
-/* Reports how many points had no image and how many lines were bad, and closes standard
- * output. Returns the exit status. */
+/* Reports all counts, closes standard output, and returns the exit status. */
 int answer_end(void);
 
 #endif

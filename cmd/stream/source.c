@@ -89,8 +89,7 @@ static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 	p->size = end;
 }
 
-/* Reads until the source ends, or until the piece has a whole line or point and either
- * is full or would have to wait for the next read. */
+/* Reads until the source ends, or the piece has a line and is full or would wait. */
 static enum piece_state fill_piece(struct point_source *s,
     const struct layout *l, struct piece *p)
 {

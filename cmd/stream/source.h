@@ -9,8 +9,7 @@
 
 struct layout;
 
-/* The bytes of a piece of a large source: enough that threads seldom wait for the lock
- * of stream.c, few enough for caches. */
+/* The bytes of a piece: enough that threads seldom wait, few enough for caches. */
 enum { PIECE_ROOM = 1 << 17 };
 
 /* The size of pipes in bytes, so that one process writes a piece while another reads a

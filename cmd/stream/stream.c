@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* With these macros headers declare sched_getaffinity on Linux, and on other systems
- * _SC_NPROCESSORS_ONLN, which POSIX does not have. */
+/* Headers then declare sched_getaffinity on Linux, _SC_NPROCESSORS_ONLN elsewhere. */
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
@@ -150,8 +149,7 @@ static struct chunk *begin_chunk(void)
 	source_read(pool.source, &pool.job->layout, &c->piece);
 	pthread_mutex_lock(&pool.lock);
 	pool.can_read = c->piece.state < PIECE_LAST;
-	/* after PIECE_EARLY no other thread is needed: this one may be ready before a
-	 * slow source has more bytes */
+	/* after PIECE_EARLY, the source may be slower than this thread */
 	if (c->piece.state != PIECE_EARLY)
 		wake_or_start_thread();
 	return c;
@@ -220,8 +218,7 @@ static void *thread_main(void *unused)
 	return unused;
 }
 
-/* Returns how many threads the job gets: at most one for each processor, as two would
- * evict each other's data from its cache. */
+/* Returns how many threads the job gets: at most one for each processor's cache. */
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);
@@ -246,7 +243,7 @@ void stream(struct job *j, struct point_source s)
 	pool.source = &s;
 	pool.can_read = true;
 	pool.first = FIRST_BYTE;
-	j->layout.comment_columns.n = 0;
+	j->layout.comment_names = j->layout.first_line = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&pool.lock);
 }
