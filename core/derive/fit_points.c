@@ -44,9 +44,9 @@ static double distance_error(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-/* Returns whether p is farther than q. If both are equally far, the point with the
- * greater coordinates counts as farther, so that the order of points does not
- * matter. */
+/* Returns whether p is farther along d than q, decided exactly. If both are equally
+ * far, the point with the greater coordinates counts as farther, so that the order of
+ * points does not matter. */
 static bool is_farther(const struct direction *d, const double p[3],
     const double q[3])
 {
@@ -71,8 +71,8 @@ static double distance_along(const struct direction *d, const double p[3])
 	return p[0] * d->scaled[0] + p[1] * d->scaled[1] + p[2] * d->scaled[2];
 }
 
-/* Makes p the farthest point if p is farther. Only if the distances differ by less than
- * their errors, is_farther decides. */
+/* Makes p the farthest point if p is farther. bound is the error of its distance. If
+ * two distances differ by less than their errors, is_farther decides. */
 static void add_point(struct farthest *f, const struct direction *d,
     const double p[3], double bound)
 {
@@ -90,8 +90,8 @@ static void add_point(struct farthest *f, const struct direction *d,
  * examined. */
 enum { FIT_BLOCK = 128 };
 
-/* Adds at most FIT_BLOCK points. Compares only those points one by one whose distance,
- * within its error, may be the largest. */
+/* Adds at most FIT_BLOCK points. Passes to add_point only points whose distance, within
+ * its error, may be the largest. */
 static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
@@ -109,7 +109,7 @@ static void add_block(struct extremes *e, const struct directions *all,
 		for (size_t i = 0; i < n; i++) {
 			const double p[3] = { in[0][i], in[1][i], in[2][i] };
 
-			/* the comparison is false for nan */
+			/* false if a coordinate is nan */
 			if (distance_along(d, p) >= least)
 				add_point(f, d, p, bound);
 		}
