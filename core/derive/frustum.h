@@ -96,7 +96,7 @@ bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
 const char *ray_plane_transform(const struct scene *, enum space from,
     enum space to, const double plane[4], struct transform *);
 
-/* The circle on the device in which points are picked. */
+/* The circle on the device in which points are picked, and their distance from near. */
 struct picker {
 	const struct transform *to_device; /* from model space */
 	struct transform depth; /* z of the image is the distance from near */

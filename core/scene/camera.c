@@ -48,8 +48,8 @@ static void axis_scale(struct axis *a, struct sum s)
 	a->length = sum_mul(a->length, s);
 }
 
-/* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, x = cross(up,
- * z) and y = cross(z, x). The length of y is |z| |x|. */
+/* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
+ * cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
 static const char *axes_of_gaze(const struct camera *c,
     const struct convention *convention, struct axis axis[3])
 {

@@ -27,8 +27,8 @@ static inline bool looks_back(const struct convention *c)
 
 /* Changes the convention of a map's points, if input, or else of its images: in clip
  * space if clip, or else in view space. Where the conventions differ, y changes its
- * sign, and in view space so does z. A depth z of clip space from 0 to w becomes 2 z -
- * w, and one from -w to w becomes (z + w) / 2. */
+ * sign, and z of view space, too. In clip space a depth z from 0 to w becomes 2 z - w,
+ * and one from -w to w becomes (z + w) / 2. */
 void convention_change(const struct convention *from,
     const struct convention *to, bool clip, bool input, struct map *);
 

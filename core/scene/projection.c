@@ -46,9 +46,8 @@ static void tangents(double a, double b, enum angle_unit unit,
 	*edge_sum = sum_add(left, right);
 }
 
-/* Sets x / dx = 2 d / (r - l), sums[0] / dx = (l + r) / (r - l), and y / dy, sums[1] /
- * dy likewise from b and t: the edges l, r, b, t are those of a section at distance d.
- */
+/* Sets x / dx = 2 d / (r - l), sums[0] / dx = (l + r) / (r - l), and y likewise. l and
+ * r are the left and right edge of the cross-section at distance d. */
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum sums[2])
 {
@@ -249,10 +248,10 @@ static const char *eye_plane_refusal(const struct projection *p)
 }
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -an, -qn), (0, 0, an zn, qd).
- * x and y are those of volume_section times qd; sx and sy are x/z and y/z of the
- * volume's axis. q = qn / qd is 1/z of the eye, an / qd = 1 - zf q, and bn / qd = 1 -
- * zn q. The last two are w at z_far and z_near, up to a sign. If they differ in sign,
- * the eye plane is inside the volume. */
+ * x and y are those of volume_section times qd. sx and sy are x/z and y/z of the
+ * volume's axis. q = qn / qd is 1/z of the eye. Up to a sign, w at z_far is an / qd =
+ * 1 - zf q, and w at z_near is bn / qd = 1 - zn q. If an and bn differ in sign, the eye
+ * plane is inside the volume. */
 static const char *volume_matrix(const struct projection *p,
     struct scaled_matrix *f)
 {
@@ -302,10 +301,10 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
-/* Returns the inverse (A', 0; -B' C A', B') of the 2x2 blocks (A, 0; C, B). A' and B'
- * are the inverses of A and B. A is (x 0; 0 y), B is (zz zw; tz tw), C is (zx zy; tx
- * ty), and det is the determinant of B. The divisors of columns become factors of the
- * inverse's rows. */
+/* Returns the inverse (A', 0; -B' C A', B') of the 2x2 blocks (A, 0; C, B), where
+ * A = (x 0; 0 y), B = (zz zw; tz tw) and C = (zx zy; tx ty). A' and B' are the inverses
+ * of A and B, and det is the determinant of B. The divisors of columns become factors
+ * of the inverse's rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
