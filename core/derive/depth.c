@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-/* Let n be the gradient of w or, if w is constant, of z. D is measured along n from the
- * eye or, if w is constant, from the origin of view space. With z0 and w0, the values
- * of z and w at this point, and dz and dw, the products of n and the gradients of z and
- * w,
+/* Let n be the gradient of w or, if w is constant, of z. D of struct depth is measured
+ * along n from the eye or, if w is constant, from the origin of view space. Let z0 and
+ * w0 be the values of z and w at this point, and dz and dw the dot products of n with
+ * the gradients of z and w. Then
  *
  *	depth = (z0 + D dz / |n|) / (w0 + D dw / |n|),
  *	D = |n| (w0 depth - z0) / (dz - dw depth).
  *
  * At the eye w0 is 0. Numerator and denominator of D are negated if the denominator
  * would be negative in front of the eye. D of a parallel projection grows along the
- * convention's gaze, but D of a parallel PROJECTION_MATRIX from near to far. */
+ * convention's gaze, but that of a parallel PROJECTION_MATRIX from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;
@@ -85,7 +85,7 @@ double depth_distance(const struct depth *d, bool far)
 	return sum_sign(den) == 0 ? HUGE_VAL : sum_ratio_or_nan(num, den);
 }
 
-/* Returns the sign of a - b. */
+/* Returns the sign of a - b, where a and b are depths a[0] / a[1] and b[0] / b[1]. */
 static int compare_depths(const struct sum a[2], const struct sum b[2])
 {
 	return sum_sign(sum_minor(a[0], b[1], b[0], a[1])) * sum_sign(a[1]) *

@@ -14,21 +14,21 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* The factor that makes a bound, as computed in double, outweigh its own roundings. */
+/* The factor that makes a bound in doubles at least as large as the exact bound. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume. An error bound is a sum of magnitudes of products,
- * divided by w. This quotient is a convex function of the position in ndc, so its
- * maximum is in a corner. A corner may be at infinity. */
+/* A corner of the view volume, which may be at infinity. An error bound is a sum of
+ * magnitudes of products, divided by w. This quotient is a convex function of the
+ * position in ndc, so its maximum over the volume is in a corner. */
 struct corner {
-	double offset[3]; /* |coordinate - the map's origin| / w */
+	double offset[3]; /* |model coordinate - the map's origin| / w */
 	double inverse_w; /* 1/w */
 };
 
 struct error_analysis {
 	const struct transform *transform;
 	struct corner corner[8];
-	double max[3], largest; /* upper bounds of |coordinates| of images */
+	double max[3], largest; /* upper bounds of |x|, |y|, |z|, and of all */
 };
 
 /* Sets c to corner i of the volume. to_model is the map from view space. */
@@ -62,7 +62,7 @@ static void set_image_bounds(const struct scene *s, struct error_analysis *to)
 }
 
 /* Returns S / w of column j in a corner. S is the sum of the magnitudes of the column's
- * products, as in kernel/approx.h, and of the largest errors by underflow. */
+ * products (kernel/approx.h) plus the largest errors by underflow. */
 static double column_bound(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
@@ -115,7 +115,7 @@ const char *error_bounds(const struct scene *s, const struct volume *v,
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* no bounds: in model space the volume is infinite */
+	/* there are no bounds if the volume is infinite in model space */
 	if (why != NULL || projection_is_open(&s->projection) ||
 	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &to_model) != NULL)
 		return why;

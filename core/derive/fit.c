@@ -9,8 +9,8 @@
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* Sets gaze, up and, if the camera has none, the eye from the rows of to_world, the map
- * from view to world space. The axes of a matrix are those of its nearest rotation. */
+/* Sets gaze and up and, if the camera is not given by an eye, the eye: from to_world,
+ * the map from view to world space. A matrix is replaced by its nearest rotation. */
 static const char *gaze_from_axes(struct camera *c,
     const struct convention *convention, struct map *to_world)
 {
@@ -47,7 +47,7 @@ static void gaze_from_at(struct camera *c)
 		c->at[k] /= 2;
 }
 
-/* Gives the camera the form CAMERA_GAZE. The numbers of a gaze do not change; the
+/* Gives the camera the form CAMERA_GAZE. A camera in this form does not change; the
  * numbers of other forms are rounded to doubles. A scene without a camera gets a camera
  * at the origin that looks along the z axis of view space. */
 static const char *make_gaze_camera(struct scene *s)
@@ -93,7 +93,7 @@ static double ratio_up(struct sum n, struct sum d)
 	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
 }
 
-/* Returns n / d rounded upward or, if extents_widen has widened axis j, to nearest. */
+/* Returns n / d rounded upward; to nearest if extents_widen has widened axis j. */
 static double extent_ratio(const struct extents *r, int j, struct sum n,
     struct sum d)
 {
@@ -138,8 +138,8 @@ static struct sum step_to_near_ratio(const struct extents *r, double ratio)
 	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
 }
 
-/* Finds the slope of each side plane: how much the plane's function falls at a fixed
- * point while the eye moves by 1 along the gaze. */
+/* Finds the side planes in view space, and the slope of each: how much the plane's
+ * function falls at a fixed point while the eye moves by 1 along the gaze. */
 static const char *find_plane_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
@@ -159,10 +159,9 @@ static const char *find_plane_slopes(const struct scene *s, struct map *sides,
 }
 
 /* Finds step[1] and step[0], across the gaze, so that after the step the functions of
- * the two planes of each pair have the same least value on the bounds. step[2] is
- * given. A step lowers a least value by the dot product of the step and the plane's
- * normal. The functions of bottom and top do not depend on x, so step[1] is found
- * first. */
+ * two opposite planes have the same least value on the bounds. step[2] is given. A step
+ * lowers a least value by the dot product of the step and the plane's normal. The
+ * functions of bottom and top do not depend on x, so step[1] is found first. */
 static void center_between_planes(const struct map *sides,
     const struct sum lowest[4], struct sum step[3])
 {
@@ -182,9 +181,9 @@ static void center_between_planes(const struct map *sides,
 
 /* Finds the eye's step in view space, as far along the gaze as a side plane or
  * near_ratio allows. A step of t along the gaze lowers the least value of a plane's
- * function by t times the plane's slope. If center, the eye also moves across the gaze,
- * which does not change the sum of the least values of two opposite planes, so that
- * this sum limits t. */
+ * function by t times the plane's slope. If center, the eye also moves across the gaze.
+ * This does not change the sum of the least values of two opposite planes, so the sum
+ * limits t. */
 static const char *find_eye_step(const struct scene *s, const struct hull *h,
     bool center, struct sum step[3])
 {
@@ -299,8 +298,8 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 
 /* Moves the eye so that the bounds are in the middle of the picture. Without has_eye
  * the eye also moves along the gaze, until its distance from the middle of the bounds
- * is the bounds' extent along the gaze. In an oblique projection this move shifts the
- * image; a step across the gaze undoes the shift. */
+ * is the bounds' extent along the gaze. In an oblique projection a step along the gaze
+ * shifts the image; a step across the gaze undoes the shift. */
 static const char *center_picture(struct scene *s, bool has_eye,
     const struct hull *h)
 {
@@ -332,8 +331,8 @@ static const char *center_picture(struct scene *s, bool has_eye,
 	return NULL;
 }
 
-/* Sets near, far, and the least width and height in this aspect that hold the
- * bounds. */
+/* Sets near and far, and width and height to the least sizes that hold the bounds and
+ * have the aspect. */
 static const char *enclose_parallel(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -360,8 +359,8 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Replaces width and height by edges, the form of the given projection. The edges
- * mirror the image if the given edges did. */
+/* Replaces width and height by edges, which the given projection has. The edges mirror
+ * the image if the given edges did. */
 static void restore_edges(struct projection *p, const struct projection *given)
 {
 	double x = given->left > given->right ? -p->width : p->width;
@@ -386,8 +385,8 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves the near plane of a volume, if the eye is before far, until the eye's distance
- * from near is at least near_ratio times the eye's distance from far. */
+/* Moves the near plane of a volume, if the eye is before far, until near's distance
+ * from the eye is at least near_ratio times far's distance from the eye. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
@@ -426,7 +425,7 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Gives the camera the form CAMERA_GAZE, and valid numbers to the members of the
+/* Gives the camera the form CAMERA_GAZE. Gives valid numbers to those members of the
  * projection that fit is going to find. */
 static const char *fit_prepare(struct scene *s)
 {
@@ -493,10 +492,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
-/* The farthest points of these directions suffice: hull_extents measures along
- * fit_axes, find_eye_step and hull_outside along the normals of the side planes, which
- * do not change as the eye moves. Only keep_side_planes rounds sizes on the near plane,
- * outward: the points stay inside, but the rounding may take a little of the margin. */
+/* The farthest points along these directions suffice. hull_extents measures along
+ * fit_axes, find_eye_step and hull_outside along the normals of the side planes. A move
+ * of the eye does not change the normals, but keep_side_planes rounds sizes outward:
+ * the points stay inside, and the margin may shrink by the rounding. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {

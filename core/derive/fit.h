@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* The bounds that fit closes a scene around, their extents, and the fit. */
+/* The bounds that fit encloses, their extents, and the fit. */
 #ifndef FIT_H
 #define FIT_H
 
 #include "../scene/scene.h"
 
-enum { BOUNDS_POINTS = 10 }; /* six along the axes, four to the side planes */
+enum { BOUNDS_POINTS = 10 }; /* 6 along axes, 4 toward side planes */
 
-/* A sphere, a box from min to max or, if n is not 0, n points: of all points those that
- * are farthest along the directions of fit_directions. All numbers are in model space;
- * the world matrix turns the sphere into an ellipsoid. In a 2D window there is no third
- * coordinate, and the sphere is a circle. */
+/* A sphere, a box from min to max or, if n is not 0, n points: those of the user's
+ * points that are farthest along the directions of fit_directions. All numbers are in
+ * model space; the world matrix turns the sphere into an ellipsoid. In a 2D window
+ * there is no third coordinate, and the sphere is a circle. */
 struct bounds {
 	double center[3], radius;
 	unsigned sphere; /* 1: a sphere, 0: a box or points */
@@ -19,7 +19,7 @@ struct bounds {
 	double point[BOUNDS_POINTS][3];
 };
 
-/* The convex hull of n points, widened by a radius. */
+/* The convex hull of n points, widened on all sides by a radius, which may be 0. */
 struct hull {
 	int n;
 	double point[BOUNDS_POINTS][3], radius;
@@ -29,8 +29,8 @@ struct hull {
  * than min along an axis, the member and the reason. */
 const char *hull_of(const struct bounds *, int dimensions, struct hull *);
 
-/* Returns the least value on the hull of column j of a map or, if minus, of the negated
- * column (the hull's support function). */
+/* Returns the least value that a map's column j or, if minus, the negated column has on
+ * the hull. */
 struct sum hull_lowest(const struct hull *, const struct map *, int j,
     bool minus);
 
@@ -39,25 +39,25 @@ struct extents {
 	struct sum low[3], high[3], size[3];
 };
 
-/* Sets the extent along axis j to the range of column j of a map on the hull. */
+/* Sets the extent along axis j to the range of a map's column j on the hull. */
 void extents_set(struct extents *, int j, const struct hull *,
     const struct map *);
 
 struct sum extents_middle(const struct extents *, int j);
 
-/* Widens each zero extent of the first n axes to 2^-20 of the largest extent. Returns
- * NULL, or the reason if all extents are 0. */
+/* Widens low and high of each zero extent of the first n axes to 2^-20 of the largest
+ * extent; size stays 0. Returns NULL, or the reason if all extents are 0. */
 const char *extents_widen(struct extents *, int n);
 
-/* Makes the maps from model space along whose columns fit measures. Columns 0 and 1 of
- * xy are x and y: in view space for a perspective or a volume, in clip space with y
- * upward for ortho and oblique, whose width and height must be 2. Column 2 of depth is
- * the distance along the gaze, in a perspective w. Returns NULL, or the member and the
- * reason. */
+/* Makes the maps from model space by whose columns fit measures bounds. Columns 0 and 1
+ * of xy are x and y: of view space for persp and volume, of clip space with y upward
+ * for ortho and oblique, whose width and height the caller has set to 2. Column 2 of
+ * depth is the distance along the gaze or, for persp, w. Returns NULL, or the member
+ * and the reason. */
 const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
 
-/* Finds the extents of a hull along the columns of fit_axes, and widens them. Returns
- * NULL, or the member and the reason. */
+/* Finds the extents of a hull along the columns of fit_axes, and widens zero extents.
+ * Returns NULL, or the member and the reason. */
 const char *hull_extents(const struct hull *, const struct scene *,
     struct extents *);
 
@@ -74,7 +74,7 @@ struct directions {
 	double scaled[BOUNDS_POINTS][3];
 };
 
-/* Adds the direction in which column j of the map grows or, if minus, falls. */
+/* Adds the direction along which column j of the map grows or, if minus, falls. */
 void directions_add(struct directions *, const struct map *, int j, bool minus);
 
 /* The farthest point along a direction, and its distance along the direction's scaled,
@@ -100,19 +100,19 @@ void extremes_add(struct extremes *, const struct directions *,
 void extremes_merge(struct extremes *, const struct directions *,
     const struct extremes *);
 
-/* Makes bounds of the farthest points. Returns false if no point was added. */
+/* Makes bounds of the farthest points. Returns false if no point has been added. */
 bool extremes_bounds(const struct extremes *, const struct directions *,
     struct bounds *);
 
 /* Completes a scene of type persp, ortho, oblique or volume, and gives its camera the
  * form CAMERA_GAZE. The axes of view space do not change. near and far become the ends
- * of the bounds' depth. The caller need not set near, far and, in a parallel
- * projection, width and height; camera.eye is ignored without has_eye.
+ * of the bounds' depth. These are ignored: near and far, but not a near plane on which
+ * sizes are given; width and height of ortho and oblique; camera.eye without has_eye.
  *
  * persp keeps the directions of its side planes. The eye moves along the gaze until the
  * bounds are between the side planes and one plane touches the bounds, or until near is
- * near_ratio times far. If the bounds are points and the scene has no eye, the eye also
- * moves across the gaze: both planes of the tighter pair touch the bounds, and the
+ * near_ratio times far. If the bounds are points and has_eye is false, the eye also
+ * moves across the gaze. Both planes of the tighter pair then touch the bounds. The
  * functions of the other two planes have the same least value on the bounds.
  *
  * ortho and oblique are centred on the bounds. Width and height become the least that
@@ -120,18 +120,18 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * has one (aspect[1] is not 0).
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
- * convention's gaze. If the eye is before far, near is moved until the eye's distance
- * from near is at least near_ratio times the eye's distance from far.
+ * convention's gaze. If the eye is before far, near is moved until near's distance
+ * from the eye is at least near_ratio times far's distance from the eye.
  *
  * A margin moves the side planes inward before they are compared with the bounds. The
  * eye is rounded to doubles; in persp it then moves back until the bounds are inside.
- * frustum_outside finds no corner or point of the bounds outside. near, far and the
- * sizes of a parallel projection are the tightest doubles for which this holds, unless
- * the bounds are so far from the eye that rounding hides their last bits. Returns NULL,
- * or the member and the reason. */
+ * frustum_outside finds each corner or point of the bounds inside. near, far and the
+ * sizes of ortho and oblique are the tightest doubles with this property, unless the
+ * eye is so far away that errors exceed the last bits of the bounds. Returns NULL, or
+ * the member and the reason. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
-/* Finds the directions along which fit_scene measures the bounds. The farthest points
+/* Finds the directions along which fit_scene measures. The farthest points along them
  * make the same scene as all points. Returns NULL, or the member and the reason. */
 const char *fit_directions(const struct scene *, bool has_eye,
     struct directions *);

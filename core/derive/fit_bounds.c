@@ -32,9 +32,9 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 	return NULL;
 }
 
-/* Returns the least value of column j on the hull or, if minus, of the negated column,
- * less the value at the hull's first point. The least value on a sphere is the value at
- * its centre minus the radius times the length of the gradient. */
+/* Returns the least value of column j on the hull (if minus, of the negated column)
+ * minus the value at the hull's first point. On a sphere, the least value is the value
+ * at the centre minus the radius times the length of the column's gradient. */
 static struct sum lowest_offset(const struct hull *h, const struct map *m,
     int j, bool minus)
 {

@@ -90,8 +90,8 @@ static void add_point(struct extremes *e, const struct directions *all, int j,
  * examined. */
 enum { FIT_BLOCK = 128 };
 
-/* Adds at most FIT_BLOCK points. Compares only those points one by one whose distance,
- * within its error, may be the largest. */
+/* Adds at most FIT_BLOCK points. Passes to add_point only points whose distance, within
+ * its error, may be the largest. */
 static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {

@@ -25,8 +25,8 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 }
 
 /* Makes the planes from the map m to clip space. With half and scale of view_limits,
- * left and right are half w + scale x and half w - scale x, bottom and top the same in
- * y. Bottom and top are swapped if ndc y points down, near and far if depth is
+ * left is half w + scale x, and right is half w - scale x; bottom and top are the same
+ * in y. Bottom and top are exchanged if ndc y points down, near and far if depth is
  * reversed. If there are no near and far planes, their functions are 1, so that every
  * point is inside. */
 static void planes_of_clip(const struct scene *s, const struct map *m,
@@ -118,11 +118,11 @@ unsigned frustum_outside(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* Makes the estimate of the signs of a transform's columns. The error of a column is at
- * most ESTIMATE_BOUND times the sum of its products' magnitudes, plus its noise, plus
- * 2^-1074 times each coordinate whose element underflows. high excludes overflow, and
- * low excludes sums of magnitudes below 2^-899, in which underflow of products would
- * count. */
+/* Makes the estimate (kernel.h) of the signs of a transform's columns. A column has
+ * three errors: ESTIMATE_BOUND times the sum of its products' magnitudes, its noise,
+ * and 2^-1074 times each coordinate whose element underflows. low excludes sums of
+ * magnitudes below 2^-899, whose products could underflow; high excludes sums that
+ * could overflow. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -185,8 +185,8 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Writes the homogeneous point h in which columns a and b of the sides and column c of
- * other are 0, with w >= 0, or 0 0 0 0 if the planes meet in more than a point. */
+/* Writes the homogeneous point h, with w >= 0, where columns a and b of the sides and
+ * column c of other are 0; or 0 0 0 0 if the planes meet in more than a point. */
 static void intersect_planes(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The view volume, and what it decides: the planes, or the edges of a 2D window, that a
- * point is outside of, the bounds of errors, rays, and the points near a position. */
+/* The view volume, or the edges of a 2D window, and what follows from them: whether a
+ * point is outside, bounds of errors, rays, and the points near a position. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -25,19 +25,19 @@ struct frustum {
 };
 
 /* Finds the limits of ndc x and y: a point is between the side planes if |x| scale[0]
- * <= half[0] and |y| scale[1] <= half[1]. half is smaller by the margin. */
+ * <= half[0] and |y| scale[1] <= half[1]. The scene's margin makes half smaller. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
-/* Makes the planes of the view volume: linear functions of a point in one space, which
- * are not negative inside. The columns of sides are left, right, bottom and top, those
- * of ends near, far and w. Returns NULL, or the member and the reason. */
+/* Make the planes of the view volume, as functions of a point in the space from. They
+ * are linear, and not negative inside. The columns of sides are left, right, bottom and
+ * top, those of ends near, far and w. Return NULL, or the member and the reason. */
 const char *view_planes(const struct scene *, enum space from,
     struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
 /* Makes the edges of the ndc square, which fills the device, as functions of a point in
- * a space of the 2D window. Returns NULL, or the member and the reason. */
+ * the 2D space from. Returns NULL, or the member and the reason. */
 const char *flat_frustum_of(const struct scene *, enum flat_space from,
     struct frustum *);
 
@@ -51,9 +51,9 @@ void frustum_outside_all(const struct frustum *, const double *const in[4],
 
 /* The view volume in view space. sides and ends have the columns of view_planes. The
  * corners and the eye are homogeneous points, each computed as the point where three
- * planes meet: an inverse map has errors relative to the whole volume, which could
- * exceed a small near plane. The corners of near are 0 to 3, those of far 4 to 7, in
- * the order left-bottom, right-bottom, right-top, left-top. w of a corner is not
+ * planes meet. (The errors of an inverse map are relative to the whole volume, and
+ * could exceed a small near plane.) The corners of near are 0 to 3, those of far 4 to
+ * 7, in the order left-bottom, right-bottom, right-top, left-top. w of a corner is not
  * negative. Without near and far planes all corners are at infinity. */
 struct volume {
 	struct map to_clip, sides, ends; /* from view space */
@@ -64,11 +64,11 @@ struct volume {
 /* Makes the volume of a scene. Returns NULL, or the member and the reason. */
 const char *volume_of(const struct scene *, struct volume *);
 
-/* Writes for each enum precision an upper bound of the error of any coordinate of an
- * image, for model points in the scene's view volume. The unit is that of the device
- * or, without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if
- * w could be less than its own error, or 1/w beyond the range of the precision. Returns
- * NULL, or the member and the reason. */
+/* Writes, by enum precision, an upper bound of the error of each coordinate of the
+ * image of any model point in the view volume. The unit is that of the device or,
+ * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if w
+ * could be less than its own error, or if 1/w is beyond the range of the precision.
+ * Returns NULL, or the member and the reason. */
 const char *error_bounds(const struct scene *, const struct volume *,
     double bound[3]);
 
@@ -82,21 +82,21 @@ struct ray_maker {
 /* Makes the maps for rays_cast. Returns NULL, or the member and the reason. */
 const char *ray_maker_of(const struct scene *, struct ray_maker *);
 
-/* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes the point
- * where the ray meets the near plane, or the eye if there is no near plane, and the
- * unit direction of the ray from near to far, in world space. The columns have room for
- * POINTS_BLOCK numbers: the nearest doubles or, if single, floats. If a position has no
- * ray, its numbers are nan. Returns true only if all numbers are finite. */
+/* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes, in world
+ * space, the point where the ray meets the near plane, or the eye if there is no near
+ * plane, and the unit direction of the ray from near to far. The numbers are the
+ * nearest doubles or, if single, floats; a position without a ray gets nan. The columns
+ * have room for POINTS_BLOCK numbers. Returns true only if all numbers are finite. */
 bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
     double *const point[3], double *const direction[3], size_t n);
 
-/* Makes the transform from a position x y in device or ndc space to the point where its
- * ray meets the plane a x + b y + c z + d = 0 of model, world or view space. w is
- * positive in front of the eye. Returns NULL, or the member and the reason. */
+/* Makes the transform from x y in the space from (device or ndc) to the point where the
+ * ray of x y meets the plane a x + b y + c z + d = 0 of the space to (model, world or
+ * view). w is positive in front of the eye. Returns NULL or the reason. */
 const char *ray_plane_transform(const struct scene *, enum space from,
     enum space to, const double plane[4], struct transform *);
 
-/* The device circle in which points are picked, and their distance from near. */
+/* The circle on the device in which points are picked, and their distance from near. */
 struct picker {
 	const struct transform *to_device; /* from model space */
 	struct transform depth; /* z of the image is the distance from near */
@@ -108,14 +108,14 @@ const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 
 /* Returns whether the exact image of a point is within radius of at. device is the
- * image rounded to nearest. */
+ * nearest double of each coordinate of the image. */
 bool pick_is_within(const struct picker *, const double in[4],
     const double device[2]);
 
 /* Returns the double nearest to a point's distance from the near plane. */
 double pick_distance(const struct picker *, const double in[4]);
 
-/* Returns the sign of the difference of the distances of p and q. */
+/* Returns the sign of the distance of p minus the distance of q. */
 int pick_compare(const struct picker *, const double p[4], const double q[4]);
 
 #endif

@@ -9,8 +9,8 @@
  * error of the given numbers. */
 #define NEGLIGIBLE 0x1p-40
 
-/* The map from view to clip space in the axes X to the right, Y upward and D along the
- * gaze that make it upright: y and w do not depend on X, nor w on Y. Clip coordinates
+/* The map from view to clip space, in axes that make it upright: y and w do not depend
+ * on X, nor w on Y. X is to the right, Y upward, and D along the gaze. Clip coordinates
  * are
  *
  *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
@@ -26,7 +26,7 @@ struct upright {
 	bool tilted;           /* z depends on X or Y */
 };
 
-/* Returns whether answer_convention has the other handedness than the document. The map
+/* Returns whether answer_convention differs from the document's in handedness. The map
  * from world to view space then mirrors. */
 static bool is_mirrored(const struct scene *s)
 {
@@ -103,8 +103,8 @@ static void set_elements(const struct lens *l, struct upright *u)
 	u->w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 
-/* Returns whether the matrix contains a camera that is turned by 180 degrees: far is
- * against the gaze or, if the document has no camera, the picture is upside down. */
+/* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far (if
+ * parallel) is against the gaze or, without a camera, the picture is upside down. */
 static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;
@@ -180,8 +180,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 	}
 }
 
-/* Returns whether R R' is the identity within 2^-20, where R is the upper 3x3 over the
- * divisor, and the determinant of R is positive or, if mirrored, negative. */
+/* Returns whether R R' is the identity within 2^-20, and det R above 0 (if mirrored,
+ * below). R is the upper 3x3 of the map over the divisor, and R' its transpose. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
@@ -214,9 +214,9 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K, which maps to the pixels half + scale x / w (view_limits) from the
- * viewport's corner. Y of K points downward if pixels count from the top. X of K is X
- * of u or, if is_mirrored, -X: to the right in the picture. */
+/* Computes K of struct picture. With half and scale of view_limits, half + scale x / w
+ * is in pixels from the viewport's corner. Y of K points downward if pixels count from
+ * the top. X of K is to the right in the picture: X of u or, if is_mirrored, -X. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
@@ -239,8 +239,8 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 }
 
 /* Sets left, right, bottom and top: X or Y where the side plane x = -w, x = w, y = -w
- * or y = w meets the plane D = n / d. This plane is near or far in a perspective, and
- * the plane that the shear keeps in a parallel projection. */
+ * or y = w meets a plane of constant D. In a perspective this is the far plane (if far)
+ * or near, in a parallel projection the plane whose points the shear does not move. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {

@@ -40,11 +40,11 @@ static struct sum square(struct sum a)
 	return sum_mul(a, a);
 }
 
-/* The exact image is N / w. It is within the radius r of the position p if (N - p w)^2
- * <= (r w)^2. device, the rounded image, has a relative error of a few u = 2^-53. If r
- * is above 2^-40 of the coordinates of p, the squared distance d2 of device from p has
- * near the circle a relative error below 2^-10, so doubles decide if d2 differs from
- * r^2 by more than 2^-8 r^2. */
+/* The exact image N / w is within the radius r of the position p if (N - p w)^2 is at
+ * most (r w)^2. device is the image rounded to doubles, and d2 the square of its
+ * distance from p. If r is above 2^-40 of the coordinates of p, the errors of device,
+ * 2^-53 of its coordinates, are below 2^-12 r near the circle. They change d2 by less
+ * than 2^-9 r^2, so d2 decides if it differs from r^2 by more than 2^-8 r^2. */
 bool pick_is_within(const struct picker *k, const double in[4],
     const double device[2])
 {

@@ -27,10 +27,10 @@ enum kind {
 	KIND_THREE_POINT,
 };
 
-/* Faults of a scene, and reasons why has_scene is false. */
+/* Faults of a scene, and reasons why has_scene of struct picture is false. */
 enum note {
 	NOTE_MIRRORED,     /* the picture is a mirror image */
-	NOTE_OTHER_HANDED, /* the projection has the other handedness */
+	NOTE_OTHER_HANDED, /* the projection's handedness is not the scene's */
 	NOTE_LOOKS_AWAY,   /* the projection looks against the camera's gaze */
 	NOTE_TRANSPOSED,   /* the projection's matrix looks transposed */
 	NOTE_NEAR_BEYOND,  /* near is farther than far */
@@ -40,14 +40,14 @@ enum note {
 	NOTE_TILTED,        /* near and far are not parallel to the picture */
 	NOTE_MINUS_W,       /* w is negative from near to far */
 	NOTE_NO_INTRINSICS, /* intrinsics are needed, but cannot be given */
-	NOTE_OUT_OF_RANGE, /* a plane is behind the eye, or a number beyond the range */
+	NOTE_OUT_OF_RANGE,  /* the scene's numbers would be out of range */
 	NOTES,
 };
 
-/* The maps of a scene. The first three elements of clip[j] are the gradient of clip x,
- * y, z or w in view space, the fourth is its value at the origin. Parallel projectors
- * are perpendicular to the gradients of x and y. The gradient of w or, if w is
- * constant, of z is normal to the projection plane. */
+/* The maps of a scene. clip[j] has clip coordinate j, one of x, y, z and w: its
+ * gradient in view space in three elements, and its value at the origin in the fourth.
+ * Parallel projectors are perpendicular to the gradients of x and y. The gradient of w
+ * or, if w is constant, of z is normal to the projection plane. */
 struct lens {
 	const struct scene *scene;
 	struct volume volume;
@@ -75,7 +75,7 @@ struct depth {
 	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
 	bool reversed;    /* the near plane has the larger ndc depth */
 	bool open;        /* there are no near and far planes */
-	bool constant;    /* min_z is max_z; low is 0, high is 1 instead */
+	bool constant;    /* min_z equals max_z; low is then 0, and high 1 */
 };
 
 void depth_of(const struct lens *, struct depth *);
@@ -88,10 +88,10 @@ void depth_quotient(const struct depth *, bool far, struct sum *num,
  * nan if the plane is behind the eye or does not exist. */
 double depth_distance(const struct depth *, bool far);
 
-/* Returns the distance from the near or far plane, inward, to the depth that differs by
- * one step of the buffer; a step of BUFFER_FLOAT32 ends at the next float. Returns nan
- * if the plane is at infinity or does not exist, or if the whole range of depth is less
- * than a step. */
+/* Returns the distance from the near or far plane to points between the planes whose
+ * depth differs by one step of the buffer; BUFFER_FLOAT32 steps to the next float.
+ * Returns nan if the plane is at infinity or does not exist, or if the whole range of
+ * depth is less than a step. */
 double depth_step(const struct depth *, enum buffer, bool far);
 
 /* Returns the distance, toward the eye, from points at the given distance to points
@@ -119,7 +119,7 @@ struct picture {
 	bool reverse_z;
 	/* On the near plane in view space: x of left and right, y of bottom and top. */
 	double near_edge[4];
-	/* The rows of K, which maps X to the right, Y along device y and Z along the
+	/* The matrix K, which maps X to the right, Y along device y and Z along the
 	 * gaze to pixels from the viewport's corner. */
 	double intrinsics[3][3];
 	/* a b c d for left, right, bottom, top, near and far: a point x y z of world
@@ -128,8 +128,8 @@ struct picture {
 	double error_bound[3]; /* by enum precision */
 	unsigned notes;        /* a bit for each enum note */
 	/* A scene that makes the same picture, in answer_convention: a camera by eye
-	 * and gaze, and a projection by edges or, if x depends on y or there are no
-	 * planes, by intrinsics. */
+	 * and gaze, and a projection by edges or, if clip x depends on y or near
+	 * and far are missing, by intrinsics. */
 	bool has_scene;
 	struct scene scene;
 };

@@ -8,18 +8,18 @@
 
 /* Makes the map from device x and y to a vector along the ray. The ray lies in the
  * planes x w = X and y w = Y, where X, Y and w are columns of the map from view space
- * to the device. The ray is parallel to the cross product of the planes' normals, in
- * which the term of x y is 0:
+ * to the device. The ray is parallel to the cross product of the planes' normals:
  *
- *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
+ *	cross(x w - X, y w - Y) = x cross(Y, w) + y cross(w, X) + cross(X, Y)
  *
- * Depth grows along this vector if the map's determinant is positive. If depth falls
- * along rays, the vector is negated. The product is exact in view space even if the
- * camera is not. So r is the product times the map from view to world space. */
+ * Device depth grows along this vector if the map's determinant is positive. The vector
+ * is negated if that is not the direction from near to far. The cross product is exact
+ * in view space even if the camera is not: r is first computed there, and then
+ * multiplied by the map from view to world space. */
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
-	/* the columns X, Y and w, and the factors of each product */
+	/* the columns X, Y and w, and the factors of each cross product */
 	static const int column[3] = { 0, 1, 3 };
 	static const int factor[4][2] = { { 1, 2 }, { 2, 0 }, { 0, 0 },
 		{ 0, 1 } };
@@ -66,7 +66,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 {
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	const struct viewport *v = &s->viewport;
-	/* device depth falls along rays */
+	/* device depth falls from near to far */
 	bool depth_falls = (v->max_z > v->min_z) == reversed;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);
@@ -103,8 +103,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	}
 }
 
-/* Returns whether the ray of a device position begins at a point. Coordinates of point
- * that are nan can also be beyond the range of doubles; then the sign of w decides. */
+/* Returns whether a device position has a ray. If all of point is nan, either there is
+ * no ray, or its point is beyond the range of doubles: the sign of w decides. */
 static bool ray_has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -129,7 +129,7 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* Completes a ray that a kernel left undecided: computes a direction that is still nan,
+/* Completes a ray that a kernel left undecided. Computes a direction that is still nan,
  * rounds to floats if single, and makes the direction nan if the ray has no point. */
 static void ray_finish(const struct ray_maker *r, const double in[4],
     bool single, double point[3], double direction[3])
@@ -182,14 +182,14 @@ bool rays_cast(const struct ray_maker *r, bool single,
 }
 
 /* Writes row i of the map r from q = (x, y, z, 1) to the point where the ray through x
- * and y meets the plane p. m_i are the rows of m, the map from device or ndc space. The
- * image of q is P = sum of q_i m_i. P is on the plane if p . P = 0, which is linear in
- * z = q_2:
+ * and y meets the plane p. m_i are the rows of m, the map from device or ndc space. m
+ * takes q to P = sum of q_i m_i, which is on the plane if p . P = 0. This equation is
+ * linear in z = q_2:
  *
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
- * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). Row i is the factor of q_i times
- * m_2 . p. The terms of p_j in its column j cancel. */
+ * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). Row i of r is the factor of q_i
+ * times m_2 . p. In column j of the row, the terms of p_j cancel. */
 static void set_plane_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {
@@ -207,8 +207,8 @@ static void set_plane_row(const struct map *m, int i, const struct sum p[4],
 	}
 }
 
-/* Row m_2 of the map is the homogeneous point that all rays share: the eye or, if the
- * rays are parallel, their direction. */
+/* Row m_2 of the map m is the homogeneous point that all rays share: the eye or, if the
+ * rays are parallel, their direction. The plane must not contain this point. */
 const char *ray_plane_transform(const struct scene *s, enum space from,
     enum space to, const double plane[4], struct transform *t)
 {

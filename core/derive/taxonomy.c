@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-/* The relative tolerance of tests for equal, zero and parallel. */
+/* The relative tolerance of the tests for equal or zero lengths and parallel axes. */
 #define KIND_TOLERANCE 0x1p-40
 
 static bool nearly_equal(double a, double b)
@@ -79,7 +79,7 @@ static enum kind perspective_kind(const struct lens *l)
 /* Sets fov[0], the angle between the planes scale x = -half w and scale x = half w, and
  * fov[1], the same for y. The normals of the planes are half g + scale a and half g -
  * scale a, where g is the gradient of w and a the gradient of x. The tangent of the
- * angle is the length of the normals' cross product over their dot product, negated. */
+ * angle is the length of the normals' cross product over minus their dot product. */
 static void set_fov(const struct lens *l, double fov[2])
 {
 	struct sum half[2], scale[2];
@@ -99,7 +99,7 @@ static void set_fov(const struct lens *l, double fov[2])
 }
 
 /* Sets kind, field of view and vanishing points of a perspective. The vanishing point
- * of an axis is the image of its direction, whose fourth coordinate is 0. */
+ * of a world axis is the image of the axis's direction, x y z 0. */
 static void classify_perspective(const struct lens *l, struct picture *t)
 {
 	const struct scene *s = l->scene;

@@ -31,9 +31,9 @@ void convention_change(const struct convention *from,
 		map_set_origin(r, NULL);
 }
 
-/* An axis of view space is the unit vector v / length. v is an exact polynomial in the
- * parameters, whose terms cancel exactly, and is therefore not divided. If the length
- * of axis y is exact, the three lengths are equal, and become the map's divisor. */
+/* An axis of view space: the unit vector v / length. v is not divided, as its elements
+ * are polynomials, whose terms cancel exactly. If the length of axis y is exact, all
+ * three lengths are equal, and become the map's divisor. */
 struct axis {
 	struct sum v[3];
 	struct sum length;
@@ -48,8 +48,8 @@ static void axis_scale(struct axis *a, struct sum s)
 	a->length = sum_mul(a->length, s);
 }
 
-/* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze,
- * x = cross(up, z) and y = cross(z, x), of lengths |z|, |x| and |z| |x|. */
+/* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
+ * cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
 static const char *axes_of_gaze(const struct camera *c,
     const struct convention *convention, struct axis axis[3])
 {
@@ -76,7 +76,7 @@ static const char *axes_of_gaze(const struct camera *c,
 	struct sum xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
 	struct sum product = sum_mul(vec3_dot(up, up), zz);
 
-	/* up is parallel if the sine of its angle, |x| / (|up| |z|), is below 2^-50 */
+	/* up and z count as parallel if the sine |x| / (|up| |z|) is below 2^-50 */
 	if (sum_compare(xx, sum_scale(product, 0x1p-100)) < 0)
 		return "/camera/up: parallel to the gaze; "
 		       "choose another up vector";
@@ -96,7 +96,7 @@ static const char *axes_of_gaze(const struct camera *c,
 	return NULL;
 }
 
-/* Computes the axes of a quaternion: the columns of its rotation matrix times |q|^2. */
+/* Computes the axes of quaternion q: the columns of its rotation matrix times |q|^2. */
 static void axes_of_quaternion(const struct sum q[4], struct axis axis[3])
 {
 	struct sum p[4][4];
@@ -145,7 +145,7 @@ static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The message that refuses the camera's pose, if pose, or its matrix, for a reason. */
+/* The message that refuses, for a reason, the camera's pose (if pose) or its matrix. */
 #define REFUSAL(pose, reason) \
 	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
 
@@ -169,8 +169,8 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* Sets the origin, the eye or 0, of a map to or from view space. An element of the
- * image that is within its error of 0 becomes exact 0, as the image of an eye is. */
+/* Sets the origin of a map to eye, which may be 0. As the image of an eye is 0, an
+ * element of the origin's image that is within its error of 0 becomes exact 0. */
 static void set_eye(struct map *r, const double eye[3])
 {
 	map_set_origin(r, eye);
@@ -183,10 +183,10 @@ static void set_eye(struct map *r, const double eye[3])
  *	 x1  y1  z1  0		 y0  y1  y2  0
  *	 x2  y2  z2  0		 z0  z1  z2  0
  *	 translation 1		 eye         1
- * given is the translation t, if is_translation, or the eye. The other one is found:
- * t = (-x.eye, -y.eye, -z.eye), or eye = -t0 x - t1 y - t2 z for axes of equal lengths.
- * Both are exact polynomials, divided once: x.eye is 0 for an eye (1,2,3) that looks at
- * the world's origin, but -4.9e-32 with rounded axes. */
+ * given is the translation t, if is_translation, or else the eye. The other vector is
+ * found: t = (-x.eye, -y.eye, -z.eye), or, if all axes have one length,
+ * eye = -t0 x - t1 y - t2 z. Its elements are polynomials, divided once by a length.
+ * Rounded axes would give an eye (1,2,3) that looks at 0 an x.eye of -4.9e-32. */
 static void map_of_axes(const struct axis a[3], const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {
@@ -236,8 +236,8 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse,
 	map_multiply(r, &turn, inverse);
 }
 
-/* Computes the map of the camera's matrix or pose, or its inverse. If orthonormalize is
- * set, the nearest rotation replaces the upper 3x3. */
+/* Computes the map from world to view space by the camera's matrix or pose, or its
+ * inverse. If orthonormalize is set, the nearest rotation replaces the upper 3x3. */
 static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {

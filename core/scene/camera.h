@@ -16,7 +16,7 @@ struct convention {
 	bool column_vectors;  /* matrices are printed for column vectors */
 	bool ndc_y_down;
 	bool origin_bottom_left; /* the device's origin; false: top left */
-	bool view_y_down;        /* y and z of view space are negated */
+	bool view_y_down;        /* view space: y points down, z is negated */
 };
 
 /* Returns whether the camera looks along -z of view space. */
@@ -25,9 +25,9 @@ static inline bool looks_back(const struct convention *c)
 	return c->right_handed != c->view_y_down;
 }
 
-/* Changes the convention of the points of a map, if input, or else of its images. They
- * are in clip space if clip, else in view space. y, and in view space z, change their
- * signs if the conventions differ. In clip space a depth z from 0 to w becomes 2 z - w,
+/* Changes the convention of a map's points, if input, or else of its images: in clip
+ * space if clip, or else in view space. Where the conventions differ, y changes its
+ * sign, and z of view space, too. In clip space a depth z from 0 to w becomes 2 z - w,
  * and one from -w to w becomes (z + w) / 2. */
 void convention_change(const struct convention *from,
     const struct convention *to, bool clip, bool input, struct map *);
@@ -58,12 +58,12 @@ struct camera {
 };
 
 /* Computes the map from world to view space, or its inverse, as projcalc(1), FORMULAS,
- * lookat says. Elements are exact or have a bound of their error, however near up is to
- * the gaze, the eye to the point at which it looks, or a matrix to a singular one.
- * Elements below 2^-252 of a nearest rotation become 0. A roll turns the axes, and a
- * translation with them, about the eye. The origin of the map to view space is the eye,
- * but 0 for a matrix that is not orthonormalized. Returns NULL, or the member and the
- * reason. */
+ * lookat says. Each element is exact or has a bound of its error, even if up is nearly
+ * parallel to the gaze or a matrix nearly singular. An element of a nearest rotation
+ * that is not above its error becomes 0. A roll turns view space about the eye, also if
+ * the eye follows from a translation. The origin of the map to view space is the eye
+ * or, for a CAMERA_MATRIX that is not orthonormalized, 0. Returns NULL, or the member
+ * and the reason. */
 const char *camera_map(const struct camera *, const struct convention *,
     bool inverse, struct map *);
 

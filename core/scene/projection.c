@@ -14,8 +14,8 @@ struct scaled_matrix {
 	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d;
 };
 
-/* Sets x / dx, if sets_x, or else y / dy to scale / divisor, and the other one so that
- * y / dy is aspect times x / dx. */
+/* Sets x / dx if sets_x, else y / dy, to scale / divisor. Sets the other quotient so
+ * that y / dy is aspect[0] / aspect[1] times x / dx. */
 static void set_scales(const double aspect[2], bool sets_x, struct sum scale,
     double divisor, struct scaled_matrix *f)
 {
@@ -46,8 +46,8 @@ static void tangents(double a, double b, enum angle_unit unit,
 	*edge_sum = sum_add(left, right);
 }
 
-/* Sets x / dx = 2 d / (r - l), sums[0] / dx = (l + r) / (r - l), and y / dy and sums[1]
- * likewise from b and t, for a cross-section at distance d with edges l, r, b, t. */
+/* Sets x / dx = 2 d / (r - l), sums[0] / dx = (l + r) / (r - l), and y likewise. l and
+ * r are the left and right edge of the cross-section at distance d. */
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum sums[2])
 {
@@ -102,8 +102,8 @@ static const char *cross_section(const struct projection *p, double d,
 }
 
 /* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) for near n and far f, or their limits
- * for an infinite f. reverse_z exchanges n and f. Without planes, n = 1, an infinite f
- * and reverse_z give the depth 1/w. */
+ * for an infinite f. reverse_z exchanges n and f. Without near and far planes n is 1
+ * and f is infinite; with reverse_z, depth is then 1/w. */
 static void depth_column(const struct projection *p, struct scaled_matrix *f)
 {
 	double n = projection_is_open(p) ? 1 : p->near;
@@ -122,8 +122,8 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
 	}
 }
 
-/* Computes the rows (x 0 0 0), (0 y 0 0), (-(l+r), -(b+t), zz, 1), (0 0 tz 0). With
- * intrinsics they map the canonical space of intrinsics_matrix to clip space. */
+/* Computes the rows (x 0 0 0), (0 y 0 0), (zx zy zz 1), (0 0 tz 0). With intrinsics,
+ * the rows map the canonical space of intrinsics_matrix to clip space. */
 static const char *persp_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
@@ -169,8 +169,8 @@ static const char *ortho_matrix(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the product of the shear x' = x + cot(angle) cos(direction) (depth - plane),
- * y' = y + cot(angle) sin(direction) (depth - plane) and the matrix of ortho. */
+/* Computes ortho's matrix after the shear x' = x + c cos(direction) (depth - plane),
+ * y' = y + c sin(direction) (depth - plane). c is cot(projector angle). */
 static const char *oblique_matrix(const struct projection *p,
     struct scaled_matrix *f)
 {
@@ -202,7 +202,7 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 		set_scales(p->aspect, !wide, f->x, p->half_width, f);
 }
 
-/* Computes 1/z of the eye from the view angle: +-tan(angle/2) over the smaller of half
+/* Computes 1/z of the eye from the view angle: tan(angle/2) over the smaller of half
  * width and half height, with the sign of z_near - z_far. */
 static void inverse_eye_of_angle(const struct projection *p,
     struct sum *numerator, struct sum *denominator)
@@ -247,11 +247,11 @@ static const char *eye_plane_refusal(const struct projection *p)
 	    "the volume; it must lie before z_near or beyond z_far";
 }
 
-/* Computes the rows (x 0 0 0), (0 y 0 0), (-tx x, -ty y, -an, -qn), (0, 0, an zn, qd),
- * with x and y of volume_section times qd, and tx and ty the tangents of the skew.
- * q = qn / qd is 1/z of the eye. w is an / qd = 1 - zf q at z_far and
- * bn / qd = 1 - zn q at z_near. If an and bn differ in sign, the eye plane is inside
- * the volume. */
+/* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -an, -qn), (0, 0, an zn, qd).
+ * x and y are those of volume_section times qd. sx and sy are x/z and y/z of the
+ * volume's axis. q = qn / qd is 1/z of the eye. Up to a sign, w at z_far is an / qd =
+ * 1 - zf q, and w at z_near is bn / qd = 1 - zn q. If an and bn differ in sign, the eye
+ * plane is inside the volume. */
 static const char *volume_matrix(const struct projection *p,
     struct scaled_matrix *f)
 {
@@ -301,10 +301,10 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
-/* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of
- * A = (x 0; 0 y) and of B = (zz zw; tz tw), whose determinant is det. With
- * C = (zx zy; tx ty) the lower left block is minus inverse(B) C inverse(A). The
- * divisors of columns become factors of rows. */
+/* Returns the inverse (A', 0; -B' C A', B') of the 2x2 blocks (A, 0; C, B), where
+ * A = (x 0; 0 y), B = (zz zw; tz tw) and C = (zx zy; tx ty). A' and B' are the inverses
+ * of A and B, and det is the determinant of B. The divisors of columns become factors
+ * of the inverse's rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
@@ -371,8 +371,8 @@ static const char *projection_matrix_map(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the affine matrix from view space to the canonical space, in which P would
- * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. Both spaces have P's axes up to signs. */
+/* Computes the affine matrix from view space (d3d) to the canonical space of u w, v w,
+ * w (projection.h). Both have y upward: if device y points down, y is -Y, and -v w. */
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double canonical[4][4])
 {
@@ -448,8 +448,8 @@ const char *projection_map(const struct projection *p,
 }
 
 /* Returns whether a parallel projection's matrix contains a turned camera: depth
- * depends on x or y, or y on x, or half a turn mirrors x or y in a scene without a
- * camera. */
+ * depends on x or y, or y on x; or, in a scene without a camera, one of x and y is
+ * mirrored, as by half a turn. */
 static bool contains_camera(const struct projection *p,
     const struct convention *c)
 {
@@ -461,8 +461,8 @@ static bool contains_camera(const struct projection *p,
 	    (p->without_camera && mirrors);
 }
 
-/* 1/w is z m[2][3] + m[3][3] on the z axis of ndc, where m is the inverse, and larger
- * at the near plane. */
+/* On the z axis of ndc, 1/w is z m[2][3] + m[3][3], where m is the inverse matrix. 1/w
+ * is larger at the near plane than at the far plane. */
 bool projection_is_reversed(const struct projection *p,
     const struct convention *c)
 {

@@ -6,7 +6,7 @@
 #include "camera.h"
 
 /* The members that give the cross-section of persp, ortho and oblique, in the order of
- * projection_ways in cmd/scene. persp has it on the near plane or at edges_at. */
+ * projection_ways (cmd/scene). persp's cross-section is at edges_at or at near. */
 enum extent {
 	EXTENT_FOVY,       /* angle from bottom to top, aspect */
 	EXTENT_FOVX,       /* angle from left to right, aspect */
@@ -16,8 +16,8 @@ enum extent {
 	EXTENT_WIDTH,      /* width, aspect */
 	EXTENT_HEIGHT,     /* height, aspect */
 	EXTENT_EDGES,      /* left, right, bottom, top */
-	EXTENT_ANGLES,     /* the angles from the gaze to these edges */
-	EXTENT_INTRINSICS, /* the matrix from view space to pixels */
+	EXTENT_ANGLES,     /* the angles from the gaze to the four edges */
+	EXTENT_INTRINSICS, /* the matrix P of struct projection */
 };
 
 struct projection {
@@ -32,17 +32,17 @@ struct projection {
 
 	enum angle_unit unit; /* of all angles but direction */
 	enum extent extent;
-	double angle;         /* the angle of view, or EXTENT_FIELD's field */
-	double aspect[2];     /* width / height; [1] is 0 if not given */
-	double width, height; /* cross-section's; with intrinsics, viewport's */
+	double angle;         /* the angle of view, or EXTENT_FIELD's length */
+	double aspect[2];     /* width / height is [0] / [1]; none: [1] is 0 */
+	double width, height; /* the cross-section's; with P, the viewport's */
 	double left, right, bottom, top;
-	double edges_at; /* the distance of the cross-section; 0 for near */
-	/* The 3x4 matrix P, which maps X Y Z 1 in view space to u w, v w, w. X is to
-	 * the right, Y along device y, and Z along the gaze. The pixels u and v count
-	 * from the viewport's corner. near and far are values of w. */
+	double edges_at; /* the distance of the cross-section; 0: at near */
+	/* The 3x4 matrix P, which maps a point X Y Z 1 of view space to u w, v w, w. X
+	 * is to the right, Y along device y, and Z along the gaze. u and v are pixels
+	 * from the viewport's corner. With P, near and far are values of w. */
 	double intrinsics[3][4];
-	/* In persp, far may be INFINITY. If near is 0, there are no near and far
-	 * planes, and depth is 1/w, with reverse_z set. */
+	/* In persp, far may be INFINITY. near is 0 if there are no near and far planes;
+	 * reverse_z is then set, and depth is 1/w. */
 	double near, far;
 	bool reverse_z;    /* depth is larger at near than at far */
 	double near_ratio; /* the least near / far that fit makes */
@@ -52,18 +52,18 @@ struct projection {
 	double projector_angle; /* between projectors and the image plane */
 	double direction;       /* the angle from +x to receding lines */
 	enum angle_unit direction_unit;
-	double plane; /* the depth at which the shear moves no point */
+	double plane; /* the depth of the points that the shear does not move */
 
-	/* PROJECTION_VOLUME; with an aspect, each half size is half the smaller side */
+	/* PROJECTION_VOLUME; with an aspect, half_width is half the smaller side */
 	double half_width, half_height, z_near, z_far;
-	double inverse_eye_z, tan_skew[2]; /* x/z and y/z of the axis */
+	double inverse_eye_z, tan_skew[2]; /* x/z, y/z of the volume's axis */
 	double eye[3];                     /* in view space */
-	/* The member that gives the eye: inverse_eye_z, eye, or angle, where angle 0
-	 * makes a parallel projection. projection_ways has the same order. */
+	/* The member that gives the eye: inverse_eye_z, eye, or angle (0 makes a
+	 * parallel projection). projection_ways (cmd/scene) has the same order. */
 	enum { EYE_BY_INVERSE_Z, EYE_BY_POINT, EYE_BY_ANGLE } eye_given_by;
 
 	double matrix[4][4];
-	bool without_camera; /* if set, the matrix may contain one */
+	bool without_camera; /* not in the document, but maybe in matrix */
 };
 
 /* Returns whether the projection is a persp without near and far planes. */
@@ -85,8 +85,8 @@ static inline bool projection_has_intrinsics(const struct projection *p)
 	return p->type == PROJECTION_PERSP && p->extent == EXTENT_INTRINSICS;
 }
 
-/* Returns whether the last row of P does not begin with 0 0 1. If it does, w is the
- * distance along the gaze plus an offset. */
+/* Returns whether P is tilted: whether its last row does not begin with 0 0 1. If P is
+ * not tilted, w is the distance along the gaze plus an offset. */
 static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->intrinsics[2];
@@ -95,8 +95,8 @@ static inline bool projection_is_tilted(const struct projection *p)
 	    (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* Returns the offset of w from the distance along the gaze, which is w at the eye.
- * Returns 0 without P, or if P is tilted. */
+/* Returns w at the origin of view space: the offset of a P that is not tilted. Returns
+ * 0 without P, or if P is tilted. */
 static inline double projection_w_at_eye(const struct projection *p)
 {
 	bool offset = projection_has_intrinsics(p) && !projection_is_tilted(p);
@@ -104,7 +104,7 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* Computes 1/z of a volume's eye in view space. The denominator is exact. */
+/* Computes 1/z of a volume's eye, z in view space. The denominator is exact. */
 void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
 
@@ -114,9 +114,9 @@ const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
 /* Returns whether the near plane has ndc depth 1. A matrix, or the identity without a
- * projection, does not say which plane is near. The near plane is then the plane of the
- * smaller positive w or, if w is constant, the plane that the convention's gaze meets
- * first. A parallel matrix with a turned or mirrored camera is never reversed. */
+ * projection, does not say which plane is near. Near is then the plane of smaller
+ * positive w or, if w is constant, the plane that the convention's gaze meets first. A
+ * parallel matrix that contains a turned or mirrored camera is never reversed. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

@@ -17,8 +17,8 @@ static bool are_in_range(int n, const double *v)
 	return are;
 }
 
-/* Returns whether a cross-section that was computed is valid. Extents other than these
- * three are never computed; the reader of the document has checked them. */
+/* Returns whether the cross-section is valid. Only sizes, edges and intrinsics can have
+ * been computed; the reader of the document has checked the other extents. */
 static bool has_valid_section(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -91,7 +91,7 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 			return "/viewport: missing; device coordinates need "
 			       "one, or use the space ndc";
 		return viewport_map(&s->viewport, to, inverse, r);
-	case SPACE_CLIP: /* the division by w follows the map */
+	case SPACE_CLIP: /* the division by w is not a part of the map */
 	case SPACE_DEVICE:
 		map_identity(r);
 		return NULL;
@@ -135,8 +135,8 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-/* Returns why, if it is not NULL, or the reason why the map r is refused, or NULL. flat
- * means that r maps a 2D window. */
+/* Returns NULL, or the reason why the map r is refused: why, the reason of the function
+ * that made r, or a number out of range. If flat, r maps a 2D window. */
 static const char *check_range(const char *why, const struct map *r, bool flat)
 {
 	if (why != NULL)

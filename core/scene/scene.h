@@ -8,7 +8,7 @@
 #include "window.h"
 
 /* Numbers of documents and of points are at most MAGNITUDE_MAX in magnitude, and sizes
- * at least SIZE_MIN. Products of two of them are in the range of doubles. */
+ * at least SIZE_MIN. Products of two sizes are in the range of doubles. */
 #define MAGNITUDE_MAX 1e150
 #define SIZE_MIN 1e-150
 
@@ -71,15 +71,15 @@ const char *scene_flat_map(const struct scene *, enum flat_space from,
 /* The part of the plane that a 2D window shows, rounded to doubles. */
 struct window_extent {
 	double edge[4];  /* left, right, bottom, top */
-	double scale[2]; /* device or, without one, ndc units per window unit */
+	double scale[2]; /* device units (no device: ndc) per window unit */
 };
 
 /* Computes what the window shows. Returns NULL, or the member and the reason. */
 const char *scene_window_extent(const struct scene *, struct window_extent *);
 
-/* Computes the map of scene_map and its last factor, from_view, which maps from view
- * space. The space from is model, world or view space, and to comes after view space.
- * from_view may have elements beyond the range of doubles. */
+/* Computes the map of scene_map, and its last factor from_view: the map from view space
+ * to the space to. The space from is model, world or view space, and to comes after
+ * view space. Elements of from_view may be beyond the range of doubles. */
 const char *scene_map_by_view(const struct scene *, enum space from,
     enum space to, struct map *, struct map *from_view);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "window.h"
 
-/* Sets coordinate i of a map to x' = (x n + t) / d, or to its inverse
- * x = (x' d - t) / n. The denominator becomes a factor of the map's divisor. */
+/* Sets coordinate i of a map to x' = (x n + t) / d or, if inverse, to (x d - t) / n.
+ * The denominator becomes a factor of the map's divisor. */
 static void window_axis(struct map *r, int i, struct sum n, struct sum t,
     struct sum d, bool inverse)
 {
@@ -12,7 +12,7 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 	map_divide_column(r, i, inverse ? n : d);
 }
 
-/* Sets coordinate i of a map from ndc to x' = x n / d + offset, or to its inverse. */
+/* Sets coordinate i of a map from ndc to x' = x n / d + offset, or its inverse. */
 static void ndc_axis(struct map *r, int i, struct sum n, double d,
     struct sum offset, bool inverse)
 {
@@ -46,8 +46,8 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 	return NULL;
 }
 
-/* Gives the window the device's aspect; its size becomes size / divisor. ADAPT_GROW
- * enlarges the side that is too short, ADAPT_SHRINK reduces the other side. */
+/* Gives the window the device's aspect: ADAPT_GROW enlarges the side that is too short,
+ * ADAPT_SHRINK reduces the other side. The new size is size / divisor. */
 static void window_adapt(const struct window *w, const struct device *d,
     struct sum size[2], double divisor[2])
 {
@@ -92,7 +92,7 @@ const char *window_map(const struct window *w, const struct device *d,
 	return NULL;
 }
 
-/* Writes the pixels per unit of ndc x and y, half the sides with SCALE_FILL. */
+/* Writes the pixels per unit of ndc x and y: half the sides with SCALE_FILL. */
 static void viewport_scales(const struct viewport *v, double s[2])
 {
 	double larger = fmax(v->width, v->height);

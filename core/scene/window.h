@@ -32,15 +32,15 @@ struct viewport {
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
-/* Compute the map from ndc to the 2D device, or to the 3D viewport with the depth range
- * and origin of the convention, or the inverse. Return NULL, or the member and the
- * reason. */
+/* Compute the map from ndc to the 2D device or the 3D viewport or, if inverse, the map
+ * back. The convention has the depth range and y of ndc, and the origin of the device.
+ * Return NULL, or the member and the reason. */
 const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
 /* Computes the limits of the ndc coordinates that the viewport shows: |x| scale[0] <=
- * half[0], and the same for y. Without a viewport (NULL) all are 1. */
+ * half[0] and |y| scale[1] <= half[1]. Without a viewport (NULL) all four are 1. */
 void viewport_limits(const struct viewport *, struct sum half[2],
     struct sum scale[2]);
 
