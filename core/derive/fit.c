@@ -263,9 +263,9 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Moves the eye by a step, after which a plane touches the bounds. As the eye's
- * coordinates are rounded, a part of the bounds can be outside: the eye then moves back
- * by 2^-53 of its largest coordinate, by twice as much, and so on. */
+/* Moves the eye by the step of find_eye_step, after which a plane touches the bounds.
+ * As the eye's coordinates are rounded, a part of the bounds can be outside. The eye
+ * then moves back by 2^-53 of its largest coordinate, by twice as much, and so on. */
 static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 {
 	const struct projection given = s->projection;
