@@ -4,8 +4,8 @@
  * are exact, and therefore polynomials in the scene's parameters are, too. Quotients
  * and roots have a relative error of at most EX_ERROR.
  *
- * The alternative, sums of doubles, would need a wider range of exponents, a fixed
- * rounding mode, several times the time, and a proof that few terms suffice. */
+ * Sums of doubles, the alternative, would need a wider range of exponents, a fixed
+ * rounding mode, several times the time, and a proof of their length. */
 #ifndef EXACT_H
 #define EXACT_H
 
@@ -16,12 +16,11 @@
 
 /* A number of a scene or of a point is a multiple of 2^-1074 below 2^499. The
  * determinant of a matrix, and the image of a point by a product of three matrices, are
- * sums of products of four such numbers. These sums span 4 * 1573 bits and a few bits
- * for carries, which is 99 words, or 101 if the ends lie within words. Sums of longer
- * products can span more than EX_WORDS: their lowest words are cut off, and
- * ex_has_overflowed returns true. core/scene/scene.c refuses scenes whose maps lose
- * words, and core/points/transform.c refuses maps that leave too few words for points.
- */
+ * sums of products of four such numbers. These sums span 4 * 1573 bits and some for
+ * carries: 99 words, or 101 if the ends lie within words. Sums of longer products can
+ * span more than EX_WORDS: their lowest words are cut off, and ex_has_overflowed
+ * returns true. core/scene/scene.c refuses scenes whose maps lose words, and
+ * core/points/transform.c refuses maps that leave too few words for points. */
 enum { EX_WORDS = 110 };
 
 /* The number is sign times the sum of word[i] 2^(64 (e + i)) over i < n. word[0] and

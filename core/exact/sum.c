@@ -248,8 +248,7 @@ static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
 	const double near = ex_nearest(q, single);
-	/* 0.9 of half an ulp; if n and d have small errors, q has less than 1/32 of it
-	 */
+	/* 0.9 of half an ulp; if n and d have small errors, q has below 1/32 of it */
 	const double sure = fabs(near) *
 	    (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54);
 	const int small = EX_RANGE - 62;
