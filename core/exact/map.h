@@ -19,9 +19,9 @@ bool vec3_is_zero(const struct sum a[3]);
  * angles and lengths is exact, and so is its inverse. One divisor serves all columns,
  * as it cancels in most images, which are quotients of two columns.
  *
- * The origin is the eye or a window's centre. Images near it need many digits, so that
- * transform.h first subtracts it from points. Row 4, its image, is a row of its own: if
- * the eye is far, the error of row 3 can exceed row 4. */
+ * The origin is the eye or a window's centre. Images of points near it need many
+ * digits: transform.h first subtracts the origin from points. Row 4 is the origin's
+ * image: if the eye is far, the error of row 3 can exceed row 4. */
 struct map {
 	struct sum m[5][4], divisor;
 	double origin[3];

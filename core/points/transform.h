@@ -39,10 +39,10 @@ void transform_init(struct transform *, enum space from, enum space to,
 /* Sets the members relative and for_kernel, which follow from map. */
 void transform_prepare(struct transform *);
 
-/* Computes the images of n <= POINTS_BLOCK points in the precision. in and out are
- * columns of POINTS_BLOCK numbers for x, y, z and w. Coordinates beyond the range of
- * doubles, and those of points without an image, are nan. In PRECISION_SINGLE they are
- * floats, or infinite beyond the range of floats. Returns true if all coordinates are
+/* Computes the images of n <= POINTS_BLOCK points. in and out are columns of
+ * POINTS_BLOCK numbers for x, y, z and w. Coordinates beyond the range of doubles, and
+ * those of points without an image, are nan. In PRECISION_SINGLE coordinates are
+ * floats, infinite beyond the range of floats. Returns true if all coordinates are
  * finite. */
 bool points_map(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);

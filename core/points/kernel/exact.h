@@ -24,7 +24,7 @@
 
 /* DIGITS is the number of binary digits of a double, and COLUMN_BOUND the bound of a
  * column's error in units of B. It is over twice the error above, so that roundings of
- * a quotient fit, too. core/proof/toy.h redefines them for fewer digits. */
+ * a quotient fit, too. core/proof/toy.h defines other values for fewer digits. */
 #ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
