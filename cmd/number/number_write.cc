@@ -129,7 +129,7 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 }
 
 /* Writes the shortest text of v > 0. Returns its end. A loop multiplies the digits by
- * 10 until there are 17. The processor predicts its number of turns from branches that
+ * 10 until there are 17. The processor predicts the number of turns from branches that
  * Dragonbox took; a formula would wait for Dragonbox's result. */
 template <class Float>
 [[gnu::flatten]] static char *write_shortest(char *s, Float v)
@@ -184,8 +184,8 @@ static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 /* Writes to d the digits of v rounded to n decimals, ties to even, and a null byte.
  * Returns the number of digits before the point, at least one; or 0 if v is 2^53 or
  * more, or if v has bits below 2^-127 and n is above 22. The first DIGITS digits are
- * the integer part and, if they fit as well, all decimals, after zeros. So the first
- * digit is 0, and rounding up can carry into it. */
+ * zeros, the integer part and, if all of them fit, the decimals. The first digit is
+ * always 0, so that rounding up can carry into it. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
@@ -262,7 +262,7 @@ static char *print_significant(char *s, double v, int n)
  * ten, log2 v times 78913 / 2^18 (about log10 2), is right or one too small. If it is
  * too small, find_digits gives one digit too many, and is called again with one decimal
  * less. It also gives one digit too many if v was rounded up to a power of ten; the
- * second call then has the same result. */
+ * second call then gives the same power. */
 static char *write_significant(char *s, double v, int n)
 {
 	char d[192];

@@ -30,8 +30,8 @@ struct plain_places {
 };
 
 struct number_loops {
-	/* Writes the index of each byte of text that is in the set to at; returns their
-	 * number. at has room for size rounded up to a multiple of 64, and 64 more. */
+	/* Writes to at the index of each byte of text that is in the set; returns how
+	 * many. at has room for size rounded up to a multiple of 64, and 64 more. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
 	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a

@@ -17,8 +17,8 @@ bool ex_has_overflowed(void)
 	return atomic_exchange(&ex_overflowed, false);
 }
 
-/* Sets *r to sign 2^(64 e) times the integer w of n words, lowest first. Strips words
- * of 0 at both ends, and keeps only the EX_WORDS highest words. */
+/* Sets *r to sign 2^(64 e) times the integer whose n words are w, the lowest first.
+ * Strips words of 0 at both ends, and keeps only the EX_WORDS highest words. */
 static void ex_set_words(ex *r, int sign, const uint64_t *w, int n, int e)
 {
 	while (n > 0 && w[n - 1] == 0)
@@ -163,9 +163,9 @@ ex ex_truncate(ex a, int n)
 
 /* Returns one word q of the long division of u[0..n] by d[0..n), and leaves the
  * remainder u - q d in u: Knuth, The Art of Computer Programming, volume 2, 4.3.1,
- * algorithm D. The top bit of d is set, and u[n] <= d[n - 1]. The first q, the quotient
- * of the highest words, is at most 2 too large (theorem B). While q is too large, u - q
- * d is negative. The difference is computed with -q d = q ~d + q - q 2^(64 n). */
+ * algorithm D. The top bit of d is set, and u[n] <= d[n - 1]. The first q, a quotient
+ * of the highest words alone, is at most 2 too large (theorem B). While q is too large,
+ * u - q d is negative. The difference is computed with -q d = q ~d + q - q 2^(64 n). */
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
 	uint64_t q = UINT64_MAX;
@@ -226,9 +226,9 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 	return rest == 0;
 }
 
-/* Computes the root by Newton's iteration, from the root of the nearest double, which
- * has 50 correct bits. Each step doubles the correct bits, so that its quotient needs
- * 2, 4, 8, and then EX_QUOTIENT_WORDS words. The last result is rounded to
+/* Computes the root by Newton's iteration, from the root of the double nearest to a, of
+ * which 50 bits are correct. Each step doubles the correct bits, so that its quotient
+ * needs 2, 4, 8, and then EX_QUOTIENT_WORDS words. The last result is rounded to
  * EX_QUOTIENT_WORDS words, so that roots of few words are exact. */
 ex ex_sqrt(ex a)
 {

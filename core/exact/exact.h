@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Exact arithmetic on integers times powers of two. It computes the maps of a scene,
- * and the few points that double-double cannot round with certainty. Sums and products
- * are exact, and so is a polynomial in the scene's parameters with its sign. Quotients
+ * and the few points that the kernels cannot round with certainty. Sums and products
+ * are exact, and therefore polynomials in the scene's parameters are, too. Quotients
  * and roots have a relative error of at most EX_ERROR.
  *
- * A sum of doubles that do not overlap would need a wider range of exponents, a fixed
- * rounding mode, several times the time, and a proof that few terms suffice. */
+ * Sums of doubles, the alternative, would need a wider range of exponents, a fixed
+ * rounding mode, several times the time, and a proof of their length. */
 #ifndef EXACT_H
 #define EXACT_H
 
@@ -14,13 +14,13 @@
 
 #include "dd.h"
 
-/* A number of a document or of a point is a multiple of 2^-1074 below 2^499. The
+/* A number of a scene or of a point is a multiple of 2^-1074 below 2^499. The
  * determinant of a matrix, and the image of a point by a product of three matrices, are
- * sums of products of four such numbers. These sums span 4 * 1573 bits and a few bits
- * for carries, which is 99 words, or 101 if the ends lie within words. Sums of longer
- * products can span more than EX_WORDS: their lowest words are cut off, and
- * ex_has_overflowed returns true. core/scene/scene.c refuses scenes with such a map,
- * and core/points/transform.c refuses maps that leave too few words for points. */
+ * sums of products of four such numbers. These sums span 4 * 1573 bits and some for
+ * carries: 99 words, or 101 if the ends lie within words. Sums of longer products can
+ * span more than EX_WORDS: their lowest words are cut off, and ex_has_overflowed
+ * returns true. core/scene/scene.c refuses scenes whose maps lose words, and
+ * core/points/transform.c refuses maps that leave too few words for points. */
 enum { EX_WORDS = 110 };
 
 /* The number is sign times the sum of word[i] 2^(64 (e + i)) over i < n. word[0] and
@@ -75,7 +75,7 @@ double ex_nearest(const ex *, bool single);
 #define EX_ROUND_BOUND 0.5
 
 /* Returns the double hi nearest to a, and the double lo nearest to a - hi. The error of
- * hi + lo is at most EX_ROUND_BOUND u^2 |a|, u = 2^-53, if this is at least 2^-1022. */
+ * hi + lo is at most EX_ROUND_BOUND u^2 |a|, u = 2^-53, if this bound is normal. */
 dd ex_round(const ex *);
 
 #endif

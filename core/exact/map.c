@@ -20,8 +20,8 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
 	}
 }
 
-/* Returns the length of a. Its error is at most the length, and so at most the sum, of
- * the elements' errors. The bound that sum_sqrt computes can be larger. */
+/* Returns the length of a. By the triangle inequality its error is at most the sum of
+ * the elements' errors, which can be less than the bound that sum_sqrt computes. */
 struct sum vec3_length(const struct sum a[3])
 {
 	struct sum r = sum_sqrt(vec3_dot(a, a));
@@ -126,7 +126,7 @@ static bool is_identity(const struct map *a)
 	return sum_is_one(&a->divisor);
 }
 
-/* Rounds only elements whose words can make 2^960 or more; the others are finite. */
+/* Rounds only the quotients that can be 2^960 or more; the others are finite. */
 bool map_is_finite(const struct map *a)
 {
 	int most = a->divisor.value.e + a->divisor.value.n + 14;

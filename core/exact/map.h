@@ -17,11 +17,11 @@ bool vec3_is_zero(const struct sum a[3]);
 /* The image of a point p is (p, 1) m / divisor, by the first four rows of m. Elements
  * can have errors; the divisor is exact and positive. A map that is computed without
  * angles and lengths is exact, and so is its inverse. One divisor serves all columns,
- * as most images are quotients of two columns.
+ * as it cancels in most images, which are quotients of two columns.
  *
- * transform.h subtracts the origin, the eye or a window's centre, from points first, as
- * images near it need many digits. Row 4 of m is the image of the origin. It is not
- * computed from row 3, whose error can exceed it if the eye is far. */
+ * The origin is the eye or a window's centre. Images of points near it need many
+ * digits: transform.h first subtracts the origin from points. Row 4 is the origin's
+ * image: if the eye is far, the error of row 3 can exceed row 4. */
 struct map {
 	struct sum m[5][4], divisor;
 	double origin[3];
@@ -36,8 +36,8 @@ void map_of_doubles(const double m[4][4], struct map *);
 void map_set_origin(struct map *, const double origin[3]);
 
 /* Divide the images of the map, or only their coordinate j, by d. map_divide needs an
- * exact d. map_divide_column divides column j by a d that has an error, but makes an
- * exact d a factor of the divisor and of the other columns, to keep the map exact. */
+ * exact d. map_divide_column divides column j by a d with an error. To keep the map
+ * exact, it multiplies the divisor and the other columns by an exact d. */
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 
@@ -46,7 +46,7 @@ void map_divide_column(struct map *, int j, struct sum d);
 void map_multiply(struct map *r, const struct map *factor, bool before);
 
 /* Computes the inverse of a matrix of given numbers. Returns false if the matrix is
- * singular. The inverse of an affine matrix has its last row as origin, any other 0. */
+ * singular. The inverse's origin is the last row of an affine matrix, or 0. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 
 /* Returns the determinant of the n rows and n columns of m whose bits in the masks are

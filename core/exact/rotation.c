@@ -22,11 +22,11 @@ static void horn_matrix(const struct sum m[4][4], struct sum k[4][4])
 }
 
 /* Computes the largest eigenvalue x of K, the largest root of x^4 - 2 s x^2 - 8 d x +
- * k, where s = |M|^2, d = det M and k = det K. Newton's iteration descends to x from
- * sqrt(3 s). Let gap be the distance from x to the next root. A step halves the error
- * until it is below gap, and then squares error / gap. The slope, the product of the
- * distances to the other roots, is gap * 4 x^2 within a factor of 3. The last error is
- * below 2^-260 gap. Returns false if gap < 2^-400 x. */
+ * k, where s = trace(M' M), d = det M and k = det K. Newton's iteration descends to x
+ * from sqrt(3 s). Let gap be the distance from x to the second largest root. A step
+ * halves the error until it is below gap, and then squares error / gap. The slope, the
+ * product of the distances to the other roots, is gap * 4 x^2 within a factor of 3. The
+ * last error is below 2^-260 gap. Returns false if gap < 2^-400 x. */
 static bool largest_root(struct sum s, struct sum d, struct sum k,
     struct sum *x)
 {
@@ -53,10 +53,10 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 	return true;
 }
 
-/* Computes the eigenvector q of k = K - x: the largest column of the adjugate, which is
- * a multiple of q q'. The error of x, below 2^-260 gap (see largest_root), adds the
- * other eigenvectors, each by less than 2^-260 of the adjugate and 2^-259 of that
- * column. */
+/* Computes q, the eigenvector of K for the eigenvalue x, from k = K - x: it is the
+ * largest column of the adjugate of k, which is a multiple of q q'. The error of x,
+ * below 2^-260 gap (see largest_root), adds multiples of the other eigenvectors: each
+ * is less than 2^-260 of the adjugate and 2^-259 of its largest column. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);

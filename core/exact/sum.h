@@ -6,21 +6,21 @@
 
 #include "exact.h"
 
-/* The value is within 2^(error - EX_RANGE) of the exact number; if error is 0, it is
- * exact. Sines, cosines and roots have errors, and so have quotients unless the divisor
- * becomes a factor of a map's divisor. Each operation bounds the error of its result.
+/* The value is exact if error is 0. If not, it is within 2^(error - EX_RANGE) of the
+ * exact number. Sines, cosines, roots and most quotients have errors. Each operation
+ * bounds the error of its result.
  *
- * A number that is not above its error counts as 0. A result is thus found to be 0, or
- * midway between two doubles and rounded to even, although roots lead to it. */
+ * A number whose magnitude is not above its error counts as 0. So a result that has
+ * come from roots can still be found to be 0, or a tie between two doubles. */
 struct sum {
 	ex value;
 	int error;
 };
 
-/* Each operation drops words below 2^-20 of the bound of its error, which makes the
- * bound too small by a factor of up to 1 + 2^-19. The factor is below 2^5 for a million
- * operations in a row. Roots and quotients, of relative error 2^-703, therefore get the
- * bound 2^-698, and sines and cosines, of 2^-313, the bound 2^-308. */
+/* Each operation drops words below 2^-20 of the bound of its error: the bound is then
+ * too small, by a factor of up to 1 + 2^-19, or 2^5 after a million operations in a
+ * row. So bounds begin 2^5 times as large as the relative error: 2^-698 for roots and
+ * quotients (error 2^-703), and 2^-308 for sines and cosines (error 2^-313). */
 enum { SUM_QUOTIENT_ERROR = EX_RANGE - 698, SUM_TRIG_ERROR = EX_RANGE - 308 };
 
 static inline bool sum_is_exact(const struct sum *a)
@@ -32,7 +32,7 @@ void sum_set(struct sum *, double exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
-/* Returns value with a relative error: SUM_QUOTIENT_ERROR, SUM_TRIG_ERROR or 0. */
+/* Returns value with the relative error SUM_QUOTIENT_ERROR, SUM_TRIG_ERROR or 0. */
 struct sum sum_with_error(ex value, int relative_error);
 
 /* Returns the sum with the same value and a bound of the error larger by |more|. */
@@ -54,7 +54,7 @@ struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d);
 void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
     struct sum *);
 
-/* Returns the root of a number that is not negative, exact if five words hold it. */
+/* Returns the root of a number >= 0. The root is exact if it fits in five words. */
 struct sum sum_sqrt(struct sum);
 
 /* Return the sign, -1, 0 or 1, of a sum or of a - b. The sign of a number that is not
@@ -80,13 +80,13 @@ double sum_nearest(const struct sum *n, const struct sum *d, bool single);
 /* Returns sum_ratio, or nan if d is 0 or the ratio is beyond the range. */
 double sum_ratio_or_nan(struct sum n, struct sum d);
 
-/* Returns the value as ex_round does, or 0 if the sign of the sum is 0. */
+/* Returns the value, rounded by ex_round, or 0 if the sign of the sum is 0. */
 dd sum_dd(struct sum);
 
 /* Returns an upper bound of the error of a sum. */
 double sum_error(const struct sum *);
 
-/* Returns a lower bound of the error of n, divided by |d|, where d is exact. */
+/* Returns a lower bound of e / |d|, where e bounds the error of n, and d is exact. */
 double sum_least_error(const struct sum *n, const struct sum *d);
 
 #endif

@@ -15,13 +15,13 @@ static const struct sum HALF_PI = {
 	0
 };
 
-/* The number of words of an angle's rest and of the terms of its series. */
+/* The words that a reduced angle, and each term of its series, is cut to. */
 enum { SINE_WORDS = 6 };
 
 /* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
  * this is cos x (n = 0), sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
- * scheme computes the sum as s / c, with the common denominator c. y and each s keep
- * words words, and lose less than 1 in the last one. */
+ * scheme computes the sum as s / c, with the common denominator c. y and each s are cut
+ * to `words` words, which loses less than 1 in the last word. */
 static ex series(ex y, int n, int last, int words)
 {
 	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, factor = c;
@@ -37,14 +37,14 @@ static ex series(ex y, int n, int last, int words)
 	return s;
 }
 
-/* The last power of x for |x| <= pi / 4. The first term left out, x^64/64!, is below
- * 2^-317. Cutting x^2 once and the sum 32 times loses less than 2^-319. */
+/* The series' last power of x for |x| <= pi / 4. The first term left out, x^64/64!, is
+ * below 2^-317. Cutting x^2 once and the sum 32 times loses less than 2^-319. */
 enum { SINE_POWER = 62 };
 
-/* The last power of x for x^2 <= 4 pi^2, and the words of the terms, for an
+/* The series' last power of x for x^2 <= 4 pi^2, and the words of its terms, for an
  * absolute error of 2^-670: the first term left out, x^192/192!, is below 2^-675.
- * versinc can be as small as 2^-330, as the squares of three doubles can sum to 4
- * pi^2 within 2^-159. */
+ * versinc, 0 at 2 pi, can be as small as 2^-330: the sum of the squares of three
+ * doubles can be as near to 4 pi^2 as 2^-159. */
 enum { SINC_POWER = 190, SINC_WORDS = 12 };
 
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
@@ -71,7 +71,7 @@ static struct sum cut_rest(struct sum a)
 	return sum_with_error(ex_truncate(a.value, SINE_WORDS), 0);
 }
 
-/* Reduces an angle in degrees: fmod is exact, and rest - 90 q by Sterbenz's lemma. */
+/* Reduces an angle in degrees. fmod is exact, and so is the subtraction (Sterbenz). */
 static void reduce_degrees(double angle, struct reduced_angle *r)
 {
 	double rest = fmod(angle, 360), q = rint(rest / 90);

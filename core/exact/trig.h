@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Sines, cosines and cotangents, the arc tangent, and rotations. Angles in degrees are
- * reduced exactly, and rational results, as the sine of 30 degrees, are exact. */
+ * reduced exactly, and rational results, such as the sine of 30 degrees, are exact. */
 #ifndef TRIG_H
 #define TRIG_H
 
@@ -21,8 +21,8 @@ struct sum trig_cos(double angle, enum angle_unit);
 /* Returns the cotangent of an angle above 0 and up to 90 degrees. */
 struct sum trig_cot(double angle, enum angle_unit);
 
-/* Computes sinc = sin x / x and versinc = (1 - cos x) / x^2 of x radians from the exact
- * square x^2. Returns false if x is above 2 pi. */
+/* Computes sinc = sin x / x and versinc = (1 - cos x) / x^2 of x radians from square,
+ * which is exactly x^2. Returns false if x is above 2 pi. */
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc);
 
 /* Returns the double nearest to atan2(y, x) in degrees, from 0 to 180; y must be >= 0.
@@ -34,7 +34,7 @@ double trig_atan2_degrees(struct sum y, struct sum x);
 bool rotation_about(const double vector[3], struct sum r[3][3]);
 
 /* ROTATION_NONE: the determinant is not positive, as in a matrix that mirrors.
- * ROTATION_MANY: two singular values are so near 0 that no rotation is the nearest. */
+ * ROTATION_MANY: two singular values are so near 0 that no one rotation is nearest. */
 enum rotation_result { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 
 /* Computes the rotation nearest to the upper 3x3 of a matrix, its polar factor, as a

@@ -54,8 +54,8 @@ static void map_one(const struct transform *t, enum precision precision,
 }
 
 /* Computes the image of point i as a block of its own, whose error bounds are smaller.
- * Returns true if the kernel rounds the image with certainty, as it does for four of
- * five points that it could not round in their block. */
+ * Returns true if the kernel rounds the image with certainty. Four of five points that
+ * are uncertain in their block are certain alone. */
 static bool map_alone(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {

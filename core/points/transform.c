@@ -43,10 +43,10 @@ void transform_prepare(struct transform *t)
 		round_column(t, j, k);
 }
 
-/* Returns NULL or, if images would need more than EX_WORDS words, the member and the
- * reason. Two products must be exact: a point's difference from the origin, a multiple
- * of 2^-1074, times a column; and the map's divisor times the midpoint of two doubles.
- * room is the number of words that the column or the divisor may have. */
+/* Returns NULL, or a member and a reason if images would need more than EX_WORDS words.
+ * Two products must be exact: a point's difference from the origin, a multiple of
+ * 2^-1074, times a column; and the midpoint of two doubles times the divisor. room is
+ * the number of words that the first factor leaves to the second. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;

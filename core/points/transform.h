@@ -7,8 +7,8 @@
 #include "kernel/kernel.h"
 #include "../scene/scene.h"
 
-/* The image of p is (p, 1) times the matrix of map, divided by its w if divide is set.
- */
+/* The image of p is (p, 1) times the matrix of map, divided by the image's w if divide
+ * is set. */
 struct transform {
 	struct map map;
 	/* The matrix for differences of points from the map's origin: rows 0, 1, 2 and
@@ -25,8 +25,8 @@ struct transform {
 };
 
 /* Compute the transform from one space to another. If homogeneous, images are x y z w,
- * not divided, and device positions that are transformed are x y z 1/w. Return NULL, or
- * the member that prevents the transform and the reason. */
+ * not divided, and points of device space are x y z 1/w. Return NULL or why there is no
+ * transform: a member and the reason. */
 const char *scene_transform(const struct scene *, enum space from,
     enum space to, bool homogeneous, struct transform *);
 const char *flat_transform(const struct scene *, enum flat_space from,
@@ -39,17 +39,17 @@ void transform_init(struct transform *, enum space from, enum space to,
 /* Sets the members relative and for_kernel, which follow from map. */
 void transform_prepare(struct transform *);
 
-/* Computes the images of n <= POINTS_BLOCK points by the fastest loop that the
- * precision allows. in and out are columns of POINTS_BLOCK numbers for x, y, z and w.
- * All coordinates of a point without an image are nan; a coordinate beyond the range of
- * doubles is nan. In PRECISION_SINGLE the coordinates are floats, or infinite beyond
- * the range of floats. Returns true if all coordinates are finite. */
+/* Computes the images of n <= POINTS_BLOCK points. in and out are columns of
+ * POINTS_BLOCK numbers for x, y, z and w. Coordinates beyond the range of doubles, and
+ * those of points without an image, are nan. In PRECISION_SINGLE coordinates are
+ * floats, infinite beyond the range of floats. Returns true if all coordinates are
+ * finite. */
 bool points_map(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);
 
 /* Computes the images of rows of floats as rows of floats, in PRECISION_SINGLE. Returns
- * false, and leaves out undefined, if points_map has to compute the images, for example
- * because a point has no image. */
+ * false, and leaves the rows of out undefined, if points_map has to compute the images,
+ * for example because a point has no image. */
 bool points_map_floats(const struct transform *, const char *in, char *out,
     size_t n);
 
@@ -58,7 +58,7 @@ bool points_map_floats(const struct transform *, const char *in, char *out,
  * nan; all coordinates are nan if the point has no image. */
 void point_exact(const struct transform *, const double in[4], double out[4]);
 
-/* Returns the float nearest to exact coordinate j, whose nearest double is image. */
+/* Returns the float nearest to exact coordinate j; image is the nearest double. */
 float point_single(const struct transform *, const double in[4], int j,
     double image);
 

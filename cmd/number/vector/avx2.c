@@ -68,7 +68,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_LOW(a) _mm256_unpacklo_epi8(_mm256_setzero_si256(), a)
 #define BYTES_HIGH(a) _mm256_unpackhi_epi8(_mm256_setzero_si256(), a)
 
-/* Looks hi and lo up. Four loads take less time than two gathers. */
+/* Looks 10^scale up as hi + lo. Four loads take less time than two gathers. */
 static inline void power_of_ten(V scale, V *hi, V *lo)
 {
 	const double(*power)[2] = powers - POWER_MIN;

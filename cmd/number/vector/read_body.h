@@ -58,9 +58,9 @@ static inline struct integer short_integer(const struct digit_rows *r, size_t i)
 }
 
 /* Returns the integers of WIDTH rows, of up to 19 digits; one with more digits is bad.
- * top, three digits times 10^16, is a multiple of 2^16 below 2^64, and exact. The sums
- * s and m.hi, below 2^64, are rounded to multiples of 2^11. Each rounding loses an
- * integer of at most 2^10; m.lo, the sum of both, is exact. */
+ * Three digits times 10^16 (top) are a multiple of 2^16 below 2^64, and exact. The sums
+ * with the others (s, m.hi) are rounded to multiples of 2^11. Each rounding loses an
+ * integer of at most 2^10; m.lo, the sum of both losses, is exact. */
 static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 {
 	struct integer m;
@@ -84,10 +84,10 @@ static inline struct integer long_integer(const struct digit_rows *r, size_t i)
  * certain. q is m->hi / p rounded; the remainder m->hi - q p is exact, as always when
  * division rounds to nearest and nothing underflows. So m / p is q + c for c = (m->hi -
  * q p + m->lo) / p. The computed c has two roundings, an error below 2.01 * 2^-53 |c|.
- * The sums c + off and c - off are farther from c: by 2^-50 |c| less 2^-53 |c| for
- * their own rounding. Rounding is monotone: if q + (c + off) and q + (c - off) are the
- * same double, m / p rounds to this double; if not, as when m / p is midway between
- * doubles, the lane is bad. If m->lo is 0 in all lanes, q is already m / p rounded. */
+ * off is 2^-50 c, so that the exact c is between c - off and c + off as computed.
+ * Rounding is monotone: if q + (c + off) and q + (c - off) are the same double, m / p
+ * rounds to this double; if not, as when m / p is midway between doubles, the lane is
+ * bad. If m->lo is 0 in all lanes, q is already m / p rounded. */
 static inline V divide(struct integer *m, V p)
 {
 	V q = m->hi / p;
@@ -156,8 +156,8 @@ static inline uint64_t read_plain(const struct plain_places *at, size_t n,
 	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;
 }
 
-/* Returns whether the size characters before end finish with a digit and an exponent of
- * a sign and two digits, at most 22. Sets *exponent. */
+/* Returns whether the size characters before end finish with a digit, e or E, a sign,
+ * and two digits that make at most 22. Sets *exponent. */
 static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 {
 	unsigned tens = (unsigned char)end[-2] - '0';
@@ -212,8 +212,8 @@ static uint64_t reader_read(const struct plain_places *at, size_t n,
 	return bad == 0 ? 0 : read_exponential(at, bad, v);
 }
 
-/* Writes base + i for each bit i that is set, eight at a time. Returns the end of these
- * numbers; the next call overwrites the surplus. */
+/* Writes base + i to at for each bit i of bits that is set, eight at a time. Returns
+ * the end of these numbers; the next call overwrites the surplus. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);

@@ -24,8 +24,8 @@ struct group_needs {
 };
 
 /* The divisors of positive numbers, indexed by the number of decimals, or by NO_POINT
- * if there is no point; then those of negative numbers. Powers of ten before POWER_END
- * are doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
+ * if there is no point; then those of negative numbers. Powers of ten up to 10^22 are
+ * doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
 enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
 #define BAD (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
@@ -78,7 +78,7 @@ typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
 /* Returns the number of leading zero bits of x, which is 0 or has one bit, from the
- * exponent of x as a float. For two bits, as of 1.2.3, which is no number, any result
+ * exponent of x as a float. For two bits, as 1.2.3 has, which is no number, any result
  * will do. */
 static inline counts leading_zeros(counts x)
 {
@@ -90,9 +90,9 @@ static inline counts leading_zeros(counts x)
 #endif
 
 /* The bits and counts of each number. points and minuses have a bit for each of the 32
- * bytes before its end. digits is its size, and after count_digits the key of its
- * digits for LAST_BYTES; decimals is the key of its decimals; divisor is an index of
- * divisors. */
+ * bytes before its end. digits is the size of the number, and after count_digits the
+ * key of its digits for LAST_BYTES; decimals is the key of its decimals; divisor is an
+ * index of divisors. */
 struct marks {
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];

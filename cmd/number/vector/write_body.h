@@ -35,7 +35,7 @@
 /* The number of zeros that are stored before the DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
 
-/* Hides a constant from gcc, which would make up to five operations of its product. */
+/* Hides a constant from gcc, which would make up to five operations of a product. */
 #define OPAQUE(c) opaque(ALL_BITS(c))
 INLINE I opaque(I c)
 {
@@ -43,9 +43,9 @@ INLINE I opaque(I c)
 	return c;
 }
 
-/* split_8, split_4 and split_2 halve the numbers of digits, from 8 to 4, 2 and 1. A
- * quotient by 10^4, 100 or 10 is a product with 2^40/10^4, 2^19/100 or 2^16/10 rounded
- * up. It is less than 1/10^4, 1/100 or 1/10 too large, so that its whole part is right.
+/* split_8, split_4 and split_2 halve numbers of 8, 4 and 2 digits. A quotient by 10^4,
+ * 100 or 10 is a product with 2^40/10^4, 2^19/100 or 2^16/10 rounded up. The product is
+ * less than 1/10^4, 1/100 or 1/10 too large: its whole part is right.
  *
  * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and x
  * - 10^4 a, in two quarters. The lanes are doubles; x << 16 drops the exponent. */
@@ -110,8 +110,8 @@ INLINE int highest_bit(int x)
 
 /* Computes the layouts of texts. A text begins with its first digit that is not 0, or
  * with the 0 before the point. It ends with its last digit, which is not 0 unless
- * keep_zeros is set, or before the point if there are no decimals. The point is scale
- * digits before the end of the first whole_digits digits. */
+ * keep_zeros is set, or before the point if there are no decimals. The point stands
+ * f->scale digits before the end of the first whole_digits digits. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
     const struct batch_digits *f, int whole_digits, bool keep_zeros)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Finds the decimal digits of numbers by the operations on doubles that write_body.h
  * lists. Shortest digits of numbers from 2^-17 to 2^52, of floats to 2^23, are found
- * without rounding. For all other digits, number_write makes a text if rounding could
- * change it. */
+ * without rounding. If rounding could change other digits, number_write makes their
+ * text. */
 #ifndef WRITE_FIND_H
 #define WRITE_FIND_H
 
@@ -24,9 +24,9 @@ enum { DIGITS = 16 };
  * most zeros that they write between digits and the point. */
 enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
-/* The digits of a batch of numbers: the DIGITS digits of whole, with the point scale
- * digits before their end, and digit, the 17th, which is not written if it is 0. sign
- * is -1 for a minus, 1 for no minus, and 0 if number_write has to make the text. */
+/* The digits of a batch of numbers. whole has DIGITS digits; the point stands `scale`
+ * digits before their end. digit is the 17th, which is not written if it is 0. sign is
+ * -1 for a minus, 1 for no minus, and 0 if number_write has to make the text. */
 struct batch_digits {
 	double whole[NUMBER_BATCH];
 	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
@@ -199,11 +199,11 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits of numbers from 2^-17 to 1e21, of floats to 2^60: so far
- * the table of powers reaches, and from 1e-6 to 1e21 texts have no exponent. For other
- * numbers top is 1, so that the index is in the table, and number_write makes the text.
- * If exact is set, all numbers are in this range and have scale >= 0: nothing is
- * rounded, and comparisons need no margin. */
+/* Finds the shortest digits of 0 and of numbers from 2^-17 to 1e21, of floats to 2^60.
+ * For doubles below 2^-17 scale would be above POWER_MAX; floats have the same limit.
+ * For floats from 2^60 on scale would be below POWER_MIN. From 1e21 on texts have an
+ * exponent. Outside these limits top is 1, for a scale in the table, and number_write
+ * makes the text. If exact is set, no scale is negative (find_shortest). */
 INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
     bool exact, V v)
 {

@@ -5,19 +5,19 @@
  * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
  * point's difference from the origin has an error of u, a matrix element one of u, and
  * a chain of three products and sums one of 3 u. So the error of a column is at most 5
- * u S. A quotient N / W of columns has the errors of N and W, and u each for the
- * reciprocal of W and its product with N:
+ * u S. A quotient N / W of columns, whose S are S_N and S_W, has their errors, and u
+ * each for the reciprocal of W and its product with N:
  *
  *	|error of N/W| <= APPROX_BOUND u (S_N + |N/W| S_W) / |W|
  *
  * The errors of columns take 5 u of this, the quotient 2 u, and the shortest digits
- * printed 1 u, together 8 u. The error of depth a + b/W is at most APPROX_BOUND u (|a|
- * + |b/W| S_W / |W|). If S_W is |W|, W takes 5 u of this, and b, the reciprocal, the
- * fused product and sum, and printing u each, together 9 u. If S_W is larger, W has a
- * larger relative error, but APPROX_BOUND u S_W / |W| is below 1/16, as error_bound.c
- * requires: division by the computed W makes the 5 u at most 32/31 as large, and the
- * other 4 u weigh less. `make prove` counts all of these errors, and error_bound.c
- * bounds S for the points of a scene. An underflow adds at most u times the least
+ * printed 1 u, together 8 u. The error of a depth a + b/W (KERNEL_DEPTH) is at most
+ * APPROX_BOUND u (|a| + |b/W| S_W / |W|). If S_W is |W|, W takes 5 u of this, and b,
+ * the reciprocal, the fused product and sum, and printing u each, together 9 u. If S_W
+ * is larger, W has a larger relative error, up to 1/32, as error_bound.c requires
+ * APPROX_BOUND u S_W / |W| < 1/16. Division by the computed W then makes the 5 u at
+ * most 32/31 as large, and the other 4 u weigh less. `make prove` counts these errors,
+ * and error_bound.c bounds S for a scene. An underflow adds at most u times the least
  * normal number. A value that overflows never becomes finite again, unless it is w,
  * whose reciprocal would be 0: from w = W_MAX on the image is nan. */
 

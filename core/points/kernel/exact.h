@@ -1,36 +1,36 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels of PRECISION_EXACT, written once for the vectors that copy.h describes.
- * A coordinate is a sum hi + lo with a bound of its error. If all numbers within the
+/* The kernels of PRECISION_EXACT, written once for the vectors that copy.h describes. A
+ * coordinate is a sum hi + lo with a bound of its error. If all numbers within the
  * bound round to the same double, this double is the result; if not, point.c computes
- * the point. Variables named sure are positive if the rounding is certain. Noise is an
- * error up to which a difference counts as 0: see struct kernel_map.
+ * the point. Variables named sure are positive if the rounding is certain. Noise, the
+ * error up to which a difference counts as 0, is in struct kernel_map (kernel.h).
  *
  * To cut a number is to round it to few bits; the difference is its rest. Let 2^e be
  * above the differences of a block's points from the origin in one coordinate; each
  * coordinate has its own e. Let B be a power of two above a column's elements times
  * their 2^e, and above the column's image of the origin. Points and the origin are cut
  * to multiples of 2^(e-26), elements to multiples of 2^(-e-24) B. Then hi, the sum of
- * the cut image and three products of cut numbers, has no error: all of these are
+ * the origin's cut image and three products of cut numbers, has no error: all are
  * multiples of 2^-50 B, and hi is at most 2^52 + 2^27 of these units. The low part is
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
- * This sum has three terms up to 2^-27 B, three up to 2^-25 B, and three up to 2^-27 B
- * for the origin's rests: no partial sum is above 9 times 2^-26 B. The errors are the
- * roundings of these sums, of products, of rests, and of lo plus its bound, and the
- * elements' low parts, which the first three terms leave out: together 49 u 2^-26 B <
- * 2^-73.3 B, where u = 2^-53. `make prove` counts them from the code below. */
+ * The three first terms are up to 2^-27 B each, the other three up to 2^-25 B. The
+ * origin's rests add three up to 2^-27 B: no partial sum is above 9 times 2^-26 B. The
+ * errors are (coordinate's rest) (element's lo of struct kernel_map), which is left
+ * out, and the roundings of sums, products, rests, and lo plus its bound: together 49 u
+ * 2^-26 B < 2^-73.3 B, where u = 2^-53. `make prove` counts them. */
 #include "kernel.h"
 
 /* DIGITS is the number of binary digits of a double, and COLUMN_BOUND the bound of a
- * column's error in units of B: more than twice the error above, as the roundings of a
- * quotient must fit, too. is_moderate uses MODERATE. The proofs define all three. */
+ * column's error in units of B. It is over twice the error above, so that roundings of
+ * a quotient fit, too. core/proof/toy.h defines other values for fewer digits. */
 #ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
 #define MODERATE 0x1p200
 #endif
-/* Stands for an element times 2^e if this product underflows. */
+/* Stands for a product that underflows, and is larger: the least normal number. */
 #define TINY 0x1p-1022
 
 /* The numbers of bits of a cut coordinate and of a cut element. */
@@ -68,8 +68,7 @@ static inline double greatest_lane(V a)
 	return r;
 }
 
-/* Returns true if a b is exactly product; false if underflow could hide a difference.
- */
+/* Returns true if a b is exactly product; false if underflow could hide an error. */
 static bool is_product(double a, double b, double product)
 {
 	return fma(a, b, -product) == 0 &&
@@ -142,8 +141,8 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
 }
 
 /* A column for a block of points: its elements and, in row 3, its image of the origin,
- * cut into high and rest. The low parts of struct kernel_map are added to rest, unless
- * they are within the noise together. If all elements are 0, the column is 0. */
+ * cut into high and rest. The elements' low parts (lo of struct kernel_map) are added
+ * to rest, unless all of them together are within the noise. */
 struct column_cut {
 	double high[4], rest[4], element[4];
 	double bound;       /* of the error */
@@ -295,8 +294,8 @@ static inline V inexact_if_noisy(V a, double noisy_below)
 	return IF_POSITIVE(ABS(a) - ALL(noisy_below), ALL(0), ABS(a));
 }
 
-/* Returns 0 if the column hi + lo is exact within the noise, and the noise does not
- * change how it rounds. Returns a positive number if this is not certain, for example
+/* Returns 0 if the column's sum, hi + lo, is exact within the noise, and rounds the
+ * same in spite of noise. Returns a positive number if this is not certain, for example
  * after a product that may underflow. A sum midway between two doubles is a tie in
  * spite of noise. Any other sum differs from each midpoint by at least half a unit in
  * its last place or 2^-53 |lo|, so that inexact_if_noisy has to test the sum and lo. */
@@ -351,10 +350,9 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return up;
 }
 
-/* Rounds columns that are not divided a second time, now with error 0 if the column is
- * exact: exact columns are often midway between two doubles, where any other error
- * would prevent rounding. Returns a positive number for each point with all columns
- * sure. */
+/* Rounds undivided columns once more, now with error 0 for each column that is exact:
+ * an exact column is often midway between two doubles, where any other error would
+ * prevent rounding. Each lane of the result is positive if all columns are sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
@@ -372,11 +370,13 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 	return sure;
 }
 
-/* Returns the length of the vector of three columns, with a relative error of at most
- * 60.2 u^2, and 1 / root in *reciprocal. rest is the sum of squares minus the square of
- * root; only the low parts of the sum have errors, of u each. Squares of low parts are
- * left out: 15 u^2 for the low part of the length, which is at most 6 u, and 5 u^2 for
- * the low parts of columns, which are at most 3 u. */
+/* Returns the length of the vector a as hi + lo, with an error of at most 60.2 u^2 of
+ * it, and 1 / hi in *reciprocal. Let s be the sum of a's squares without those of low
+ * parts. hi is the rounded root of s, and lo is (s - hi^2) / (2 hi). Errors:
+ * - 40.5 u^2 for the roundings of s - hi^2 and of lo;
+ * - 4.5 u^2 for the squares that s lacks, of low parts of at most 3 u;
+ * - 15.2 u^2 as hi + lo is above the root of s by lo^2 / (2 hi). lo is the low part of
+ *   the length, which is at most 6 u: 5.5 u as counted, and 5.5^2 / 2 < 15.2. */
 static inline vdd length_of(const vdd a[3], V *reciprocal)
 {
 	V square[3], low = ALL(0);
@@ -397,7 +397,7 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 }
 
 /* Writes the images q of points p. Returns true if all roundings are sure. If a
- * rounding of an image is not, its q[0] becomes nan or infinite, as exact_kernel says.
+ * rounding is not, q[0] of its image becomes nan or infinite, as exact_kernel says.
  * Other images are finite, as columns are below 2^202 and w is above 2^-274.
  *
  * A direction is divided by its length, whose error is at most the sum of the columns'

@@ -5,8 +5,8 @@
 
 /* Transforms n rows. If origin_is_float, the origin's coordinates are floats.
  * Subtracting floats gives the same bits as subtracting doubles and rounding to float:
- * a difference that is not a double is so near to the larger float that both round to
- * this float. */
+ * a difference that no double equals is so near to the larger float that both ways
+ * round to this float. */
 static inline __attribute__((always_inline)) int
 float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
     enum kernel_kind kind, bool origin_is_float)

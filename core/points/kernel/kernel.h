@@ -95,8 +95,8 @@ typedef int (
 /* A map in doubles, with the matrix m, whose columns estimate the columns of an exact
  * map. Let size be |x| + |y| + |z|, relative to the origin. If low <= size < high, an
  * estimate whose magnitude is above slope size + floor has the sign of the exact
- * column. The bound is that of the column with the largest errors: one bound for all
- * takes less time, but leaves the signs of a few more points unsure. */
+ * column. slope and floor are those of the column with the largest errors: one bound
+ * for all columns takes less time, but leaves the signs of a few more points unsure. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };
