@@ -300,7 +300,7 @@ void run_points(const struct options *o, const struct document *d,
 		    "missing, and PARAMS and POINTS are both standard input; "
 		    "name a file for one of them");
 	}
-	j->layout.two_hint = d->source.hint_for_two;
+	j->layout.two_hint = d->source.two_numbers_hint;
 	if (o->n_points == 0 && d->points != NULL)
 		run_json_points(o, j, d->source.name, d->points,
 		    d->points_size);

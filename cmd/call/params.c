@@ -166,7 +166,7 @@ static void check_not_points(const struct command *c, const struct options *o)
 
 /* Returns a hint for messages about points of two numbers, or NULL. These points may be
  * meant as positions on the device, for which pick and project have options. */
-static const char *two_numbers_hint(const struct command *c,
+static const char *find_two_numbers_hint(const struct command *c,
     const struct options *o)
 {
 	if (c->kind == PICK)
@@ -193,7 +193,7 @@ void read_document(const struct command *c, const struct options *o,
 	}
 	wants.source.lines_before = (long)params.line - 1;
 	wants.source.bytes_before = params.column - 1;
-	wants.source.hint_for_two = two_numbers_hint(c, o);
+	wants.source.two_numbers_hint = find_two_numbers_hint(c, o);
 	wants.source.for_plane = o->plane.n > 0;
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];

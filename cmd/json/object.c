@@ -147,7 +147,8 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->flag) = true;
 }
 
-/* A list of ways (see struct ways) for one kind of object. Each member is a bit. */
+/* A list of ways (see struct ways) for one kind of object. In a set of the object's
+ * members bit i is row i of the table. */
 struct way_bits {
 	const char *const *list;
 	const struct member *table;

@@ -43,7 +43,8 @@ struct member {
 	 * default is printed only if shown is set. */
 	const char *fallback;
 	bool shown;
-	/* For the help: words for a default that precedes fallback; or NULL. */
+	/* For the help: where the default comes from before fallback is taken, such
+	 * as "-c's"; or NULL. */
 	const char *default_from;
 	/* Names of the member in other programs, in lower case without _ and -, with
 	 * blanks between the names; or NULL. */

@@ -212,8 +212,9 @@ void value_refuse_type(const struct value *v, const char *wanted)
 	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
-/* Returns whether x is in the range. In radians, limits of 180 and 90 degrees become PI
- * and PI / 2. These are below pi and pi/2, so excluded limits are in the range, too. */
+/* Returns whether x is in the range. In radians, limits of 180 and 90 degrees become
+ * the doubles PI and PI / 2. As these are below pi and pi/2, x may be equal to them even
+ * where the limit itself is excluded. */
 static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;

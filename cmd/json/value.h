@@ -26,7 +26,7 @@ struct source {
 	bool flat;             /* the document is of two dimensions */
 	bool has_axes;         /* a convention gives the view axes */
 	bool is_operand;       /* POINTS, which --keep-going does not skip */
-	const char *hint_for_two; /* about points of two numbers; or NULL */
+	const char *two_numbers_hint; /* about points of two numbers; or NULL */
 	const struct member *scene_members; /* for hints in messages */
 };
 

@@ -402,7 +402,8 @@ void say_note_columns(struct layout *l, struct span text)
 		return;
 	if (!say_guess(&names, l->reads, &numbers, reason)) {
 		if (!csv || table.separator == ' ' || text.s[-1] == ':' ||
-		    names.n < 3 || names.n != words || !choose_is_header(l, c))
+		    names.n < 3 || (words != names.n && words != 1) ||
+		    !choose_is_header(l, c))
 			return;
 		say_more(reason, "; say --columns by number");
 	}

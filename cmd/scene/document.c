@@ -51,8 +51,8 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 	if (n < coordinates)
 		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
 		    n, n == 1 ? "" : "s", coordinates,
-		    n == 2 && v->source->hint_for_two != NULL ?
-			v->source->hint_for_two :
+		    n == 2 && v->source->two_numbers_hint != NULL ?
+			v->source->two_numbers_hint :
 			"");
 	*(*out)++ = ']';
 	*(*out)++ = '\n';
@@ -248,10 +248,10 @@ void document_read(struct document *d, const char *name, char *text,
 }
 
 char *document_points(const char *name, char *text, size_t size,
-    int coordinates, const char *hint_for_two, size_t *points_size)
+    int coordinates, const char *two_numbers_hint, size_t *points_size)
 {
 	struct source source = { .name = name,
-		.hint_for_two = hint_for_two,
+		.two_numbers_hint = two_numbers_hint,
 		.is_operand = true,
 		.scene_members = scene_members };
 	struct span points;

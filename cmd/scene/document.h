@@ -70,7 +70,7 @@ struct document_wants {
 	 * no flat documents. */
 	unsigned flat_members;
 	/* The document's source, of which the command sets what precedes the text,
-	 * hint_for_two, and three members. implied_type: a projection has this type
+	 * two_numbers_hint, and three members. implied_type: a projection has this type
 	 * alone, and may lack "type". for_fit: the eye, near, far, width and height of
 	 * a parallel projection, and all members of a flat document's window may be
 	 * missing. for_plane: near, if no size is given at it, and far may. */
@@ -93,7 +93,7 @@ void document_read(struct document *d, const char *name, char *text,
  * Each line is a point's JSON array without blanks. A point must begin with as many
  * numbers or nulls as coordinates says. */
 char *document_points(const char *name, char *text, size_t size,
-    int coordinates, const char *hint_for_two, size_t *points_size);
+    int coordinates, const char *two_numbers_hint, size_t *points_size);
 
 /* Prints "projcalc: FILE: WHY" and exits with status 1. why is a reason that a function
  * of core/ returned, and may begin with a JSON pointer: "/camera/up: ...". */

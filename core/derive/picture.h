@@ -119,8 +119,9 @@ struct picture {
 	bool reverse_z;
 	/* On the near plane in view space: x of left and right, y of bottom and top. */
 	double near_edge[4];
-	/* The matrix K, which maps X to the right, Y along device y and Z along the
-	 * gaze to pixels from the viewport's corner. */
+	/* The matrix K takes X, Y, Z of view space to u w, v w, w, with u and v in
+	 * pixels from the viewport's corner. X is to the right, Y along device y, Z
+	 * along the gaze. */
 	double intrinsics[3][3];
 	/* a b c d for left, right, bottom, top, near and far: a point x y z of world
 	 * space is inside if a x + b y + c z + d >= 0. a b c is a unit vector. */

@@ -19,7 +19,8 @@
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
-	/* the columns X, Y and w, and the factors of each cross product */
+	/* the columns X, Y and w, and for the rows of r, x, y, none and 1, the two
+	 * columns whose cross product the row is */
 	static const int column[3] = { 0, 1, 3 };
 	static const int factor[4][2] = { { 1, 2 }, { 2, 0 }, { 0, 0 },
 		{ 0, 1 } };

@@ -132,7 +132,8 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 }
 
 /* Writes the zeros before the digits, the 17th digit with zeros after it, and the
- * layout. With scale >= POWER_MIN a text needs at most six zeros on each side. */
+ * layout. With scale >= POWER_MIN a text needs at most six zeros on each side. If
+ * keep_zeros is set, a text ends within its digits (see lay_out) and needs none behind. */
 INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
     const struct batch_digits *f, bool keep_zeros)
 {

@@ -202,8 +202,9 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 /* Finds the shortest digits of 0 and of numbers from 2^-17 to 1e21, of floats to 2^60.
  * For doubles below 2^-17 scale would be above POWER_MAX; floats have the same limit.
  * For floats from 2^60 on scale would be below POWER_MIN. From 1e21 on texts have an
- * exponent. Outside these limits top is 1, for a scale in the table, and number_write
- * makes the text. If exact is set, no scale is negative (find_shortest). */
+ * exponent. Numbers outside these limits are computed as if they were 1, so that their
+ * scale is in the table; number_write makes their texts. find_shortest sets exact only
+ * if no number is outside and no scale is negative. */
 INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
     bool exact, V v)
 {
