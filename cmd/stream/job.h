@@ -40,7 +40,6 @@ struct chunk {
 	bool walk_planned, can_walk; /* walk_plan was called; returned true */
 	struct walk walk;
 	struct word flags[256]; /* results of chunk_flags; empty until needed */
-	/* chunk_new does not initialize the members from here on */
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];

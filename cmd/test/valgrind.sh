@@ -34,9 +34,9 @@ done
 check project -j 2 full.json bunny.xyz
 check project --flags --digits 5 -o csv scene.json bunny.xyz
 check project -p single -o f64 scene.json bunny.xyz
-check project -t 0.01 -o json scene.json bunny.xyz
+check project -o json scene.json bunny.xyz
 check project --ray scene.json '[[1,2],[3,4]]'
-check trace -t 0.01 scene.json bunny.xyz
+check trace scene.json bunny.xyz
 check pick --at 320,240 --radius 99 scene.json bunny.xyz
 check pick --scenes --at 320,240 --radius 99 "$(cat scene.json scene.json)" bunny.xyz
 check fit scene.json bunny.xyz
