@@ -66,7 +66,7 @@ bool is_index(struct span token, long k)
 
 /* Returns whether route, for element i of struct chosen, leads to f, which is field k
  * after the cursor, or into the value of f. Sets *rest to the path within that value,
- * or to "" if the route ends at f. In a header, X is the default name x. */
+ * or to "" if the route ends at f. In a header, X may stand for the default name x. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
@@ -97,7 +97,7 @@ struct search {
 	int n;
 	bool text; /* the fields are separated as in text */
 	long last; /* the number of the last field that is looked at */
-	int separators, commas; /* that count; of these, with a comma */
+	int separators, commas; /* separators that count; those with a comma */
 	struct chosen *out;
 };
 

@@ -34,7 +34,7 @@ struct field {
 	const char *previous_end; /* the end of the field before; NULL: none */
 	const char *next;         /* where the next field begins; NULL: none */
 	bool comma;    /* in text: the separator before the field has a comma */
-	bool unclosed; /* in csv: the line has no closing quote */
+	bool unclosed; /* in csv: the quote of the field is not closed */
 };
 
 /* A cursor over the fields of a line, a JSON array or a JSON object. */
@@ -43,11 +43,11 @@ struct cursor {
 	const char *s;            /* the next field, or NULL after the last */
 	const char *end;          /* the end of the line */
 	const char *previous_end; /* the end of the field before s, or NULL */
-	const char *bracket; /* the byte after the opening bracket, or NULL */
-	bool members;        /* the fields are members of a JSON object */
-	bool names;          /* the fields are names of a header */
-	bool no_commas;      /* fields of text end at blanks only */
-	bool comma;          /* in text: the separator before s has a comma */
+	const char *bracket;      /* the byte after [ or {; NULL: not JSON */
+	bool members;             /* the fields are members of a JSON object */
+	bool names;               /* the fields are names of a header */
+	bool no_commas;           /* fields of text end at blanks only */
+	bool comma; /* in text: the separator before s has a comma */
 };
 
 /* The bytes of a reason, which says what is wrong with a line. */
@@ -79,7 +79,8 @@ struct format_row {
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
-/* Returns the dialect of a format. Only csv gets the given separator. */
+/* Returns the dialect of a format. Only csv gets the given separator; others have
+ * one. */
 struct dialect dialect_of(enum format, char separator);
 
 static inline const struct format_row *format_of(struct dialect d)
@@ -114,8 +115,8 @@ const char *format_number(struct dialect, const char *s, const char *end,
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
-/* Returns whether lines end in carriage returns alone: text follows a carriage return
- * in line that is outside of quotes. If so, writes the reason. */
+/* Returns whether lines end in carriage returns alone: in line, text follows a carriage
+ * return that is outside of quotes. If so, writes the reason. */
 bool format_cr_only(struct dialect, struct span line, char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */

@@ -32,7 +32,7 @@ struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
 	int field[4]; /* the number of each coordinate's field, from 0 */
 	/* The name of each coordinate's column or member, by default x, y, z or
-	 * w. / begins a JSON pointer. NULL: the coordinate has a number. */
+	 * w. / begins a JSON pointer. NULL: its number is given. */
 	const char *name[4];
 	bool by_default; /* --columns is not given */
 };
@@ -50,7 +50,7 @@ struct layout {
 	struct dialect in, out;
 	enum header header;
 	struct columns columns;
-	int reads, writes; /* the numbers read of a point, and written for it */
+	int reads, writes; /* how many numbers are read, written for a point */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
 	/* The name of each written number and, last, of the word of --flags; ""
@@ -61,9 +61,10 @@ struct layout {
 	size_t max_fields;
 	bool reordered;    /* in the last header field i is not coordinate i */
 	size_t first_line; /* the number of FIRST_LINE in its source, from 1 */
-	/* How many columns a comment names before the first row; 0: none. A first
-	 * row is refused for comment_reason if it has as many fields, and field i
-	 * is a number for each bit i that is set in comment_numbers. */
+	/* The number of columns that a comment names; 0: none, or coordinates
+	 * come first. A first row of as many fields is refused for
+	 * comment_reason if field i is a number for each bit i of
+	 * comment_numbers. */
 	size_t comment_names;
 	uint32_t comment_numbers;
 	char comment_reason[REASON_MAX];
@@ -83,7 +84,8 @@ enum line_kind {
 	LINE_REFUSED, /* a wrong header or first row: the source is refused */
 };
 
-/* The bytes [from, to) of a line. A line has at most 256 MiB, in a document. */
+/* The bytes [from, to) of a line. A line has at most 64 MiB, or 256 MiB in a
+ * document. */
 struct part {
 	uint32_t from, to;
 };
@@ -112,7 +114,8 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The written numbers: number k is v[k * stride], its text is text[k * text_stride]. */
+/* The written numbers: number k is v[k * stride] with the text text[k *
+ * text_stride]. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
@@ -217,7 +220,7 @@ struct cursor line_cursor(struct dialect, struct span line);
 /* Returns a cursor over the fields of a JSON array or object; end is the line's end. */
 struct cursor value_cursor(struct span value, const char *end);
 
-/* Sets the next field and moves the cursor past it; returns false if there is none. */
+/* Reads the next field and moves the cursor past it; returns false if there is none. */
 bool cursor_next(struct cursor *, struct field *);
 
 /* Returns the number of fields after the cursor. */
@@ -239,8 +242,8 @@ void choose(const struct layout *, struct cursor, struct chosen *);
 /* Sets the parts of the line that hold its coordinates. */
 void choose_parts(const struct layout *, const struct chosen *, struct line *);
 
-/* Returns the number of a coordinate whose value overlaps the value of a coordinate
- * before: they share a column, or one is inside of the other in JSON. 0: none. */
+/* Returns the number of a coordinate whose value overlaps the value of an earlier
+ * coordinate: they share a column, or one is inside of the other in JSON. 0: none. */
 int choose_overlap(const struct layout *, const struct chosen *);
 
 /* Returns whether a column of a header or a member of an object has a name that the
@@ -261,16 +264,15 @@ bool is_index(struct span token, long k);
 bool header_is_comment(const struct layout *, struct span text, bool first);
 
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
- * a row. A header that can be used gets the kind LINE_HEADER and sets the columns and
- * numbers of fields of the layout. Any other header gets LINE_REFUSED and a reason. */
+ * a row. A header that can be used gets the kind LINE_HEADER, and sets the columns,
+ * header_fields and max_fields. Any other header gets LINE_REFUSED and a reason. */
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
 /* Returns whether a row of csv has more fields than max_fields, and writes the reason.
- * A longer first row raises max_fields if no coordinate has a name. An empty last field
- * does not count. One field more than the header is refused: R writes such tables,
- * where the column of row names has no name, and each name is one column too far
- * left. */
+ * An empty last field does not count. A longer first row raises max_fields if no
+ * coordinate has a name, unless it has one field more than the header: R writes such
+ * tables, whose header lacks a name for the column of row names. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
 
@@ -281,7 +283,8 @@ struct cursor header_cursor(struct dialect, struct span text);
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field in csv with blanks; if so, writes the reason. */
+/* Returns whether f is an empty field of csv whose separator is a blank; if so, writes
+ * the reason. */
 bool say_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
 
@@ -289,7 +292,8 @@ bool say_empty_field(const struct layout *, struct span f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets the comment_ members if a comment names columns and the first may not be x. */
+/* Sets comment_names, comment_numbers and comment_reason if text, a comment, names
+ * columns, and the coordinates may not be the first columns. */
 void say_note_columns(struct layout *, struct span text);
 
 /* Returns whether the first row needs a header that is missing. Without --columns,

@@ -20,7 +20,7 @@ say_more(char reason[REASON_MAX], const char *format, ...)
 }
 
 /* Returns a byte of f, not its last, that may be the separator but is not the layout's;
- * 0: none. Commas and blanks are frequent within fields: alone says that they count. */
+ * 0: none. Commas and blanks are frequent within fields: they count if alone is set. */
 static char find_separator(const struct layout *l, struct span f, bool alone)
 {
 	const char *c = alone ? ";|\t, " : ";|\t";
@@ -154,7 +154,8 @@ static struct span name_word(struct span f)
 	return (struct span){ f.s, s };
 }
 
-/* Copies the names of the fields after the cursor, or in a comment each name_word. */
+/* Copies the names of the fields after the cursor, in a comment what name_word
+ * finds. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -245,8 +246,8 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 
 /* Adds to the reason all that guess_columns finds: "; say --columns px,py,pz or
  * vx,vy,vz". If numbers is not NULL, writes numbers for names, and sets bit i of
- * *numbers for column i. Returns false and adds nothing if that is nothing or too
- * much. */
+ * *numbers for column i. Returns false, and adds nothing, if it finds nothing or lacks
+ * room. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {

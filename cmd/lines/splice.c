@@ -315,7 +315,8 @@ static void put_other_fields(struct splice *w)
 	const struct layout *l = w->l;
 	const struct line *line = w->line;
 	const struct format_row *in = format_of(l->in), *to = format_of(l->out);
-	/* an empty field becomes "" in JSON: the next keep their places */
+	/* an empty field of csv becomes "" in JSON, so that the next fields
+	 * keep their places in the array */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
 	char *out = w->out;
@@ -408,7 +409,7 @@ char *line_write(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
-	/* in a bad object, members with added names are replaced */
+	/* values replace the members of a bad object that have their names */
 	bool appends = l->append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->append)

@@ -7,7 +7,8 @@
 #include "../../core/scene/scene.h"
 #include "../json/text.h"
 
-/* Inlined once for each format, a function keeps the branches of this format alone. */
+/* The functions of the walk are inlined once for each format, so that the compiler
+ * removes the branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
 /* Returns a dialect's stops: bytes that can end a field, or make a line not simple. */
@@ -19,7 +20,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* a bit for each upper half of a stop: at most eight */
+		/* a bit for each upper half that stops have: at most 8 */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 
@@ -242,7 +243,8 @@ enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 static bool pass_nested(struct walker *, const struct target *,
     const struct paths *, unsigned leads, int levels);
 
-/* Results that are no number of a coordinate. NOT_SIMPLE: line_read reads the line. */
+/* Results that are no coordinate's number. NOT_SIMPLE: line_read has to read the
+ * line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
 /* Returns the paths whose bits are set in leads, without their first name or index. */
@@ -280,7 +282,8 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 	return NO_COORDINATE;
 }
 
-/* Passes a JSON value that is no coordinate. Bit i of leads: path i leads into it. */
+/* Passes a JSON value that is not a coordinate. Bit i of leads is set if path i leads
+ * into the value. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct paths *paths, unsigned leads, int levels)
 {
