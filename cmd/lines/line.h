@@ -69,7 +69,7 @@ struct layout {
 	uint32_t comment_numbers;
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps; /* the output keeps binary records, and adds the images */
+	bool keeps; /* binary records stay, but for the coordinates */
 	const char *two_hint; /* a remedy if z is missing; or NULL */
 	bool single;          /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
@@ -302,7 +302,7 @@ void say_note_columns(struct layout *, struct span text);
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that the line, the first of a source of text, looks like a header. */
+/* Writes that line, the first line of a source of text, looks like a header. */
 void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 
@@ -337,12 +337,12 @@ struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
-	int exact_fields;   /* number of fields; 0: up to max_fields */
-	int max_fields;     /* the most fields of a row of csv */
-	bool arrays;        /* lines may be JSON arrays */
-	bool objects;       /* lines may be JSON objects */
+	int exact_fields; /* how many fields a line has; 0: up to max_fields */
+	int max_fields;   /* the most fields of a row of csv */
+	bool arrays;      /* lines may be JSON arrays */
+	bool objects;     /* lines may be JSON objects */
 	struct paths paths; /* the paths to the coordinates in an object */
-	/* NULL or, by --append, the names that an object may not have yet */
+	/* NULL or, by --append, the names that an object must not have */
 	const char (*added_names)[NAME_ROOM];
 	bool by_column; /* coordinate i is field[i]; false: field i */
 	int field[4];
@@ -351,7 +351,7 @@ struct walk {
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Sets the stretch at text and its index. Returns false if no line of it ends there. */
+/* Sets the stretch at text, and makes its index. Returns false if it has no newline. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
