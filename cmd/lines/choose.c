@@ -49,8 +49,8 @@ size_t cursor_count(struct cursor c)
 	return n;
 }
 
-/* The route from a value to something that choose looks for: a name or JSON pointer; if
- * path is NULL, the number of a field, or -1 if there is no route. */
+/* The route from a line or JSON value to a field that choose looks for: its name or
+ * JSON pointer; if path is NULL, its number, or -1 if there is no route. */
 struct route {
 	const char *path;
 	long index;
@@ -64,9 +64,9 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether the route to thing i leads to f, which is field k after the cursor,
- * or into its value; sets *rest to the rest of the path. The case of the default names
- * of coordinates does not count in a header: X is x. */
+/* Returns whether route, for element i of struct chosen, leads to f, which is field k
+ * after the cursor, or into the value of f. Sets *rest to the path within that value,
+ * or to "" if the route ends at f. In a header, X may stand for the default name x. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
@@ -91,19 +91,20 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 			    pointer && is_index(token, k);
 }
 
-/* A search for the first n things of struct chosen. */
+/* A search for the first n elements of struct chosen. */
 struct search {
 	const struct layout *l;
 	int n;
 	bool text; /* the fields are separated as in text */
 	long last; /* the number of the last field that is looked at */
-	int separators, commas; /* that separator_counts; with a comma */
+	int separators, commas; /* separators that count; those with a comma */
 	struct chosen *out;
 };
 
 /* Returns whether the separator before f, field k of text, counts. If only some of the
  * separators that count have commas, the commas may be decimal. After the last
- * coordinate, it counts if f may be decimals: after two numbers, or a comma alone. */
+ * coordinate, a separator counts if f may be decimals: f is a number after two
+ * coordinates, or after a comma without a blank. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {
@@ -119,16 +120,16 @@ static bool separator_counts(const struct search *r, const struct field *f,
 }
 
 /* Searches the fields after the cursor. Enters each value once, for all routes that
- * lead into the value, so that the time is linear in the length of the line. */
+ * lead into it, so that the time is linear in the length of the line. */
 static void search_fields(struct search *r, struct cursor c,
-    const struct route routes[SOUGHT])
+    const struct route routes[SOUGHT_MAX])
 {
 	struct chosen *out = r->out;
-	int fields[SOUGHT] = { 0 }; /* the fields that each route leads to */
+	int fields[SOUGHT_MAX] = { 0 }; /* how many each route leads to */
 	struct field f;
 
 	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {
-		struct route inside[SOUGHT];
+		struct route inside[SOUGHT_MAX];
 		bool enter = false;
 
 		for (int i = 0; i < r->n; i++) {
@@ -164,9 +165,10 @@ void choose(const struct layout *l, struct cursor c, struct chosen *out)
 {
 	const bool named = c.members || c.names ||
 	    (c.bracket != NULL && l->columns.n > 0);
-	struct route routes[SOUGHT];
+	struct route routes[SOUGHT_MAX];
 	struct search r = { .l = l,
-		.n = c.names || (l->append && c.members) ? SOUGHT : l->reads,
+		.n = c.names || (l->append && c.members) ? SOUGHT_MAX :
+							   l->reads,
 		.text = format_of(c.in)->blanks && !named,
 		.last = named ? LONG_MAX : -1,
 		.out = out };
@@ -210,7 +212,7 @@ void choose_parts(const struct layout *l, const struct chosen *c,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
 
-		/* nan replaces a bad number of csv with its quotes */
+		/* in a bad line nan replaces the quotes of csv, too */
 		line->at[i] = c->times[i] == 0 ? part_missing :
 		    !whole                     ? line_part(line, f->value) :
 			     line_part(line, trimmed(l->in, f->whole));
@@ -222,14 +224,14 @@ bool choose_clashes(const struct layout *l, const struct chosen *c,
 {
 	int i = 4;
 
-	while (i < SOUGHT && c->times[i] == 0)
+	while (i < SOUGHT_MAX && c->times[i] == 0)
 		i++;
-	if (i < SOUGHT)
+	if (i < SOUGHT_MAX)
 		snprintf(reason, REASON_MAX,
 		    "%s '%s', which %s adds; give it another name",
 		    members ? "has a member" : "the header has a column",
 		    l->name[i - 4], l->append ? "--append" : "the output");
-	return i < SOUGHT;
+	return i < SOUGHT_MAX;
 }
 
 bool choose_is_header(const struct layout *l, struct cursor header)

@@ -67,7 +67,7 @@ static bool json_line_check(struct dialect d, struct span line,
 	return false;
 }
 
-/* Sets *f to a field of text, up to a blank or, unless c->no_commas is set, a comma. */
+/* Sets *f to the next field of text, up to a blank or, unless c->no_commas, a comma. */
 static void next_of_text(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *after;
@@ -85,7 +85,7 @@ static void next_of_text(struct cursor *c, struct field *f)
 }
 
 /* Sets *f to a field of csv. A field that begins with a quote may contain separators,
- * and "" for a quote, up to the closing quote. In any other field a quote is a byte. */
+ * and "" for a quote, up to the closing quote. In any other field a quote is text. */
 static void next_of_csv(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
@@ -112,7 +112,7 @@ static void next_of_csv(struct cursor *c, struct field *f)
 		    (struct span){ f->value.s + 1, f->value.end - 1 });
 }
 
-/* Sets *f to an element of an array or a member of an object. */
+/* Sets *f to the next element of an array or member of an object. */
 static void next_of_json(struct cursor *c, struct field *f)
 {
 	const char *s = c->s;
@@ -130,7 +130,7 @@ static void next_of_json(struct cursor *c, struct field *f)
 	f->next = *after == ',' ? json_skip_blanks(after + 1, c->end) : NULL;
 }
 
-/* Returns whether each quote that opens a field is closed on the line. */
+/* Returns whether the line closes all quotes of fields; if not, writes the reason. */
 static bool csv_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
@@ -166,8 +166,8 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 	return after;
 }
 
-/* Returns whether the field f of any format can be copied to a dialect unchanged: to
- * JSON a finite number, to another format a text that needs no quotes. */
+/* Returns whether the unquoted field f can be copied to a dialect: to JSON a finite
+ * number, to csv a text without quotes and separators, to text any field. */
 static bool can_copy(struct dialect d, struct span f)
 {
 	const struct format_row *to = format_of(d);
@@ -201,8 +201,8 @@ const struct format_row format_rows[] = {
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
 	NULL };
 
-/* Writes a control character: in JSON as an escape. In other formats, where the
- * character could end the line, writes a blank; csv keeps a tab, which is in quotes. */
+/* Writes the control character c: to JSON as an escape, to other formats, where c could
+ * end the line, as a blank. A tab stays a tab in csv, where the field is in quotes. */
 static char *put_control(const struct format_row *out, char c, char *at)
 {
 	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";
@@ -224,8 +224,8 @@ static char *put_control(const struct format_row *out, char c, char *at)
 	return at + 5;
 }
 
-/* Decodes the character of a field at *s to c, and moves *s past the character. escape
- * is the escape character of the field, or 0. If utf8 is set, a byte that is not UTF-8
+/* Decodes the character at *s of a field to c, and moves *s past the character. escape
+ * is the field's escape character, or 0. If utf8 is set, a byte that is not UTF-8
  * becomes U+FFFD. Returns the size of c in bytes. */
 static int decode(const char **s, const char *end, char escape, bool utf8,
     char c[4])

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The formats of points, in a table, and the fields of a line. */
+/* The formats of points, in a table, and cursors over the fields of a line. */
 #ifndef FORMATS_H
 #define FORMATS_H
 
@@ -19,22 +19,22 @@ enum format {
 	FORMAT_F32, /* little-endian floats */
 };
 
-/* A format with its separator; tsv is FORMAT_CSV with a tab. */
+/* A format with its separator. The dialect of tsv is FORMAT_CSV with a tab. */
 struct dialect {
 	enum format format;
-	char separator; /* between fields; in text between added fields */
+	char separator; /* between fields; in text only before added fields */
 };
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
-	/* without the name of a member, the quotes of csv, and blanks around it */
+	/* without a member's name, quotes of csv, and outer blanks */
 	struct span value;
-	struct span whole;        /* with name, quotes and blanks of csv */
-	struct span name;         /* of a member, with quotes; else s is NULL */
-	const char *previous_end; /* of the field before; NULL: none */
+	struct span whole;        /* with name; in csv with quotes and blanks */
+	struct span name;         /* a member's with quotes; else s is NULL */
+	const char *previous_end; /* the end of the field before; NULL: none */
 	const char *next;         /* where the next field begins; NULL: none */
 	bool comma;    /* in text: the separator before the field has a comma */
-	bool unclosed; /* in csv: the field lacks its second quote */
+	bool unclosed; /* in csv: the quote of the field is not closed */
 };
 
 /* A cursor over the fields of a line, a JSON array or a JSON object. */
@@ -42,42 +42,45 @@ struct cursor {
 	struct dialect in;
 	const char *s;            /* the next field, or NULL after the last */
 	const char *end;          /* the end of the line */
-	const char *previous_end; /* of the field before s; NULL: none */
-	const char *bracket; /* behind the opening bracket; NULL: not JSON */
-	bool members;        /* the fields are members of a JSON object */
-	bool names;          /* the fields are names of a header */
-	bool no_commas;      /* fields of text end at blanks only */
-	bool comma;          /* in text: the separator before s has a comma */
+	const char *previous_end; /* the end of the field before s, or NULL */
+	const char *bracket;      /* the byte after [ or {; NULL: not JSON */
+	bool members;             /* the fields are members of a JSON object */
+	bool names;               /* the fields are names of a header */
+	bool no_commas;           /* fields of text end at blanks only */
+	bool comma; /* in text: the separator before s has a comma */
 };
 
+/* The bytes of a reason, which says what is wrong with a line. */
 enum { REASON_MAX = 320 };
 
 /* The properties of a format. */
 struct format_row {
 	enum format base;         /* FORMAT_CSV for tsv, else the format */
 	char separator;           /* 0: the user chooses it by --separator */
-	size_t size;              /* of a binary number; 0: a format of lines */
+	size_t size;              /* bytes of a number; 0: a format of lines */
 	const char *open, *close; /* brackets around all fields, or "" */
 	const char *nan_text;     /* how nan is written */
 	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int nan_words;            /* how many words of format_number are nan */
+	int nan_words;            /* how many words of format_number mean nan */
 	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 
-	/* Returns whether a line has fields, or writes why not. NULL: always. */
+	/* Returns whether a line can be divided into fields; if not, writes the
+	 * reason. NULL: every line can. */
 	bool (
 	    *check)(struct dialect, struct span line, char reason[REASON_MAX]);
-	/* Sets the field at c->s, except previous_end and comma, and moves
-	 * c->previous_end to its end. */
+	/* Sets the field that begins at c->s, except its previous_end and
+	 * comma. Sets c->previous_end to the end of that field. */
 	void (*next)(struct cursor *c, struct field *);
 };
 
-/* The rows and names of the formats; NULL ends the names. */
+/* The rows and the names of the formats, by enum format; NULL ends the names. */
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
-/* Returns the dialect of a format, whose separator may be the one of --separator. */
+/* Returns the dialect of a format. Only csv gets the given separator; others have
+ * one. */
 struct dialect dialect_of(enum format, char separator);
 
 static inline const struct format_row *format_of(struct dialect d)
@@ -101,19 +104,19 @@ static inline size_t point_size(enum format f, int coordinates)
 	return (size_t)coordinates * format_rows[f].size;
 }
 
-/* Reads the number at s. A word for a missing value, such as NA, is nan. Returns the
- * end of the number or word, or NULL if there is none at s. */
+/* Reads the number at s, or nan if [s, end) is a word for a missing value, such as NA.
+ * Returns the end of the number or word, or NULL if there is none at s. */
 const char *format_number(struct dialect, const char *s, const char *end,
     double *v);
 
-/* Writes the field f of the dialect in for the dialect out: copies a field that means
- * the same in out, and quotes another. Returns the end of the output, which has at most
- * six bytes for each byte of f, as in \u0001, and two quotes. */
+/* Writes the field f, which is in the dialect in, as a field of the dialect out.
+ * Returns the end of the output, which has at most two quotes, and six bytes for each
+ * byte of f: JSON writes a control character as \u0001. */
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
-/* Returns whether the lines of a source end in carriage returns alone, and writes the
- * reason: line has a carriage return outside of quotes, and other text follows. */
+/* Returns whether lines end in carriage returns alone: in line, text follows a carriage
+ * return that is outside of quotes. If so, writes the reason. */
 bool format_cr_only(struct dialect, struct span line, char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */
@@ -153,7 +156,7 @@ static inline const char *skip_bom(const char *s, const char *end)
 	return end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? s + 3 : s;
 }
 
-/* Returns the end of the separator of text at s: blanks with at most one comma. */
+/* Returns the end of the separator at s in text: blanks with at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
 	while (s < end && is_blank(*s))

@@ -25,7 +25,7 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	return c;
 }
 
-/* Returns the first coordinate whose name the header lacks; l->reads: none. */
+/* Returns the first coordinate whose name the header lacks, or l->reads if none. */
 static int find_missing_name(const struct layout *l, const struct chosen *c)
 {
 	int i = 0;
@@ -35,7 +35,8 @@ static int find_missing_name(const struct layout *l, const struct chosen *c)
 	return i;
 }
 
-/* Returns whether the header has each coordinate, and no name that the output adds. */
+/* Returns whether the header has one column for each coordinate, and none with a name
+ * that the output adds; if not, writes the reason. */
 static bool is_usable(const struct layout *l, struct cursor header,
     const struct chosen *c, char reason[REASON_MAX])
 {
@@ -55,8 +56,8 @@ static bool is_usable(const struct layout *l, struct cursor header,
 	return i == 0 && !choose_clashes(l, c, false, reason);
 }
 
-/* Returns whether the line may be a point as well as a header, and writes the reason:
- * an empty field, 0, 1, 2 and so on, as pandas numbers the columns of an array. */
+/* Returns whether the line, an empty field, 0, 1, 2 and so on, may be a point as well
+ * as a header that pandas wrote for an array; if so, writes the reason. */
 static bool is_ambiguous(const struct layout *l, struct cursor c,
     char reason[REASON_MAX])
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes a line of which only the numbers change: a point in its own format. */
+/* Writes a point in its own format, if only numbers of its line change or are added. */
 #ifndef IN_PLACE_H
 #define IN_PLACE_H
 
@@ -39,7 +39,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts the numbers of coordinates in order by their places on the line. */
+/* Sorts order, which has the numbers 0 to n - 1, by the places of the coordinates. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
@@ -55,7 +55,7 @@ static inline void find_order(const struct line *line, int n, int order[4])
 
 /* Returns whether added values can be written directly after the last of n coordinates:
  * they have no names, no quote follows the coordinate, and in text the separator before
- * it is one byte. By --append, they follow a line that does not end in blanks. */
+ * it is one byte. By --append, the line must not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
     const struct line *line, int n)
 {
@@ -80,7 +80,8 @@ static inline char added_separator(const struct layout *l,
 					   l->out.separator;
 }
 
-/* Copies the line from done to next, one byte without a branch: most gaps have one. */
+/* Copies the line from done up to next. Copies the first byte without a branch, even if
+ * the gap is empty, because most gaps have one byte. */
 static inline char *put_gap(const struct line *line, uint32_t done,
     uint32_t next, char *out)
 {

@@ -2,12 +2,12 @@
 /* Reads lines with a point each, and writes them with other numbers in the place of the
  * coordinates. All other bytes of a line stay.
  *
- * Most lines are simple, and walk.c finds the numbers of many simple lines at once.
- * line_read in read.c reads every other line, and alone decides what a legal line is:
+ * A line is simple if walk.c can read it. Most lines are, and walk.c reads many of them
+ * at once. line_read in read.c reads any line, and alone decides which lines are legal:
  * a cursor goes over the fields of the line, choose.c finds the coordinates among these
  * fields, and say.c writes what is wrong. The first line of csv may be a header, which
- * header.c reads. in_place.h writes a line of which only numbers change, and splice.c
- * writes every other line. */
+ * header.c reads. in_place.h writes a point if only numbers of its line change or are
+ * added, and splice.c writes all other lines. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -19,28 +19,30 @@
 #include "../number/plain.h"
 
 enum {
-	COORDINATES_MAX = 6, /* numbers written for a point: a ray's are 6 */
+	COORDINATES_MAX = 6, /* the most numbers written for a point */
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
-	WORD_MAX = 48,       /* bytes of the word of --flags */
-	PREFIX_ROOM = 64,    /* bytes for separator and name before a value */
-	SOUGHT = 4 + COORDINATES_MAX + 1, /* things in struct chosen */
+	WORD_MAX = 48,       /* the most bytes of the word of --flags */
+	PREFIX_ROOM = 64, /* bytes for the separator and name before a value */
+	/* fields sought in a line: coordinates, and names of added fields */
+	SOUGHT_MAX = 4 + COORDINATES_MAX + 1,
 };
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
 	int field[4]; /* the number of each coordinate's field, from 0 */
-	/* The name of each coordinate's column or member, by default x, y, z, w. A
-	 * name of JSON that begins with / is a pointer. NULL: by number. */
+	/* The name of each coordinate's column or member, by default x, y, z or
+	 * w. / begins a JSON pointer. NULL: its number is given. */
 	const char *name[4];
 	bool by_default; /* --columns is not given */
 };
 
-/* What is read next of a source: its first byte, its first line that is neither blank
- * nor a comment, the first row after a header, or NONE of the three. */
+/* What is read next of a source. FIRST_BYTE: its beginning. FIRST_LINE: its first line
+ * that is neither blank nor a comment. FIRST_ROW: the first row after a header.
+ * FIRST_NONE: any later line. */
 enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
-/* HEADER_FIRST: --header, HEADER_NONE: --no-header, else HEADER_MAYBE. */
+/* HEADER_FIRST by --header, HEADER_NONE by --no-header, else HEADER_MAYBE. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* The formats of points, and the numbers that are read and written. */
@@ -48,24 +50,27 @@ struct layout {
 	struct dialect in, out;
 	enum header header;
 	struct columns columns;
-	int reads, writes; /* the numbers read of a point, and written for it */
+	int reads, writes; /* how many numbers are read, written for a point */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
-	/* names of the written numbers and, last, of the word of --flags; or "" */
+	/* The name of each written number and, last, of the word of --flags; ""
+	 * for a number or word that gets no name or is not written. */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
-	size_t header_fields; /* 0: there is no header */
-	size_t
-	    max_fields; /* of the header or a longer first row; 0: not known */
-	bool reordered; /* in the last header field i is not coordinate i */
-	size_t first_line; /* the number of the first line, from 1 */
-	/* a first row with as many fields as a comment names is refused; 0: none */
+	size_t header_fields; /* the fields of the header; 0: no header */
+	/* the fields of the header, or of a longer first row; 0: not known */
+	size_t max_fields;
+	bool reordered;    /* in the last header field i is not coordinate i */
+	size_t first_line; /* the number of FIRST_LINE in its source, from 1 */
+	/* The number of columns that a comment names; 0: none, or coordinates
+	 * come first. A first row of as many fields is refused for
+	 * comment_reason if field i is a number for each bit i of
+	 * comment_numbers. */
 	size_t comment_names;
-	uint32_t
-	    comment_numbers; /* bit i is set if field i is to be a number */
+	uint32_t comment_numbers;
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps; /* the output keeps binary records, and adds the images */
-	const char *two_hint; /* for points of two numbers; or NULL */
+	bool keeps; /* binary records stay, but for the coordinates */
+	const char *two_hint; /* a remedy if z is missing; or NULL */
 	bool single;          /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
 };
@@ -79,7 +84,8 @@ enum line_kind {
 	LINE_REFUSED, /* a wrong header or first row: the source is refused */
 };
 
-/* The bytes [from, to) of a line, which has at most 256 MiB, in a document. */
+/* The bytes [from, to) of a line. A line has at most 64 MiB, or 256 MiB in a
+ * document. */
 struct part {
 	uint32_t from, to;
 };
@@ -87,15 +93,15 @@ struct part {
 struct line {
 	const char *s;     /* the beginning of the line */
 	uint32_t size;     /* in bytes, without the newline */
-	struct part at[4]; /* where x, y, z and w, or their names, are */
+	struct part at[4]; /* where coordinates or, in a header, names are */
 	enum line_kind kind;
 	bool newline;   /* the line ends in a newline */
 	bool object;    /* the line is a JSON object */
-	bool no_commas; /* only blanks end a field of text: 1,5 is one */
+	bool no_commas; /* only blanks end a field of text: 1,5 is one field */
 	bool has_bom;   /* the line begins with a byte order mark */
 };
 
-/* The part of a coordinate that a line lacks. */
+/* The part of a coordinate that is missing in a line. */
 static const struct part part_missing = { 1, 0 };
 
 static inline bool is_missing(struct part p)
@@ -108,7 +114,8 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The written numbers: number k is v[k * stride], with digits text[k * text_stride]. */
+/* The written numbers: number k is v[k * stride] with the text text[k *
+ * text_stride]. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
@@ -177,26 +184,26 @@ static inline const char *coordinate_name(int i)
 	return names[i];
 }
 
-/* Reads a line and its coordinates v. Writes to reason what is wrong with a line and
- * what would be right. *first says which line this may be, and is set for the next
+/* Reads a line and its coordinates v. Writes to reason what is wrong with the line and
+ * what would be right. *first says which line the text may be, and is set for the next
  * line. The first line may begin with a byte order mark, and in csv it may be a header,
  * which sets the columns of the layout. */
 void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
-/* Writes v, which is number k of a point and has no digits by number_texts. nan becomes
- * the format's nan_text. Returns the end of the output. */
+/* Writes v, number k of a point, if number_texts made no text for v. nan becomes the
+ * nan_text of the format. Returns the end of the output. */
 char *line_put_rare_number(const struct layout *, int k, double v, char *out);
 
-/* Returns the room that line_write needs for lines of so many bytes together. */
+/* Returns how many bytes line_write needs for so many lines of so many bytes in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
- * after the line. The word of --flags follows the numbers unless flags is NULL. A
- * LINE_LOST becomes the numbers alone. Blank lines and comments are copied. A header
- * loses the names of coordinates that are not written, and gets the names of added
- * values; in text the header becomes a comment. From JSON or to JSON, blank lines,
- * comments and headers are left out. Returns the end of the output. */
+ * after the line. If the flags of the layout are set, the word of --flags follows the
+ * numbers. A LINE_LOST becomes the numbers alone. Blank lines and comments are copied.
+ * A header loses the names of coordinates that are not written, and gets the names of
+ * added values; in text the header becomes a comment. From JSON or to JSON, blank
+ * lines, comments and headers are left out. Returns the end of the output. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
@@ -206,75 +213,78 @@ char *line_write(const struct layout *, const struct line *,
  * and three more for each field. */
 char *line_put_rest(const struct layout *, const struct line *, char *out);
 
-/* Returns a cursor before the first field of a line, which its format takes. */
+/* Returns a cursor before the first field of a line. A line of JSON has to be an array
+ * or object that json_check accepts. */
 struct cursor line_cursor(struct dialect, struct span line);
 
-/* Returns a cursor over a JSON array or object in a line that ends at end. */
+/* Returns a cursor over the fields of a JSON array or object; end is the line's end. */
 struct cursor value_cursor(struct span value, const char *end);
 
-/* Sets the next field and moves the cursor past it; returns false if there is none. */
+/* Reads the next field and moves the cursor past it; returns false if there is none. */
 bool cursor_next(struct cursor *, struct field *);
 
 /* Returns the number of fields after the cursor. */
 size_t cursor_count(struct cursor);
 
-/* What choose looks for and finds: things 0 to 3 are the coordinates, and thing 4 + k
- * is a field with the name k of the layout, which the output adds. */
+/* The fields that choose finds: elements 0 to 3 of each array for the coordinates, and
+ * element 4 + k for name k of the layout, if the output adds a field with this name. */
 struct chosen {
-	struct field field[SOUGHT]; /* the first field of each thing */
-	int times[SOUGHT];          /* the number of its fields */
-	/* the numbers of its first and second field, from 0 */
-	long index[SOUGHT], second_index[SOUGHT];
+	struct field field[SOUGHT_MAX]; /* the first field that is found */
+	int times[SOUGHT_MAX];          /* how many fields are found */
+	/* the numbers of the first and the second field, from 0 */
+	long index[SOUGHT_MAX], second_index[SOUGHT_MAX];
 	bool mixed_commas; /* only some separators of text have a comma */
 };
 
-/* Finds all things of struct chosen in one pass over the fields after the cursor. */
+/* Finds the fields of struct chosen in one pass over the fields after the cursor. */
 void choose(const struct layout *, struct cursor, struct chosen *);
 
-/* Sets the parts of the line that are its coordinates. */
+/* Sets the parts of the line that hold its coordinates. */
 void choose_parts(const struct layout *, const struct chosen *, struct line *);
 
-/* Returns a coordinate that shares its column with another coordinate or whose JSON
- * pointer leads into, or around, the value of another; 0 if there is none. */
+/* Returns the number of a coordinate whose value overlaps the value of an earlier
+ * coordinate: they share a column, or one is inside of the other in JSON. 0: none. */
 int choose_overlap(const struct layout *, const struct chosen *);
 
-/* Returns whether a column or member has a name that the output adds; says which. */
+/* Returns whether a column of a header or a member of an object has a name that the
+ * output adds; if so, writes the reason. */
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Returns whether the first line is no row: no coordinate is a number, and not all are
- * missing values such as NA, or begin with a digit, as 1,5 does. */
+/* Returns whether a first line is a header: no coordinate is a number, not all are
+ * missing values such as NA, and not all begin as numbers do, such as 1,5. */
 bool choose_is_header(const struct layout *, struct cursor);
 
 /* Returns whether the token is the number k in decimal, without leading zeros. */
 bool is_index(struct span token, long k);
 
-/* Returns whether a line that begins with # is a comment. The first line is a header if
- * # is a field alone or the names of all coordinates follow #. A later line, such as
- * #N/A,2,3, is a row if it has as many fields as the header or the first row. */
+/* Returns whether a line that begins with # is a comment. In csv the first line is a
+ * header if # is a field alone or the names of all coordinates follow #. A later line,
+ * such as #N/A,2,3, is a row if it has as many fields as the header or first row. */
 bool header_is_comment(const struct layout *, struct span text, bool first);
 
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
- * a row. A good header gets the kind LINE_HEADER and sets the layout's columns and
- * numbers of fields; another header gets LINE_REFUSED and a reason. */
+ * a row. A header that can be used gets the kind LINE_HEADER, and sets the columns,
+ * header_fields and max_fields. Any other header gets LINE_REFUSED and a reason. */
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
 /* Returns whether a row of csv has more fields than max_fields, and writes the reason.
- * A longer first row raises max_fields if no coordinate has a name. An empty last field
- * does not count. R writes such tables: the header lacks a name for the column of row
- * names, so that each name is one column too far to the left. */
+ * An empty last field does not count. A longer first row raises max_fields if no
+ * coordinate has a name, unless it has one field more than the header: R writes such
+ * tables, whose header lacks a name for the column of row names. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
 
 /* Returns a cursor over the names of a header, whose text has no byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);
 
-/* Writes why f is not coordinate i; an empty f is a missing coordinate. */
+/* Writes why f is not coordinate i. An empty f stands for a missing coordinate. */
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field between blanks of csv, and writes the reason. */
+/* Returns whether f is an empty field of csv whose separator is a blank; if so, writes
+ * the reason. */
 bool say_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
 
@@ -282,16 +292,17 @@ bool say_empty_field(const struct layout *, struct span f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_names if a comment names columns, of which the first may be wrong. */
+/* Sets comment_names, comment_numbers and comment_reason if text, a comment, names
+ * columns, and the coordinates may not be the first columns. */
 void say_note_columns(struct layout *, struct span text);
 
-/* Returns whether a first row can't be read without a header, and writes the reason:
- * the header of a file before reordered the columns, or a comment names as many
- * columns. With --columns by name: the row is lost, and has a reason already. */
+/* Returns whether the first row needs a header that is missing. Without --columns,
+ * writes the reason: the header of a file before reordered the columns, or the row fits
+ * the names of a comment. With --columns by name: the row is lost, and has a reason. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that the first line of text looks like a header. */
+/* Writes that line, the first line of a source of text, looks like a header. */
 void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 
@@ -315,7 +326,7 @@ struct stretch {
 };
 
 /* The path of names or indexes from a JSON value to each coordinate, and the bytes of
- * the path's first name or index; SIZE_MAX if the coordinate is not in the value. */
+ * its first name or index; SIZE_MAX: the coordinate is not in the value. */
 struct paths {
 	const char *path[4];
 	size_t size[4];
@@ -326,12 +337,12 @@ struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
-	int exact_fields;   /* the fields of each line; 0: up to max_fields */
-	int max_fields;     /* the most fields of a row of csv */
-	bool arrays;        /* lines may be JSON arrays */
-	bool objects;       /* lines may be JSON objects */
+	int exact_fields; /* how many fields a line has; 0: up to max_fields */
+	int max_fields;   /* the most fields of a row of csv */
+	bool arrays;      /* lines may be JSON arrays */
+	bool objects;     /* lines may be JSON objects */
 	struct paths paths; /* the paths to the coordinates in an object */
-	/* NULL or, by --append, the names that an object may not have yet */
+	/* NULL or, by --append, the names that an object must not have */
 	const char (*added_names)[NAME_ROOM];
 	bool by_column; /* coordinate i is field[i]; false: field i */
 	int field[4];
@@ -340,7 +351,7 @@ struct walk {
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Sets the stretch that begins at text, and its index. Returns false without a line. */
+/* Sets the stretch at text, and makes its index. Returns false if it has no newline. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
@@ -350,9 +361,9 @@ bool stretch_open(struct stretch *, const struct walk *, const char *text,
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 
-/* Reads the numbers of the n lines that walk_lines walked. A line whose bit is set in
- * left gets any numbers. Returns left with the bits of further lines that are left to
- * line_read; all other lines are points. */
+/* Reads the numbers of the n lines that walk_lines walked. If bit i is set in left, the
+ * numbers of line i mean nothing. Returns left with the bits of further lines that are
+ * left to line_read; all other lines are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);
 

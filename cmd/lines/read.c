@@ -19,7 +19,8 @@ static bool in_range(const struct layout *l, int i, double v,
 	return false;
 }
 
-/* Reads the coordinates v. Returns false, and writes the reason, if one is wrong. */
+/* Reads the coordinates v. Returns false, and writes the reason, if one is not
+ * legal. */
 static bool read_coordinates(const struct layout *l, struct cursor c,
     const struct chosen *found, double v[4], char reason[REASON_MAX])
 {
@@ -52,7 +53,7 @@ static bool can_be_added(const char *path)
 	    escape_copy(shown, sizeof shown, path, n, true, "") == n;
 }
 
-/* Returns whether the other fields of a line with bad coordinates can be copied. */
+/* Returns whether a line with a bad coordinate can be written with its other fields. */
 static bool can_be_kept(const struct layout *l, struct cursor c,
     const struct chosen *found)
 {
@@ -66,7 +67,8 @@ static bool can_be_kept(const struct layout *l, struct cursor c,
 	return choose_overlap(l, found) == 0;
 }
 
-/* Returns whether --columns numbers an array or names an object; if not, writes why. */
+/* Returns whether --columns fits a line of JSON, numbers for an array and names for an
+ * object; if not, writes the reason. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {

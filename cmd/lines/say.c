@@ -7,7 +7,7 @@
 
 #include "../message/utf8.h"
 
-/* Appends to the reason as much as it has room for. */
+/* Appends to the reason as much of the text as the reason has room for. */
 static void __attribute__((format(printf, 2, 3)))
 say_more(char reason[REASON_MAX], const char *format, ...)
 {
@@ -19,8 +19,8 @@ say_more(char reason[REASON_MAX], const char *format, ...)
 	va_end(arguments);
 }
 
-/* Returns a separator in f, before its last byte, that is not the layout's; 0 if there
- * is none. A comma or blank within a field is frequent; it counts if f is alone. */
+/* Returns a byte of f, not its last, that may be the separator but is not the layout's;
+ * 0: none. Commas and blanks are frequent within fields: they count if alone is set. */
 static char find_separator(const struct layout *l, struct span f, bool alone)
 {
 	const char *c = alone ? ";|\t, " : ";|\t";
@@ -52,7 +52,7 @@ static void say_separator(const struct layout *l, char c,
 		say_options(c, reason);
 }
 
-/* Adds to the reason how to mend f, which should be a number and coordinate i. */
+/* Adds to the reason how to mend f, which should be coordinate i but is no number. */
 static void say_remedy(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
@@ -142,7 +142,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Returns the name in a field of a comment, without quotes and units, as t in t[s]. */
+/* Returns the name in f, a word of a comment, without quotes and unit: t of t[s]. */
 static struct span name_word(struct span f)
 {
 	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
@@ -154,7 +154,8 @@ static struct span name_word(struct span f)
 	return (struct span){ f.s, s };
 }
 
-/* Copies the names of the fields after the cursor, or of a comment without units. */
+/* Copies the names of the fields after the cursor, in a comment what name_word
+ * finds. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -182,7 +183,7 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the number of the name that is n bytes of a and word in any case, or -1. */
+/* Returns the number of the name that is n bytes of a, then word in any case, or -1. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -202,10 +203,11 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Finds the next columns, after *k tries, that may be coordinates: sets found to the
- * numbers of names that begin alike and end in axes, such as gps_lon and gps_lat; -1:
- * no such name. Returns false if there are no more. Skips quaternions, such as qx, qy,
- * qz and qw, and skips names such as px if x is a name. */
+/* Finds columns that may be coordinates: their names begin alike and end in the names
+ * of axes, such as gps_lon and gps_lat. Sets found[i] to the column of coordinate i, or
+ * to -1 if there is none. *k counts the tries: the next call finds other columns.
+ * Returns false if there are no more. Skips quaternions, such as qx, qy, qz and qw, and
+ * skips names such as px if x is a name. */
 static bool guess_columns(const struct names *names, int reads, int *k,
     int found[4])
 {
@@ -215,7 +217,7 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 		{ "east", "north" }, { "e", "n" }, { "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "h", "up", "w" };
-	const int usable = reads < 4 ? 10 : 9; /* w may be a coordinate */
+	const int usable = reads < 4 ? 10 : 9; /* without w, a coordinate */
 
 	while (*k < 9 * names->n) {
 		const char *const *axis = axes[*k / names->n];
@@ -242,9 +244,10 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 	return false;
 }
 
-/* Adds to the reason --columns with all that guess_columns finds: "; say --columns
- * px,py,pz or vx,vy,vz". Says numbers unless numbers is NULL, and sets a bit of it for
- * each. Returns false if that is nothing or too much. */
+/* Adds to the reason all that guess_columns finds: "; say --columns px,py,pz or
+ * vx,vy,vz". If numbers is not NULL, writes numbers for names, and sets bit i of
+ * *numbers for column i. Returns false, and adds nothing, if it finds nothing or lacks
+ * room. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
@@ -279,8 +282,8 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 }
 
 /* Adds to the reason the names of the columns or members after the cursor: "; it has x,
- * y, z". If a name is near typed, the name in --columns, asks first "; did you mean
- * 'x'?" If typed is NULL, without --columns, guesses "; say --columns lon,lat,h". */
+ * y, z". If one is near typed, the name in --columns, adds first "; did you mean 'x'?"
+ * Without --columns typed is NULL: adds first a guess, "; say --columns lon,lat,h". */
 static void say_names(const struct layout *l, struct cursor c,
     const char *typed, char reason[REASON_MAX])
 {

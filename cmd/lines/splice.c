@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes lines that in_place.h does not write. convert_point writes a point in another
- * format, and convert any other line. append copies the line and adds values. splice
- * divides the line into fields again, and copies, replaces or leaves out each field.
+ * format, and convert any other such line. append copies the line and adds values.
+ * splice divides the line into fields, and copies, replaces or leaves out each field.
  *
  * The values of a point are its written numbers and the word of --flags: value k <
  * COORDINATES_MAX is number k, and value FLAGS is the word. */
@@ -32,8 +32,8 @@ struct splice {
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
 	/* In another format a byte of a field may become six, as \u0001 in
-	 * JSON, and the separator after the field a comma and two quotes. One
-	 * PREFIX_ROOM is for the word, and one for brackets, # and newline. */
+	 * JSON, and a separator a comma and two quotes. The last two
+	 * PREFIX_ROOM are for the word, and for brackets, # and newline. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
 	    ((size_t)l->writes * (NUMBER_MAX + PREFIX_ROOM) + WORD_MAX +
@@ -58,7 +58,7 @@ static void copy_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns the name of value k; a coordinate of a bad object keeps its name. */
+/* Returns the name of value k. A coordinate of a bad object keeps its own name. */
 static const char *value_name(const struct splice *w, int k)
 {
 	const struct layout *l = w->l;
@@ -69,7 +69,7 @@ static const char *value_name(const struct splice *w, int k)
 	return l->name[k];
 }
 
-/* Writes value k or, in a header, its name; a coordinate keeps its name there. */
+/* Writes value k or, in a header, its name. The name of a coordinate stays. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
@@ -111,7 +111,7 @@ static void put_values(struct splice *w, int k, bool members)
 	w->out = out;
 }
 
-/* Returns the coordinate that begins at s, at end or between s and end, or -1. */
+/* Returns the first coordinate that begins in [s, end], or -1. */
 static int coordinate_in(const struct splice *w, const char *s, const char *end)
 {
 	for (int i = 0; i < w->l->reads; i++) {
@@ -123,9 +123,9 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
-/* Returns the value that replaces the field f, or -1: the coordinate in f, unless
- * --append keeps coordinates; or, if f is a member of the line (outer), the added value
- * with the name of f. */
+/* Returns the value that replaces the field f, or -1. A coordinate replaces its own
+ * field, unless --append keeps the coordinates. If f is a member of the line, and not
+ * of a value in the line (outer), an added value replaces the member with its name. */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
 	const bool keeps = w->l->append;
@@ -143,8 +143,8 @@ static int value_for(const struct splice *w, const struct field *f, bool outer)
 	return -1;
 }
 
-/* Returns the separator for values after the field f: in text the separator before f,
- * or the separator after f if f is the first field. */
+/* Returns the separator for values that are added after the field f. In text this is
+ * the separator before f or, if f is the first field, after f. */
 static struct span separator_at(const struct layout *l, const struct field *f)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
@@ -169,7 +169,7 @@ static void skip_field(struct splice *w, const struct field *f)
 	w->done = end > w->done ? end : w->done;
 }
 
-/* Writes value k in the place of the field f; in a header the name f stays. */
+/* Writes value k in the place of the field f. In a header the name f stays. */
 static void replace_field(struct splice *w, const struct field *f, int k)
 {
 	const bool coordinate = k < w->l->reads && !w->l->append;
@@ -245,7 +245,7 @@ static void splice(struct splice *w)
 	put_values(w, 0, c.members);
 }
 
-/* Copies the line, and adds all values at its end or before its last bracket. */
+/* Copies the line, and adds all values at its end, in JSON before the last bracket. */
 static void append(struct splice *w)
 {
 	const struct format_row *in = format_of(w->l->in);
@@ -315,7 +315,8 @@ static void put_other_fields(struct splice *w)
 	const struct layout *l = w->l;
 	const struct line *line = w->line;
 	const struct format_row *in = format_of(l->in), *to = format_of(l->out);
-	/* an empty field of csv becomes "" in JSON, and the next keep their places */
+	/* an empty field of csv becomes "" in JSON, so that the next fields
+	 * keep their places in the array */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
 	char *out = w->out;
@@ -408,7 +409,7 @@ char *line_write(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
-	/* a bad object may have members of the added names, which values replace */
+	/* values replace the members of a bad object that have their names */
 	bool appends = l->append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->append)

@@ -7,10 +7,11 @@
 #include "../../core/scene/scene.h"
 #include "../json/text.h"
 
-/* Inlined once for each format, the functions have no branches of other formats. */
+/* The functions of the walk are inlined once for each format, so that the compiler
+ * removes the branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* Returns the stops: bytes that can end a field, or can make a line not simple. */
+/* Returns a dialect's stops: bytes that can end a field, or make a line not simple. */
 static struct byte_set stops_of(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -19,7 +20,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* a bit for each upper half of a byte: stops have at most eight */
+		/* a bit for each upper half that stops have: at most 8 */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 
@@ -111,8 +112,8 @@ INLINE void pass_blanks(struct walker *p, struct dialect d)
 		pass_stop(p);
 }
 
-/* Passes a separator, in text as skip_separator does. Returns false if there is none. A
- * separator of one byte is tried first, because most are. */
+/* Passes a separator, in text as skip_separator does. Returns false if there is none.
+ * Tries one byte first, because most separators have one. */
 INLINE bool pass_separator(struct walker *p, struct dialect d)
 {
 	bool text = d.format == FORMAT_TEXT;
@@ -135,7 +136,7 @@ INLINE bool pass_separator(struct walker *p, struct dialect d)
 	return p->comma || (text && !stop_is(p, '\n'));
 }
 
-/* Returns the number of stops after the backslash of the escape at s; -1: no escape. */
+/* Returns how many stops the escape at s has after its backslash; -1: no escape. */
 static int stops_in_escape(const char *s)
 {
 	unsigned code;
@@ -147,8 +148,8 @@ static int stops_in_escape(const char *s)
 	return s[1] != '\0' && strchr("/bfnrt", s[1]) != NULL ? 0 : -1;
 }
 
-/* Passes a string of JSON. Returns false if the string has an escape and
- * may_have_escapes is not set, as for a name that could be the name of a coordinate. */
+/* Passes a string of JSON. Returns false if the string has an escape, unless
+ * may_have_escapes is set: an escaped name could be the name of a coordinate. */
 INLINE bool pass_string(struct walker *p, bool may_have_escapes)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
@@ -165,7 +166,7 @@ INLINE bool pass_string(struct walker *p, bool may_have_escapes)
 	return true;
 }
 
-/* Returns whether a plain number is legal JSON, unlike 01, .5 and 1. */
+/* Returns whether a plain number (plain.h) is legal JSON: 01, .5 and "1." are not. */
 INLINE bool is_json_number(const char *s, const char *end)
 {
 	s += *s == '-';
@@ -174,7 +175,7 @@ INLINE bool is_json_number(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-/* Where the coordinates of line i, which begins at begin, are stored. */
+/* Where the coordinates of line i, which begins at the place begin, are stored. */
 struct target {
 	const struct walk *walk;
 	struct line *line;
@@ -183,7 +184,8 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Passes the number of coordinate k, unless it is too long, or not legal in JSON. */
+/* Passes the number of coordinate k. Returns false if the number is too long for vector
+ * code or, in JSON, not legal. */
 INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
@@ -201,7 +203,7 @@ INLINE bool pass_number(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes coordinate k, in csv with quotes. */
+/* Passes coordinate k and, in csv, the quotes around it. */
 INLINE bool pass_coordinate(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
@@ -217,7 +219,7 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 }
 
 /* Passes a field of text or csv that is not a coordinate. A quote inside of a quoted
- * field seems to close it: the caller finds no separator, and line_read reads it. */
+ * field ends the field here: as no separator follows, the line is left to line_read. */
 INLINE bool pass_other_field(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
@@ -234,14 +236,15 @@ INLINE bool pass_other_field(struct walker *p, struct dialect d)
 	return true;
 }
 
-/* How coordinates are found: coordinate i is field i, or field walk->field[i], or at
- * the end of path i; NO_LOOKUP: the fields hold no coordinates. */
+/* How coordinates are found. BY_ORDER: coordinate i is field i. BY_COLUMN: it is field
+ * walk->field[i]. BY_PATH: it is at the end of path i. NO_LOOKUP: there are none. */
 enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 
 static bool pass_nested(struct walker *, const struct target *,
     const struct paths *, unsigned leads, int levels);
 
-/* Results beside a coordinate's number. NOT_SIMPLE: the line is left to line_read. */
+/* Results that are no coordinate's number. NOT_SIMPLE: line_read has to read the
+ * line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
 /* Returns the paths whose bits are set in leads, without their first name or index. */
@@ -258,7 +261,8 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 	return rest;
 }
 
-/* Returns the coordinate whose path ends at that name or index, and sets leads. */
+/* Returns the coordinate whose path ends at the field of that name or index. Sets bit i
+ * of leads if path i leads to the field. */
 INLINE int follow_paths(const struct paths *t, int n, struct span name,
     unsigned *leads)
 {
@@ -278,7 +282,8 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 	return NO_COORDINATE;
 }
 
-/* Passes a JSON value that is no coordinate. Bit i of leads: path i leads into it. */
+/* Passes a JSON value that is not a coordinate. Bit i of leads is set if path i leads
+ * into the value. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct paths *paths, unsigned leads, int levels)
 {
@@ -300,7 +305,7 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	    p->text + p->at;
 }
 
-/* Passes the name of a member and the colon. */
+/* Passes the name of a member and the colon. Sets *name to the name without quotes. */
 INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
     struct span *name)
 {
@@ -325,7 +330,8 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 }
 
 /* Returns whether the separator after the n coordinates of text shows that no comma is
- * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma: others are before. */
+ * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma says whether commas are
+ * between the coordinates. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
 {
@@ -354,7 +360,7 @@ struct fields {
 	enum lookup lookup;
 	bool members; /* the fields are members of an object */
 	const struct paths *paths;
-	int levels;      /* the most levels of values in a field */
+	int levels;      /* the most levels of brackets in a field */
 	unsigned passed; /* bit i: a field on path i has been passed */
 	int separators,
 	    commas; /* of text: all separators; those with a comma */
@@ -411,7 +417,7 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 	return MORE_FIELDS;
 }
 
-/* Passes the fields up to a newline or closing bracket, or text's last coordinate. */
+/* Passes the fields up to a newline or bracket, in text up to the last coordinate. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {
@@ -495,7 +501,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 	    (d.format == FORMAT_TEXT || stop_is(p, '\n'));
 }
 
-/* Lets vector code read some bytes as the numbers of line i, which has no numbers. */
+/* Sets the places of line i, which has no numbers, to a byte that can be read. */
 static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 {
 	static const char none[PLAIN_BEFORE + 1] = "";
@@ -543,7 +549,8 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
-/* Calls a copy of walk_batch for three coordinates at the first fields, or another. */
+/* Calls a copy of walk_batch for points of three coordinates that are the first fields,
+ * or a copy for all other points. */
 INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)

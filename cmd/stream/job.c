@@ -79,7 +79,7 @@ static void block_read(struct job *j, struct chunk *c)
 	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* line_read reads the header, with the columns, and a row */
+		/* line_read reads the header, whose columns walk_plan takes */
 		if (!c->walk_planned && !c->first) {
 			c->walk_planned = true;
 			c->can_walk = number_loops() != NULL &&

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Headers then declare sched_getaffinity on Linux, _SC_NPROCESSORS_ONLN elsewhere. */
+/* With these macros headers declare sched_getaffinity and _SC_NPROCESSORS_ONLN. */
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
@@ -149,7 +149,7 @@ static struct chunk *begin_chunk(void)
 	source_read(pool.source, &pool.job->layout, &c->piece);
 	pthread_mutex_lock(&pool.lock);
 	pool.can_read = c->piece.state < PIECE_LAST;
-	/* after PIECE_EARLY, the source may be slower than this thread */
+	/* after PIECE_EARLY the source is slow: no other thread is needed */
 	if (c->piece.state != PIECE_EARLY)
 		wake_or_start_thread();
 	return c;
@@ -218,7 +218,7 @@ static void *thread_main(void *unused)
 	return unused;
 }
 
-/* Returns how many threads the job gets: at most one for each processor's cache. */
+/* Returns how many threads the job gets. Two on a processor would share its cache. */
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);
