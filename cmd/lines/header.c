@@ -25,7 +25,7 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	return c;
 }
 
-/* Returns the first coordinate whose name the header lacks, or l->reads if none. */
+/* Returns the first coordinate whose name the header lacks, or l->reads for none. */
 static int find_missing_name(const struct layout *l, const struct chosen *c)
 {
 	int i = 0;

@@ -69,7 +69,7 @@ struct layout {
 	uint32_t comment_numbers;
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps; /* binary records stay, but for the coordinates */
+	bool keeps; /* records are written, with images for coordinates */
 	const char *two_hint; /* a remedy if z is missing; or NULL */
 	bool single;          /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];

@@ -19,8 +19,7 @@ static bool in_range(const struct layout *l, int i, double v,
 	return false;
 }
 
-/* Reads the coordinates v. Returns false, and writes the reason, if one is not
- * legal. */
+/* Reads the coordinates v. Returns false, and writes the reason, if one is wrong. */
 static bool read_coordinates(const struct layout *l, struct cursor c,
     const struct chosen *found, double v[4], char reason[REASON_MAX])
 {

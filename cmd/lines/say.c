@@ -246,8 +246,8 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 
 /* Adds to the reason all that guess_columns finds: "; say --columns px,py,pz or
  * vx,vy,vz". If numbers is not NULL, writes numbers for names, and sets bit i of
- * *numbers for column i. Returns false, and adds nothing, if it finds nothing or lacks
- * room. */
+ * *numbers for column i. Returns false if it adds nothing, as nothing is found or
+ * fits. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {

@@ -417,7 +417,7 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 	return MORE_FIELDS;
 }
 
-/* Passes the fields up to a newline or bracket, in text up to the last coordinate. */
+/* Passes fields up to a newline or closing bracket, in text to the last coordinate. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {
