@@ -104,7 +104,7 @@ static void option_read_numbers(struct options *o, const struct option_row *r,
 	}
 	die(EXIT_USAGE,
 	    "--%s: '%s' is not %s: numbers up to 1e150 with commas between "
-	    "them; write --%s %s",
+	    "them, as in --%s %s",
 	    r->name, word, r->argument, r->name, r->example);
 }
 

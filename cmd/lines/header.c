@@ -151,8 +151,8 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 	if (!blanks)
 		snprintf(reason, REASON_MAX,
 		    lacks_name ?
-			"has %zu fields and the %s %zu; name the first column, "
-			"too, as by sed '1s/^/row%s/'%s" :
+			"has %zu fields and the %s %zu; name each column: if "
+			"the first has no name, by sed '1s/^/row%s/'%s" :
 			"has %zu fields and the %s %zu; quote a field that has "
 			"the separator in it%s%s",
 		    full,

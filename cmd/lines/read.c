@@ -107,7 +107,7 @@ static bool is_legal(const struct layout *l, struct cursor c,
 }
 
 /* Finds the coordinates of a line and reads them. Sets the kind of the line, which is
- * LINE_REFUSED if the first row has more fields than its header. */
+ * LINE_REFUSED if the first row does not fit its header. */
 static void read_fields(struct layout *l, struct span text, enum first first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
@@ -138,6 +138,15 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (found.mixed_commas) {
 		c.no_commas = line->no_commas = l->columns.n == 0;
 		choose(l, c, &found);
+	}
+	if (line->kind == LINE_POINT && first == FIRST_ROW && l->reordered &&
+	    layout_has_names(l) && cursor_count(c) < l->header_fields) {
+		snprintf(reason, REASON_MAX,
+		    "has %zu fields and the header %zu, so that its names may "
+		    "be those of other columns; say --columns by number",
+		    cursor_count(c), l->header_fields);
+		line->kind = LINE_REFUSED;
+		return;
 	}
 	if (line_is_bad(line) && !l->append && !can_be_kept(l, c, &found))
 		line->kind = LINE_LOST;

@@ -314,7 +314,8 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0) {
 		if (binary || memchr(s, '\0', n < 64 ? n : 64) == NULL)
 			return;
-		strcpy(reason, "is binary; say -i f64 or -i f32");
+		strcpy(reason,
+		    "is binary; if it is numbers alone, say -i f64 or -i f32");
 	} else if (binary &&
 	    (n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0))
 		return;

@@ -63,7 +63,8 @@ struct projection {
 	enum { EYE_BY_INVERSE_Z, EYE_BY_POINT, EYE_BY_ANGLE } eye_given_by;
 
 	double matrix[4][4];
-	bool without_camera; /* the scene has no camera; matrix may contain it */
+	bool
+	    without_camera; /* the scene has no camera; matrix may contain it */
 };
 
 /* Returns whether the projection is a persp without near and far planes. */
