@@ -111,8 +111,8 @@ static void trace_take_block(const struct job *j, struct chunk *c)
 
 	if (m == NULL)
 		die(EXIT_SYSTEM, "out of memory");
-	memset(m->v, 0,
-	    sizeof m->v); /* vector loops read beyond the last point */
+	else /* vector loops read beyond the last point */
+		memset(m->v, 0, sizeof m->v);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
 		const struct line *line = &c->line[i];
 
