@@ -21,6 +21,7 @@ struct chunk *chunk_new(void)
 		 * arena for the thread, which costs more than this room. */
 		c->room = 16 * PIECE_ROOM;
 		c->out = xrealloc(NULL, c->room);
+		/* cppcheck-suppress memleak; c is within memory */
 		return c;
 	}
 	die(EXIT_SYSTEM, "out of memory");
