@@ -193,7 +193,7 @@ void choose(const struct layout *l, struct cursor c, struct chosen *out)
 	out->mixed_commas = r.commas != 0 && r.commas != r.separators;
 }
 
-int choose_overlap(const struct layout *l, const struct chosen *c)
+int chosen_overlap(const struct layout *l, const struct chosen *c)
 {
 	for (int i = 1; i < l->reads; i++)
 		for (int k = 0; k < i; k++)
@@ -219,7 +219,7 @@ void choose_parts(const struct layout *l, const struct chosen *c,
 	}
 }
 
-bool choose_clashes(const struct layout *l, const struct chosen *c,
+bool chosen_clashes(const struct layout *l, const struct chosen *c,
     bool members, char reason[REASON_MAX])
 {
 	int i = 4;

@@ -49,11 +49,11 @@ static bool is_usable(const struct layout *l, struct cursor header,
 		say_missing(l, i, header, c, reason);
 		return false;
 	}
-	i = choose_overlap(l, c);
+	i = chosen_overlap(l, c);
 	if (i > 0)
 		snprintf(reason, REASON_MAX, "two coordinates are column %ld",
 		    c->index[i] + 1);
-	return i == 0 && !choose_clashes(l, c, false, reason);
+	return i == 0 && !chosen_clashes(l, c, false, reason);
 }
 
 /* Returns whether the line, an empty field, 0, 1, 2 and so on, may be a point as well

@@ -244,11 +244,11 @@ void choose_parts(const struct layout *, const struct chosen *, struct line *);
 
 /* Returns the number of a coordinate whose value overlaps the value of an earlier
  * coordinate: they share a column, or one is inside of the other in JSON. 0: none. */
-int choose_overlap(const struct layout *, const struct chosen *);
+int chosen_overlap(const struct layout *, const struct chosen *);
 
 /* Returns whether a column of a header or a member of an object has a name that the
  * output adds; if so, writes the reason. */
-bool choose_clashes(const struct layout *, const struct chosen *, bool members,
+bool chosen_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
 /* Returns whether a first line is a header: no coordinate is a number, not all are

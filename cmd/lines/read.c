@@ -63,7 +63,7 @@ static bool can_be_kept(const struct layout *l, struct cursor c,
 		    (found->times[i] == 0 && c.members &&
 			!can_be_added(l->columns.name[i])))
 			return false;
-	return choose_overlap(l, found) == 0;
+	return chosen_overlap(l, found) == 0;
 }
 
 /* Returns whether --columns fits a line of JSON, numbers for an array and names for an
@@ -93,7 +93,7 @@ static bool is_legal(const struct layout *l, struct cursor c,
 		    "has %zu fields and the header %zu; --append would put the "
 		    "image below other names",
 		    fields, l->header_fields);
-	else if (c.bracket != NULL && choose_overlap(l, found) > 0)
+	else if (c.bracket != NULL && chosen_overlap(l, found) > 0)
 		strcpy(reason,
 		    "has a coordinate in another; --columns names values "
 		    "apart");
@@ -131,7 +131,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		return;
 	choose(l, c, &found);
 	line->kind = LINE_POINT;
-	if (longer || (c.members && choose_clashes(l, &found, true, reason)) ||
+	if (longer || (c.members && chosen_clashes(l, &found, true, reason)) ||
 	    !read_coordinates(l, c, &found, v, reason) ||
 	    !is_legal(l, c, &found, reason))
 		line->kind = LINE_BAD;

@@ -156,7 +156,7 @@ static struct chunk *begin_chunk(void)
 }
 
 /* Answers the next chunks up to the first that is not done. */
-static void answer_done(void)
+static void answer_done_chunks(void)
 {
 	struct chunk *c;
 
@@ -191,7 +191,7 @@ static void run_chunks(bool forever)
 			pthread_mutex_lock(&pool.lock);
 			pool.first = c->first;
 			c->done = true;
-			answer_done();
+			answer_done_chunks();
 			if (is_finished())
 				pthread_cond_broadcast(&pool.changed);
 			looks = 0;

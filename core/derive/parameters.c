@@ -214,9 +214,11 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K of struct picture. With half and scale of view_limits, half + scale x / w
- * is in pixels from the viewport's corner. Y of K points downward if pixels count from
- * the top. X of K is to the right in the picture: X of u or, if is_mirrored, -X. */
+/* Computes K of struct picture from half and scale of view_limits (the margin is 0
+ * here). In pixels from the viewport's corner, x is half + scale x / w to the right, and
+ * y is half + scale y / w upward or, if pixels count from the top, half - scale y / w
+ * downward. The axes of K are X of *u, or -X if is_mirrored, Y of *u, or -Y if pixels
+ * count from the top, and the gaze. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {

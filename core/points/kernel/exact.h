@@ -296,9 +296,10 @@ static inline V inexact_if_noisy(V a, double noisy_below)
 
 /* Returns 0 if the column's sum, hi + lo, is exact within the noise, and rounds the
  * same in spite of noise. Returns a positive number if this is not certain, for example
- * after a product that may underflow. A sum midway between two doubles is a tie in
- * spite of noise. Any other sum differs from each midpoint by at least half a unit in
- * its last place or 2^-53 |lo|, so that inexact_if_noisy has to test the sum and lo. */
+ * after a product that may underflow. A sum midway between two doubles counts as
+ * a tie, whatever the noise. Any other sum differs from each midpoint by at least half a
+ * unit in the last place of the sum, or by 2^-53 |lo|. So inexact_if_noisy tests that
+ * the noise is small beside the sum, and beside lo. */
 static inline V column_inexactness(const struct column_cut *c, vdd sum,
     const V cut[3], const V rest[3], int terms)
 {
