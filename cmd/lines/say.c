@@ -148,7 +148,7 @@ static struct span name_word(struct span f)
 	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
 	const char *s = f.s;
 
-	while (s < f.end && strchr(" /([\"'", *s) == NULL &&
+	while (s < f.end && strchr(" ;/([\"'", *s) == NULL &&
 	    (*s != '_' || s != f.s + 1 || strchr("xyzwXYZW", *f.s) == NULL))
 		s++;
 	return (struct span){ f.s, s };
@@ -391,7 +391,8 @@ void say_note_columns(struct layout *l, struct span text)
 	struct names names;
 
 	for (const char *s = text.s; s < text.end; s++)
-		if (*s != table.separator && strchr("#%!;:=", *s) != NULL)
+		if (*s != table.separator &&
+		    strchr(s == text.s ? "#%!;:=" : ":=", *s) != NULL)
 			text.s = s + 1;
 	const struct cursor c = line_cursor(table, text);
 
