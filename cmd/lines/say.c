@@ -390,6 +390,9 @@ void say_note_columns(struct layout *l, struct span text)
 	const size_t n = 2 * (size_t)l->reads - 1;
 	struct names names;
 
+	text.s = (const char *)memchr(text.s, '#',
+		     (size_t)(text.end - text.s)) +
+	    1;
 	for (const char *s = text.s; s < text.end; s++)
 		if (*s != table.separator &&
 		    strchr(s == text.s ? "#%!;:=" : ":=", *s) != NULL)
