@@ -164,7 +164,7 @@ static const struct member window_members[] = {
 	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
 	    .fallback = "[0, 0]",
 	    .about = "distance that the window moves along x and y"),
-	SIZE(window, "zoom", zoom, .fallback = "1",
+	SIZE(window, "zoom", zoom, .aliases = "scale", .fallback = "1",
 	    .about = "factor of magnification; 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
 	    .flag = offsetof(struct window, has_about), .unit = "window units",
