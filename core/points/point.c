@@ -5,13 +5,13 @@
 
 #include "kernel/midway.h"
 
-/* Sets p to the homogeneous point relative to the map's origin. The origin is 0 for
+/* Sets p to the homogeneous point relative to the transform's origin, which is 0 for
  * points of clip space, whose w may differ from 1. */
 static void set_relative(const struct transform *t, const double in[4],
     struct sum p[4])
 {
 	for (int i = 0; i < 3; i++)
-		p[i] = sum_diff(i < t->in ? in[i] : 0, t->map.origin[i]);
+		p[i] = sum_diff(i < t->in ? in[i] : 0, t->origin[i]);
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 

@@ -9,7 +9,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->slope[j] = k->noise[j] = 0;
 	for (int i = 0; i < 4; i++) {
-		struct sum a = t->relative[i][j];
+		struct sum a = t->map.m[i < 3 ? i : 4][j];
 
 		if (!sum_is_exact_zero(&a) && !sum_is_one(&t->map.divisor))
 			a = sum_quotient(a, t->map.divisor);
@@ -27,16 +27,23 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 			k->slope[j] = fmax(k->slope[j], fabs(e.hi));
 	}
 	k->offset[j] = fabs(k->hi[3][j]);
-	k->least_noise[j] = sum_least_error(&t->relative[3][j],
+	k->least_noise[j] = sum_least_error(&t->map.m[4][j],
 	    &t->map.divisor);
 }
 
 void transform_prepare(struct transform *t)
 {
 	struct kernel_map *k = &t->for_kernel;
+	bool from_zero = false;
 
+	for (int j = 0; j < 4; j++)
+		from_zero |= t->map.m[3][j].error < t->map.m[4][j].error;
 	memcpy(t->relative, t->map.m, sizeof t->relative);
-	memcpy(t->relative[3], t->map.m[4], sizeof t->relative[3]);
+	memset(t->origin, 0, sizeof t->origin);
+	if (!from_zero) {
+		memcpy(t->relative[3], t->map.m[4], sizeof t->relative[3]);
+		memcpy(t->origin, t->map.origin, sizeof t->origin);
+	}
 	memcpy(k->origin, t->map.origin, sizeof k->origin);
 	k->a = k->b = 0;
 	for (int j = 0; j < 4; j++)
@@ -61,8 +68,8 @@ static const char *transform_check(const struct transform *t)
 	for (int j = 0; j < 4; j++) {
 		int low = INT_MAX, high = INT_MIN;
 
-		for (int i = 0; i < 4; i++) {
-			const ex *a = &t->relative[i][j].value;
+		for (int i = 0; i < 5; i++) {
+			const ex *a = &t->map.m[i][j].value;
 
 			if (a->n > 0 && a->e < low)
 				low = a->e;

@@ -11,9 +11,11 @@
  * is set. */
 struct transform {
 	struct map map;
-	/* The matrix for differences of points from the map's origin: rows 0, 1, 2 and
-	 * 4 of the map. */
+	/* The matrix for differences of points from origin, for exact images: rows 0, 1
+	 * and 2 of the map, and row 4 for the map's origin or row 3 for 0. Row 3 has
+	 * the smaller error if the camera's translation is given and not the eye. */
 	struct sum relative[4][4];
+	double origin[3];
 	int in, out; /* numbers of coordinates: 2, 3, or 4 if homogeneous */
 	bool divide;
 	/* If front is set, a point has an image if its w is above 0: it is in front of
@@ -36,7 +38,7 @@ const char *flat_transform(const struct scene *, enum flat_space from,
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
-/* Sets the members relative and for_kernel, which follow from map. */
+/* Sets the members relative, origin and for_kernel, which follow from map. */
 void transform_prepare(struct transform *);
 
 /* Computes the images of n <= POINTS_BLOCK points. in and out are columns of

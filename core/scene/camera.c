@@ -217,7 +217,10 @@ static void map_of_axes(const struct axis a[3], const double given[3],
 	}
 	r->m[3][3] = d;
 	map_divide(r, d);
-	set_eye(r, origin);
+	if (is_translation)
+		map_set_origin(r, origin);
+	else
+		set_eye(r, origin);
 }
 
 /* Rotates view space about its z axis: appends the rotation to r or, if inverse, puts
