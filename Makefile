@@ -134,8 +134,8 @@ $(VECTOR)/avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
 # These files run on threads, on the stacks of cmd/stream/stream.c, so the size of
 # their frames is limited. With -flto clang merges a command's functions of several
-# files into one frame of up to 80 KB.
-FRAME = $(if $(findstring -flto,$(CFLAGS)),98304,32768)
+# files into one frame of up to 96 KB.
+FRAME = $(if $(findstring -flto,$(CFLAGS)),131072,32768)
 $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.o \
     derive/pick.o derive/ray.o) \
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
@@ -144,7 +144,7 @@ $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.
 # Without -mtune, gcc copies structs of 900 bytes with rep movsq, which is slower than
 # memcpy.
 $(call objects,core/exact core/scene core/points core/derive): \
-    FLAGS += $(call x86,-mtune=skylake)
+    C_FLAGS += $(call x86,-mtune=skylake)
 # core/exact has no buffers of variable length, so the stack protector would find
 # nothing there.
 $(call objects,core/exact): PROTECTOR =

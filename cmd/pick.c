@@ -143,20 +143,46 @@ static bool hit_is_header(const struct hit *hit)
 	return hit->distance < -DBL_MAX;
 }
 
-/* The picker for hit_compare, as qsort passes only the two hits to compare. */
+/* The picker for hit_compare_exact, as qsort passes only the two hits to compare. */
 static const struct picker *hit_picker;
 
-/* Compares hits for qsort: by distance, exactly if the nearest doubles are equal, and
- * at the same distance by address, as hits are stored in the order of the input. */
+/* Compare hits for qsort: by the nearest double of the distance, or by the exact
+ * distance; then by address, as hits are stored in the order of the input. */
 static int hit_compare(const void *a, const void *b)
 {
 	const struct hit *p = *(struct hit *const *)a;
 	const struct hit *q = *(struct hit *const *)b;
 	int order = (p->distance > q->distance) - (p->distance < q->distance);
 
-	if (order == 0 && !hit_is_header(p))
-		order = pick_compare(hit_picker, p->point, q->point);
 	return order != 0 ? order : (p > q) - (p < q);
+}
+
+static int hit_compare_exact(const void *a, const void *b)
+{
+	const struct hit *p = *(struct hit *const *)a;
+	const struct hit *q = *(struct hit *const *)b;
+	int order = hit_is_header(p) ?
+	    0 :
+	    pick_compare(hit_picker, p->point, q->point);
+
+	return order != 0 ? order : (p > q) - (p < q);
+}
+
+/* Sorts hits, the nearest first. Exact distances are compared only where the nearest
+ * doubles are equal, and first only of neighbours, as most such hits are in order. */
+static void hits_sort(struct hit **hit, size_t n)
+{
+	qsort(hit, n, sizeof *hit, hit_compare);
+	for (size_t i = 0, end; i < n; i = end) {
+		bool sorted = true;
+
+		for (end = i + 1;
+		     end < n && hit[end]->distance == hit[i]->distance; end++)
+			sorted = sorted &&
+			    hit_compare_exact(&hit[end - 1], &hit[end]) < 0;
+		if (!sorted)
+			qsort(hit + i, end - i, sizeof *hit, hit_compare_exact);
+	}
 }
 
 /* Returns the index of the first of n sorted hits that is printed. Headers of several
@@ -184,7 +210,7 @@ static void print_hits(const struct job *j)
 	     size += hit_stride(hit[i++]->size))
 		hit[i] = hit_at(h->buffer, size);
 	hit_picker = &h->picker;
-	qsort(hit, h->n, sizeof *hit, hit_compare);
+	hits_sort(hit, h->n);
 	for (size_t i = hits_first_printed(hit, h->n); i < h->n; i++) {
 		if (h->json)
 			at += sprintf(at, "{\"line\":%lld,", hit[i]->line);

@@ -69,7 +69,7 @@ struct document_wants {
 	 * of SCENE_SPATIAL, and reads points of two coordinates. 0: the command takes
 	 * no flat documents. */
 	unsigned flat_members;
-	/* The document's source, of which the command sets what precedes the text,
+	/* The document's source, of which the command sets the place of the text,
 	 * two_numbers_hint, and three members. implied_type: a projection has this type
 	 * alone, and may lack "type". for_fit: the eye, near, far, width and height of
 	 * a parallel projection, and all members of a flat document's window may be

@@ -300,8 +300,9 @@ static void read_projection(const struct value *v, const struct member *row,
 		p->direction_unit = p->unit;
 	if (p->type == PROJECTION_PERSP)
 		check_planes(v, seen, p);
-	else if (v->source->for_plane && p->far == p->near)
-		p->far = p->near + 1; /* neither is given */
+	else if (v->source->for_plane && p->far == p->near &&
+	    !(is_given(p, seen, "near") && is_given(p, seen, "far")))
+		p->far = 1; /* near is 0 */
 	if (p->extent == EXTENT_ANGLES)
 		check_angles(v, p);
 	if (is_given(p, seen, "size")) {
