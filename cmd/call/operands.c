@@ -161,9 +161,9 @@ static void check_layout(const struct options *o, const struct layout *l,
 		{ record && l->record < l->reads,
 		    "--input: the records have fewer numbers than the "
 		    "coordinates of a point" },
-		{ record && printed && l->reads != l->writes,
+		{ l->keeps && printed && l->reads != l->writes,
 		    "--input: records keep the number of coordinates, and "
-		    "here it changes; use text, csv or json" },
+		    "here it changes; use -o text, csv or json" },
 	};
 
 	check_columns(o, l);
@@ -254,7 +254,6 @@ static void run_json_points(const struct options *o, struct job *j,
 		    o->in_record > 0 ? "input" : "columns");
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
-	j->layout.header_fields = 0;
 	stream(j, source_of_text(name, text, size));
 	j->layout = files_layout;
 }

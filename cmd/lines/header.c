@@ -77,6 +77,17 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
+/* Returns whether there are n fields after the cursor, and perhaps an empty last one. */
+static bool has_fields(struct cursor c, size_t n)
+{
+	struct field f;
+
+	while (n > 0 && cursor_next(&c, &f))
+		n--;
+	return n == 0 &&
+	    (!cursor_next(&c, &f) || (c.s == NULL && f.value.s == f.value.end));
+}
+
 bool header_is_comment(const struct layout *l, struct span text, bool first)
 {
 	const char *s = skip_blanks(l->in, text.s, text.end);
@@ -84,10 +95,12 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 
 	if (!format_of(l->in)->header)
 		return true;
-	const size_t n = cursor_count(line_cursor(l->in, text));
+	const struct cursor row = line_cursor(l->in, text);
 
 	if (!first) /* if the separator is a blank, "# x y z" is a comment */
-		return n < 2 || (n != l->max_fields && n != l->header_fields) ||
+		return cursor_count(row) < 2 ||
+		    (!has_fields(row, l->max_fields) &&
+			!has_fields(row, l->header_fields)) ||
 		    (l->in.separator == ' ' && is_blank(s[1]));
 	struct cursor header = header_cursor(l->in, text);
 
@@ -97,6 +110,13 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 		find_missing_name(l, &c) < l->reads);
 }
 
+void layout_begin_source(struct layout *l)
+{
+	l->header_fields = l->max_fields = l->comment_names = l->first_line = 0;
+	if (l->columns.by_default)
+		l->columns.n = 0;
+}
+
 bool header_read(struct layout *l, struct span text, struct line *line,
     char reason[REASON_MAX])
 {
@@ -104,9 +124,6 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	struct columns *c = &l->columns;
 	struct chosen chosen;
 
-	l->header_fields = l->max_fields = 0;
-	if (c->by_default)
-		c->n = 0;
 	const bool undecided = l->header == HEADER_MAYBE &&
 	    (c->by_default || !layout_has_names(l));
 	const bool ambiguous = undecided && is_ambiguous(l, header, reason);
@@ -143,9 +160,9 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 	    full == l->header_fields + 1 && full > 2;
 	const char separator[] = { l->in.separator, '\0' };
 
-	if (first != FIRST_NONE && n > l->max_fields &&
+	if (first != FIRST_NONE && full > l->max_fields &&
 	    (l->header_fields == 0 || (!lacks_name && !layout_has_names(l))))
-		l->max_fields = n;
+		l->max_fields = full;
 	if (full <= l->max_fields || l->header_fields == 0)
 		return false;
 	if (!blanks)

@@ -263,6 +263,9 @@ bool is_index(struct span token, long k);
  * such as #N/A,2,3, is a row if it has as many fields as the header or first row. */
 bool header_is_comment(const struct layout *, struct span text, bool first);
 
+/* Forgets what the layout knows of a source. Call it before the next source. */
+void layout_begin_source(struct layout *);
+
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
  * a row. A header that can be used gets the kind LINE_HEADER, and sets the columns,
  * header_fields and max_fields. Any other header gets LINE_REFUSED and a reason. */

@@ -91,19 +91,23 @@ static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 	size_t *kept = &c->block_points;
 
 	for (; c->block_lines < n; c->block_lines++) {
-		bool within = true;
+		bool within = true, infinite = false;
 
 		for (int k = 0; k < j->layout.reads; k++) {
 			double v = c->in[k][c->block_lines];
 
 			c->in[k][*kept] = v;
 			within &= !(fabs(v) > MAGNITUDE_MAX);
+			infinite |= isinf(v) != 0;
 		}
 		*kept += within;
 		if (!within &&
 		    !binary_refuse(j, c,
-			"a coordinate is beyond 1e150 in magnitude; choose "
-			"another unit"))
+			infinite ?
+			    "a coordinate is infinite; a number up to 1e150 "
+			    "is wanted, or nan" :
+			    "a coordinate is beyond 1e150 in magnitude; "
+			    "choose another unit"))
 			return;
 	}
 }
@@ -118,7 +122,10 @@ void binary_read(const struct job *j, struct chunk *c)
 
 	if (n == 0) { /* the source ends within a point */
 		snprintf(reason, sizeof reason,
-		    "ends within a point; a point is %zu bytes", size);
+		    "ends within a point; a point is %zu bytes%s", size,
+		    l->record > 0 ? "" :
+			wide      ? "; -i f64x4 reads four numbers a point" :
+				    "; -i f32x4 reads four numbers a point");
 		set_lines(c, text, (size_t)(c->end - text), 1);
 		c->text = c->end;
 		c->block_lines = binary_refuse(j, c, reason);

@@ -298,11 +298,12 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	const int big = n > 0 && s[0] == 0xfe;
 	char reason[REASON_MAX] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
 				  "it UTF-8";
-	int k = binary || n < 4 ? 5 : 0;
+	const size_t count = sizeof others / sizeof *others;
+	size_t k = binary || n < 4 ? count : 0;
 
-	while (k < 5 && memcmp(s, others[k][0], strlen(others[k][0])) != 0)
+	while (k < count && memcmp(s, others[k][0], strlen(others[k][0])) != 0)
 		k++;
-	if (k < 5)
+	if (k < count)
 		strcpy(reason, others[k][1]);
 	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
 		/* the header's size has two bytes in version 1, four in others */

@@ -243,7 +243,7 @@ void stream(struct job *j, struct point_source s)
 	pool.source = &s;
 	pool.can_read = true;
 	pool.first = FIRST_BYTE;
-	j->layout.comment_names = j->layout.first_line = 0;
+	layout_begin_source(&j->layout);
 	run_chunks(false);
 	pthread_mutex_unlock(&pool.lock);
 }
