@@ -35,6 +35,10 @@ static const char *const notes[NOTES] = {
 	"depth falls along the convention's gaze: it is reversed, or the "
 	"projection is of the other handedness; if reversed depth is not "
 	"meant, try another \"convention\"",
+	"the angle of view is below 3.2 degrees; if it is in radians, say "
+	"\"angle_unit\": \"radians\"",
+	"the principal point is at the edge of the viewport or outside; "
+	"intrinsics are fx, fy, cx and cy, in pixels of the viewport",
 	"scene is null, as the camera's matrix is not a rotation to 2^-20: it "
 	"scales, shears or mirrors; take the scale out of it, try "
 	"\"orthonormalize\": true where the determinant is positive, or the "

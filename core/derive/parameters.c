@@ -341,6 +341,12 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
+/* Returns whether c is between 0 and size, and not within a hundredth of an end. */
+static bool is_inside(double c, double size)
+{
+	return 0.01 * size < c && c < 0.99 * size;
+}
+
 static unsigned notes_of(const struct lens *l, const struct upright *u,
     const struct picture *r)
 {
@@ -374,6 +380,13 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
 		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
 		    u->uses_view_axes && parallel && r->reverse_z,
+		[NOTE_RADIANS] = p->type == PROJECTION_PERSP &&
+		    p->unit == DEGREES && fmin(r->fov[0], r->fov[1]) < 3.2 &&
+		    (p->extent <= EXTENT_VIEW_ANGLE ||
+			p->extent == EXTENT_ANGLES),
+		[NOTE_CENTER] = projection_has_intrinsics(p) &&
+		    !(is_inside(r->intrinsics[0][2], p->width) &&
+			is_inside(r->intrinsics[1][2], p->height)),
 		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->w[1]) < 0),
