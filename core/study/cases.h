@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Regimes: scenes with one number that makes them hard to compute, from harmless to
  * extreme values. */
-#ifndef REGIMES_H
-#define REGIMES_H
+#ifndef CASES_H
+#define CASES_H
 
 #include "textbook.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Measures the errors of the ways to compute the images of a regime. */
-#ifndef WAYS_H
-#define WAYS_H
+#ifndef COMPARE_H
+#define COMPARE_H
 
 #include "cases.h"
 
@@ -21,7 +21,7 @@ struct row {
 	 * of a number, or a number in place of nan. */
 	int wrong;
 	/* How many numbers of exact are only nearest to a number within
-	 * TRUTH_RULE of the truth. */
+	 * TRUTH_TOLERANCE of the truth. */
 	int ruled;
 	/* The share of the points that a loop of core/points/kernel cannot
 	 * round with certainty. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Classical methods, to compare with in tests: matrices as GLM, cglm and
  * textbooks make them, in the convention gl. */
-#ifndef NAIVE_H
-#define NAIVE_H
+#ifndef TEXTBOOK_H
+#define TEXTBOOK_H
 
 #include "../scene/scene.h"
 
