@@ -252,8 +252,7 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	double old_near = p->near;
 	struct extents r;
 
-	hull_extents(h, s, &r);
-	if (sum_sign(r.low[2]) <= 0)
+	if (hull_extents(h, s, &r) != NULL || sum_sign(r.low[2]) <= 0)
 		return false;
 	set_near_and_far(p, &r);
 	keep_side_planes(p, old_near);

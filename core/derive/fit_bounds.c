@@ -124,8 +124,10 @@ const char *fit_axes(const struct scene *s, struct map *xy, struct map *depth)
 		depth->m[i][2] = sum_negated_if(looks_back(&s->convention),
 		    depth->m[i][2]);
 	}
-	depth->m[3][2] = sum_add(depth->m[3][2],
-	    sum_scale(depth->divisor, projection_w_at_eye(p)));
+	/* fit_prepare has refused a tilted P */
+	if (projection_has_intrinsics(p))
+		depth->m[3][2] = sum_add(depth->m[3][2],
+		    sum_scale(depth->divisor, p->intrinsics[2][3]));
 	return NULL;
 }
 
