@@ -358,29 +358,23 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Replaces width and height by edges, which the given projection has. The edges mirror
- * the image if the given edges did. */
-static void restore_edges(struct projection *p, const struct projection *given)
-{
-	double x = given->left > given->right ? -p->width : p->width;
-	double y = given->bottom > given->top ? -p->height : p->height;
-
-	p->extent = EXTENT_EDGES;
-	p->left = -x / 2;
-	p->right = x / 2;
-	p->bottom = -y / 2;
-	p->top = y / 2;
-}
-
+/* Fits ortho and oblique. If the given projection has edges, edges replace width and
+ * height, and mirror the image if the given edges did. */
 static const char *fit_parallel(struct scene *s, bool has_eye,
     const struct projection *given, const struct hull *h)
 {
+	struct projection *p = &s->projection;
 	const char *why = center_picture(s, has_eye, h);
 
 	if (why == NULL)
 		why = enclose_parallel(s, h);
-	if (given->extent == EXTENT_EDGES)
-		restore_edges(&s->projection, given);
+	if (given->extent != EXTENT_EDGES)
+		return why;
+	p->extent = EXTENT_EDGES;
+	p->right = (given->left > given->right ? -p->width : p->width) / 2;
+	p->top = (given->bottom > given->top ? -p->height : p->height) / 2;
+	p->left = -p->right;
+	p->bottom = -p->top;
 	return why;
 }
 
@@ -527,7 +521,6 @@ static void enclose_axis(const struct extents *r, int j, double margin,
 {
 	*center = sum_double(extents_middle(r, j));
 	struct sum c = sum_of_double(*center);
-
 	struct sum most = larger(sum_sub(c, r->low[j]), sum_sub(r->high[j], c));
 
 	*side = ratio_up(sum_scale(most, 2), sum_diff(1, 2 * margin));

@@ -4,13 +4,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "../points/transform.h"
-
 void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
-	for (int k = 0; k < 2 && s->margin > 0; k++)
-		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
+	double h[2] = { 1, 1 }, pixels[2] = { 1, 1 };
+
+	if (s->has_viewport)
+		viewport_limits(&s->viewport, h, pixels);
+	for (int k = 0; k < 2; k++) {
+		half[k] = sum_scale(sum_diff(1, 2 * s->margin), h[k]);
+		scale[k] = sum_of_double(pixels[k]);
+	}
 }
 
 /* Sets column j of r to a x + b w or, if minus, to -a x + b w, where x is column k of m

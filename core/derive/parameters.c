@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#define UNDEFINED ((double)NAN)
-
 /* A component of a vector below this share of the vector's length counts as a rounding
  * error of the given numbers. */
 #define NEGLIGIBLE 0x1p-40
@@ -158,9 +156,8 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 	struct sum high = sum_mul(sum_mul(u->xy[0][0], half[1]), scale[0]);
 
 	/* if high is 0, the picture is a line */
-	r->aspect = sum_sign(high) == 0 ?
-	    UNDEFINED :
-	    sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
+	if (sum_sign(high) != 0)
+		r->aspect = sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
 }
 
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
@@ -173,10 +170,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 			    k % 4, l->to_view.m[i], &v[i]);
 		struct sum length = vec3_length(v);
 
-		for (int i = 0; i < 4; i++)
-			plane[k][i] = sum_sign(length) != 0 ?
-			    sum_ratio_or_nan(v[i], length) :
-			    UNDEFINED;
+		for (int i = 0; i < 4 && sum_sign(length) != 0; i++)
+			plane[k][i] = sum_ratio_or_nan(v[i], length);
 	}
 }
 
@@ -409,8 +404,10 @@ static void set_parameters(const struct lens *l, struct picture *r)
 	upright_of(l, &u);
 	depth_of(l, &r->depth);
 	r->reverse_z = l->reversed;
-	r->near = u.tilted ? UNDEFINED : depth_distance(&r->depth, false);
-	r->far = u.tilted ? UNDEFINED : depth_distance(&r->depth, true);
+	if (!u.tilted) {
+		r->near = depth_distance(&r->depth, false);
+		r->far = depth_distance(&r->depth, true);
+	}
 	set_near_edges(l, &u, r);
 	if (s->has_viewport && !l->parallel)
 		set_intrinsics(s, &u, r->intrinsics);

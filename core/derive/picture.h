@@ -36,7 +36,7 @@ enum note {
 	NOTE_NEAR_BEYOND,  /* near is farther than far */
 	NOTE_DEPTH_FALLS,  /* depth falls along the convention's gaze */
 	NOTE_RADIANS,      /* an angle of view in degrees may be in radians */
-	NOTE_CENTER,       /* the principal point is at the viewport's edge or outside */
+	NOTE_CENTER, /* the principal point is at the viewport's edge or outside */
 	/* with each of the following notes has_scene is false */
 	NOTE_NO_ROTATION,   /* the camera's matrix is not a rotation */
 	NOTE_TILTED,        /* near and far are not parallel to the picture */
@@ -137,7 +137,8 @@ struct picture {
 	struct scene scene;
 };
 
-/* Sets the members from taxon to corner. */
+/* Sets the members from taxon to corner; all are nan before, and the ones that do not
+ * exist stay so. */
 void taxonomy_of(const struct lens *, struct picture *);
 
 /* Sets all members of the picture. Returns NULL, or the member and the reason. */

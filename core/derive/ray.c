@@ -19,11 +19,8 @@
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
-	/* the columns X, Y and w, and for the rows of r, x, y, none and 1, the two
-	 * columns whose cross product the row is */
-	static const int column[3] = { 0, 1, 3 };
-	static const int factor[4][2] = { { 1, 2 }, { 2, 0 }, { 0, 0 },
-		{ 0, 1 } };
+	/* the columns X, Y and w of m, and the rows of r for x, y and 1 */
+	static const int element[3] = { 0, 1, 3 };
 	struct sum normal[3][3];
 	struct map m;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_DEVICE, &m);
@@ -33,18 +30,17 @@ static const char *set_direction_map(const struct scene *s, bool depth_falls,
 	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != depth_falls;
 
 	for (int i = 0; i < 9; i++)
-		normal[i % 3][i / 3] = m.m[i / 3][column[i % 3]];
+		normal[i % 3][i / 3] = m.m[i / 3][element[i % 3]];
 	why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
 	memset(r->m, 0, sizeof r->m);
-	for (int i = 0; i < 4; i++) {
+	for (int i = 0; i < 3; i++) {
+		int a = (i + 1) % 3, b = (i + 2) % 3;
 		struct sum view[3];
 
-		if (i == 2)
-			continue;
-		vec3_cross(normal[factor[i][turned]],
-		    normal[factor[i][!turned]], view);
+		vec3_cross(normal[turned ? b : a], normal[turned ? a : b],
+		    view);
 		for (int j = 0; j < 3; j++)
-			sum_dot(3, view, &m.m[0][j], 4, &r->m[i][j]);
+			sum_dot(3, view, &m.m[0][j], 4, &r->m[element[i]][j]);
 	}
 	return why;
 }

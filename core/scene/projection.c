@@ -235,17 +235,15 @@ void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
 	    p->eye_given_by == EYE_BY_POINT ? p->eye[2] : 1);
 }
 
-static const char *eye_plane_refusal(const struct projection *p)
-{
-	if (p->eye_given_by == EYE_BY_ANGLE)
-		return "/projection/view_angle: the eye plane crosses the "
-		       "volume; choose a smaller one, or move z_near";
-	return p->eye_given_by == EYE_BY_POINT ?
-	    "/projection/eye: its plane crosses the volume; "
-	    "move it before z_near or beyond z_far" :
+static const char *const eye_plane_refusals[] = {
+	[EYE_BY_INVERSE_Z] =
 	    "/projection/inverse_eye_z: the eye plane crosses "
-	    "the volume; it must lie before z_near or beyond z_far";
-}
+	    "the volume; it must lie before z_near or beyond z_far",
+	[EYE_BY_POINT] = "/projection/eye: its plane crosses the volume; "
+			 "move it before z_near or beyond z_far",
+	[EYE_BY_ANGLE] = "/projection/view_angle: the eye plane crosses the "
+			 "volume; choose a smaller one, or move z_near",
+};
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -an, -qn), (0, 0, an zn, qd).
  * x and y are those of volume_section times qd. sx and sy are x/z and y/z of the
@@ -271,7 +269,7 @@ static const char *volume_matrix(const struct projection *p,
 	struct sum bn = sum_sub(qd, sum_mul(qn, zn));
 
 	if (sum_sign(an) * sum_sign(bn) <= 0)
-		return eye_plane_refusal(p);
+		return eye_plane_refusals[p->eye_given_by];
 	for (int k = 0; k < 2; k++)
 		skew[k] = p->eye_given_by == EYE_BY_POINT ?
 		    sum_of_double(p->eye[k]) :
