@@ -40,7 +40,7 @@ const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
 /* Writes half the sides of the viewport, and the pixels per unit of ndc x and y. The
- * viewport shows points of ndc with |x| scale[0] <= half[0] and |y| scale[1] <= half[1]. */
+ * viewport shows the points with |x| scale[0] <= half[0] and |y| scale[1] <= half[1]. */
 void viewport_limits(const struct viewport *, double half[2], double scale[2]);
 
 #endif
