@@ -109,6 +109,11 @@ static void depth_range(const struct extents *r, double *low, double *high)
 	*high = extent_ratio(r, 2, r->high[2], one);
 }
 
+static struct sum extent_middle(const struct extents *r, int j)
+{
+	return sum_scale(sum_add(r->low[j], r->high[j]), 0.5);
+}
+
 static struct sum larger(struct sum a, struct sum b)
 {
 	return sum_compare(a, b) > 0 ? a : b;
@@ -315,7 +320,7 @@ static const char *center_picture(struct scene *s, bool has_eye,
 	if (why != NULL)
 		return why;
 	for (int j = 0; j < 3; j++)
-		step[j] = extents_middle(&r, j);
+		step[j] = extent_middle(&r, j);
 	step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
 	step[2] = has_eye ? sum_of_double(0) :
 			    sum_negated_if(looks_back(c), step[2]);
@@ -461,7 +466,7 @@ static const char *eye_to_middle(struct scene *s, const struct hull *h)
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
 		extents_set(&r, k, h, &world);
-		s->camera.eye[k] = sum_double(extents_middle(&r, k));
+		s->camera.eye[k] = sum_double(extent_middle(&r, k));
 	}
 	return why;
 }
@@ -519,7 +524,7 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 static void enclose_axis(const struct extents *r, int j, double margin,
     double *center, double *side)
 {
-	*center = sum_double(extents_middle(r, j));
+	*center = sum_double(extent_middle(r, j));
 	struct sum c = sum_of_double(*center);
 	struct sum most = larger(sum_sub(c, r->low[j]), sum_sub(r->high[j], c));
 

@@ -81,11 +81,6 @@ void extents_set(struct extents *r, int j, const struct hull *h,
 	r->size[j] = sum_neg(sum_quotient(size, m->divisor));
 }
 
-struct sum extents_middle(const struct extents *r, int j)
-{
-	return sum_scale(sum_add(r->low[j], r->high[j]), 0.5);
-}
-
 const char *extents_widen(struct extents *r, int n)
 {
 	struct sum most = sum_of_double(0);

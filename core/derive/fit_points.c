@@ -70,8 +70,8 @@ static double distance_along(const double m[3], const double p[3])
 	return p[0] * m[0] + p[1] * m[1] + p[2] * m[2];
 }
 
-/* Makes p the farthest point in direction j if p is farther. Only if the distances
- * differ by less than their errors, is_farther decides. */
+/* Makes p the farthest point in direction j if p is farther. is_farther decides only if
+ * the distances differ by less than their errors. */
 static void add_point(struct extremes *e, const struct directions *all, int j,
     const double p[3], double bound)
 {

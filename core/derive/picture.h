@@ -54,7 +54,8 @@ struct lens {
 	const struct scene *scene;
 	struct volume volume;
 	struct map to_view, to_world; /* from world to view space and back */
-	struct sum clip[4][4];   /* columns of volume.to_clip, but y upward */
+	struct sum clip[4][4]; /* columns of volume.to_clip, but y upward */
+	struct sum half[2], scale[2]; /* of view_limits */
 	bool parallel, reversed; /* reversed: near has the larger ndc depth */
 };
 

@@ -46,7 +46,7 @@ static void classify_parallel(const struct lens *l, struct picture *t)
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
 		across[k] = sum_snap_zero(across[k]);
-	/* of the angle between projectors and projection plane */
+	/* the cotangent of the angle between projectors and projection plane */
 	double cot = sum_ratio_or_nan(vec3_length(across), size);
 
 	t->taxon = cot <= KIND_TOLERANCE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
@@ -82,15 +82,12 @@ static enum kind perspective_kind(const struct lens *l)
  * angle is the length of the normals' cross product over minus their dot product. */
 static void set_fov(const struct lens *l, double fov[2])
 {
-	struct sum half[2], scale[2];
-
-	view_limits(l->scene, half, scale);
 	for (int k = 0; k < 2; k++) {
 		struct sum g[3], a[3], v[3];
 
 		for (int i = 0; i < 3; i++) {
-			g[i] = sum_mul(half[k], l->clip[3][i]);
-			a[i] = sum_mul(scale[k], l->clip[k][i]);
+			g[i] = sum_mul(l->half[k], l->clip[3][i]);
+			a[i] = sum_mul(l->scale[k], l->clip[k][i]);
 		}
 		vec3_cross(a, g, v);
 		fov[k] = trig_atan2_degrees(sum_scale(vec3_length(v), 2),
