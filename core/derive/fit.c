@@ -138,7 +138,7 @@ static void widen_sides(double *width, double *height, const double shape[2])
  * high. */
 static struct sum step_to_near_ratio(const struct extents *r, double ratio)
 {
-	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
+	struct sum far = sum_scale(r->high[2], ratio);
 
 	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
 }

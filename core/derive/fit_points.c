@@ -17,13 +17,10 @@ void directions_add(struct directions *all, const struct map *m, int j,
 			largest = sum_abs(exact[i]);
 	}
 	for (int i = 0; i < 3; i++) {
-		int sign = sum_sign(exact[i]);
-		double scaled = 0;
+		double scaled = sum_ratio(exact[i], largest);
 
-		if (sign != 0)
-			scaled = sum_ratio(exact[i], largest);
-		if (sign != 0 && scaled == 0)
-			scaled = sign * 0x1p-1074;
+		if (scaled == 0)
+			scaled = sum_sign(exact[i]) * 0x1p-1074;
 		all->scaled[all->n][i] = scaled;
 	}
 	all->n++;

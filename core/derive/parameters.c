@@ -178,14 +178,14 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
-	struct sum most = sum_mul(one, sum_of_double(0x1p-20));
+	struct sum most = sum_scale(one, 0x1p-20);
 
 	for (int i = 0; i < 9; i++) {
 		struct sum off = vec3_dot(m->m[i / 3], m->m[i % 3]);
 
 		if (i / 3 == i % 3)
 			off = sum_sub(off, one);
-		if (sum_sign(sum_sub(sum_abs(off), most)) > 0)
+		if (sum_compare(sum_abs(off), most) > 0)
 			return false;
 	}
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
@@ -267,8 +267,6 @@ static void set_shear(const struct upright *u, const struct projection *given,
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
-	p->plane = 0;
-	p->kind = OBLIQUE_ANGLE;
 	if (given->type == PROJECTION_OBLIQUE) {
 		p->plane = given->plane;
 		p->kind = given->kind;

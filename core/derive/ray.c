@@ -193,14 +193,12 @@ static void set_plane_row(const struct map *m, int i, const struct sum p[4],
 	const struct sum *a = m->m[i], *b = m->m[2];
 
 	for (int j = 0; j < 4; j++) {
-		struct sum s = sum_of_double(0);
+		struct sum minor[4] = { 0 };
 
 		for (int k = 0; k < 4; k++)
 			if (k != j)
-				s = sum_add(s,
-				    sum_mul(p[k],
-					sum_minor(a[j], b[k], b[j], a[k])));
-		r->m[i][j] = s;
+				minor[k] = sum_minor(a[j], b[k], b[j], a[k]);
+		sum_dot(4, p, minor, 1, &r->m[i][j]);
 	}
 }
 
@@ -209,16 +207,15 @@ static void set_plane_row(const struct map *m, int i, const struct sum p[4],
 const char *ray_plane_transform(const struct scene *s, enum space from,
     enum space to, const double plane[4], struct transform *t)
 {
-	struct sum p[4], m2_p = sum_of_double(0);
+	struct sum p[4], m2_p;
 	struct map m, *r = &t->map;
 	const char *why = scene_map(s, from, to, &m);
 
 	if (why != NULL)
 		return why;
-	for (int k = 0; k < 4; k++) {
+	for (int k = 0; k < 4; k++)
 		p[k] = sum_of_double(plane[k]);
-		m2_p = sum_add(m2_p, sum_mul(m.m[2][k], p[k]));
-	}
+	sum_dot(4, m.m[2], p, 1, &m2_p);
 	if (sum_sign(m2_p) == 0)
 		return sum_sign(m.m[2][3]) == 0 ?
 		    "the plane is parallel to all rays; choose another" :

@@ -273,7 +273,7 @@ static const char *volume_matrix(const struct projection *p,
 	for (int k = 0; k < 2; k++)
 		skew[k] = p->eye_given_by == EYE_BY_POINT ?
 		    sum_of_double(p->eye[k]) :
-		    sum_mul(sum_of_double(p->tan_skew[k]), qd);
+		    sum_scale(qd, p->tan_skew[k]);
 	f->zx = sum_neg(sum_mul(skew[0], f->x));
 	f->zy = sum_neg(sum_mul(skew[1], f->y));
 	f->x = sum_mul(qd, f->x);
