@@ -333,8 +333,8 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 	};
 }
 
-/* Returns whether the matrix looks like the transpose of a perspective matrix: whether
- * its last row, and not its last column, is 0 0 1 0 or 0 0 -1 0, and it is not affine. */
+/* Returns whether the matrix looks like the transpose of a perspective matrix: its last
+ * row, and not its last column, is 0 0 1 0 or 0 0 -1 0, and it is not affine. */
 static bool is_transposed(const double m[4][4])
 {
 	bool row = true, column = true, affine = true;
