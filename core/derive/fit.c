@@ -109,6 +109,11 @@ static void depth_range(const struct extents *r, double *low, double *high)
 	*high = extent_ratio(r, 2, r->high[2], one);
 }
 
+static struct sum extent_middle(const struct extents *r, int j)
+{
+	return sum_scale(sum_add(r->low[j], r->high[j]), 0.5);
+}
+
 static struct sum larger(struct sum a, struct sum b)
 {
 	return sum_compare(a, b) > 0 ? a : b;
@@ -133,7 +138,7 @@ static void widen_sides(double *width, double *height, const double shape[2])
  * high. */
 static struct sum step_to_near_ratio(const struct extents *r, double ratio)
 {
-	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
+	struct sum far = sum_scale(r->high[2], ratio);
 
 	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
 }
@@ -252,8 +257,7 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	double old_near = p->near;
 	struct extents r;
 
-	hull_extents(h, s, &r);
-	if (sum_sign(r.low[2]) <= 0)
+	if (hull_extents(h, s, &r) != NULL || sum_sign(r.low[2]) <= 0)
 		return false;
 	set_near_and_far(p, &r);
 	keep_side_planes(p, old_near);
@@ -316,7 +320,7 @@ static const char *center_picture(struct scene *s, bool has_eye,
 	if (why != NULL)
 		return why;
 	for (int j = 0; j < 3; j++)
-		step[j] = extents_middle(&r, j);
+		step[j] = extent_middle(&r, j);
 	step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
 	step[2] = has_eye ? sum_of_double(0) :
 			    sum_negated_if(looks_back(c), step[2]);
@@ -359,29 +363,23 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Replaces width and height by edges, which the given projection has. The edges mirror
- * the image if the given edges did. */
-static void restore_edges(struct projection *p, const struct projection *given)
-{
-	double x = given->left > given->right ? -p->width : p->width;
-	double y = given->bottom > given->top ? -p->height : p->height;
-
-	p->extent = EXTENT_EDGES;
-	p->left = -x / 2;
-	p->right = x / 2;
-	p->bottom = -y / 2;
-	p->top = y / 2;
-}
-
+/* Fits ortho and oblique. If the given projection has edges, edges replace width and
+ * height, and mirror the image if the given edges did. */
 static const char *fit_parallel(struct scene *s, bool has_eye,
     const struct projection *given, const struct hull *h)
 {
+	struct projection *p = &s->projection;
 	const char *why = center_picture(s, has_eye, h);
 
 	if (why == NULL)
 		why = enclose_parallel(s, h);
-	if (given->extent == EXTENT_EDGES)
-		restore_edges(&s->projection, given);
+	if (given->extent != EXTENT_EDGES)
+		return why;
+	p->extent = EXTENT_EDGES;
+	p->right = (given->left > given->right ? -p->width : p->width) / 2;
+	p->top = (given->bottom > given->top ? -p->height : p->height) / 2;
+	p->left = -p->right;
+	p->bottom = -p->top;
 	return why;
 }
 
@@ -468,7 +466,7 @@ static const char *eye_to_middle(struct scene *s, const struct hull *h)
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
 		extents_set(&r, k, h, &world);
-		s->camera.eye[k] = sum_double(extents_middle(&r, k));
+		s->camera.eye[k] = sum_double(extent_middle(&r, k));
 	}
 	return why;
 }
@@ -526,9 +524,8 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 static void enclose_axis(const struct extents *r, int j, double margin,
     double *center, double *side)
 {
-	*center = sum_double(extents_middle(r, j));
+	*center = sum_double(extent_middle(r, j));
 	struct sum c = sum_of_double(*center);
-
 	struct sum most = larger(sum_sub(c, r->low[j]), sum_sub(r->high[j], c));
 
 	*side = ratio_up(sum_scale(most, 2), sum_diff(1, 2 * margin));

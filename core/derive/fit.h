@@ -43,8 +43,6 @@ struct extents {
 void extents_set(struct extents *, int j, const struct hull *,
     const struct map *);
 
-struct sum extents_middle(const struct extents *, int j);
-
 /* Widens low and high of each zero extent of the first n axes to 2^-20 of the largest
  * extent; size stays 0. Returns NULL, or the reason if all extents are 0. */
 const char *extents_widen(struct extents *, int n);

@@ -81,11 +81,6 @@ void extents_set(struct extents *r, int j, const struct hull *h,
 	r->size[j] = sum_neg(sum_quotient(size, m->divisor));
 }
 
-struct sum extents_middle(const struct extents *r, int j)
-{
-	return sum_scale(sum_add(r->low[j], r->high[j]), 0.5);
-}
-
 const char *extents_widen(struct extents *r, int n)
 {
 	struct sum most = sum_of_double(0);
@@ -124,8 +119,10 @@ const char *fit_axes(const struct scene *s, struct map *xy, struct map *depth)
 		depth->m[i][2] = sum_negated_if(looks_back(&s->convention),
 		    depth->m[i][2]);
 	}
-	depth->m[3][2] = sum_add(depth->m[3][2],
-	    sum_scale(depth->divisor, projection_w_at_eye(p)));
+	/* fit_prepare has refused a tilted P */
+	if (projection_has_intrinsics(p))
+		depth->m[3][2] = sum_add(depth->m[3][2],
+		    sum_scale(depth->divisor, p->intrinsics[2][3]));
 	return NULL;
 }
 

@@ -17,13 +17,10 @@ void directions_add(struct directions *all, const struct map *m, int j,
 			largest = sum_abs(exact[i]);
 	}
 	for (int i = 0; i < 3; i++) {
-		int sign = sum_sign(exact[i]);
-		double scaled = 0;
+		double scaled = sum_ratio(exact[i], largest);
 
-		if (sign != 0)
-			scaled = sum_ratio(exact[i], largest);
-		if (sign != 0 && scaled == 0)
-			scaled = sign * 0x1p-1074;
+		if (scaled == 0)
+			scaled = sum_sign(exact[i]) * 0x1p-1074;
 		all->scaled[all->n][i] = scaled;
 	}
 	all->n++;
@@ -70,8 +67,8 @@ static double distance_along(const double m[3], const double p[3])
 	return p[0] * m[0] + p[1] * m[1] + p[2] * m[2];
 }
 
-/* Makes p the farthest point in direction j if p is farther. Only if the distances
- * differ by less than their errors, is_farther decides. */
+/* Makes p the farthest point in direction j if p is farther. is_farther decides only if
+ * the distances differ by less than their errors. */
 static void add_point(struct extremes *e, const struct directions *all, int j,
     const double p[3], double bound)
 {

@@ -4,13 +4,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "../points/transform.h"
-
 void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
-	for (int k = 0; k < 2 && s->margin > 0; k++)
-		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
+	double h[2] = { 1, 1 }, pixels[2] = { 1, 1 };
+
+	if (s->has_viewport)
+		viewport_limits(&s->viewport, h, pixels);
+	for (int k = 0; k < 2; k++) {
+		half[k] = sum_scale(sum_diff(1, 2 * s->margin), h[k]);
+		scale[k] = sum_of_double(pixels[k]);
+	}
 }
 
 /* Sets column j of r to a x + b w or, if minus, to -a x + b w, where x is column k of m
@@ -62,6 +65,7 @@ const char *view_planes(const struct scene *s, enum space from,
 	if (why != NULL)
 		return why;
 	planes_of_clip(s, &m, sides, ends);
+	/* w of ndc and device points is 1; that of view space says which are behind */
 	if (from == SPACE_NDC || from == SPACE_DEVICE)
 		why = scene_map(s, from, SPACE_VIEW, &m);
 	for (int i = 0; i < 5; i++)

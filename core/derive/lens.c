@@ -15,6 +15,7 @@ const char *lens_of(const struct scene *s, struct lens *l)
 		l->clip[i % 4][i / 4] = sum_negated_if(i % 4 == 1 &&
 			answer_convention(s)->ndc_y_down,
 		    l->volume.to_clip.m[i / 4][i % 4]);
+	view_limits(s, l->half, l->scale);
 	l->scene = s;
 	l->parallel = vec3_is_zero(l->clip[3]);
 	l->reversed = projection_is_reversed(&s->projection, &s->convention);

@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#define UNDEFINED ((double)NAN)
-
 /* A component of a vector below this share of the vector's length counts as a rounding
  * error of the given numbers. */
 #define NEGLIGIBLE 0x1p-40
@@ -144,8 +142,7 @@ static void upright_of(const struct lens *l, struct upright *u)
 static void set_near_edges(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
-	const struct scene *s = l->scene;
-	struct sum half[2], scale[2];
+	const struct sum *half = l->half, *scale = l->scale;
 
 	for (int k = 0; k < 4 && u->uses_view_axes && !isnan(r->near); k++) {
 		const struct sum *h = l->volume.corner[k % 2 == 0 ? 0 : 2];
@@ -153,14 +150,12 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 		if (k >= 2 || sum_sign(u->xy[0][1]) == 0)
 			r->near_edge[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
-	view_limits(s, half, scale);
 	struct sum wide = sum_mul(sum_mul(u->xy[1][1], half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->xy[0][0], half[1]), scale[0]);
 
 	/* if high is 0, the picture is a line */
-	r->aspect = sum_sign(high) == 0 ?
-	    UNDEFINED :
-	    sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
+	if (sum_sign(high) != 0)
+		r->aspect = sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
 }
 
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
@@ -173,10 +168,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 			    k % 4, l->to_view.m[i], &v[i]);
 		struct sum length = vec3_length(v);
 
-		for (int i = 0; i < 4; i++)
-			plane[k][i] = sum_sign(length) != 0 ?
-			    sum_ratio_or_nan(v[i], length) :
-			    UNDEFINED;
+		for (int i = 0; i < 4 && sum_sign(length) != 0; i++)
+			plane[k][i] = sum_ratio_or_nan(v[i], length);
 	}
 }
 
@@ -185,14 +178,14 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
-	struct sum most = sum_mul(one, sum_of_double(0x1p-20));
+	struct sum most = sum_scale(one, 0x1p-20);
 
 	for (int i = 0; i < 9; i++) {
 		struct sum off = vec3_dot(m->m[i / 3], m->m[i % 3]);
 
 		if (i / 3 == i % 3)
 			off = sum_sub(off, one);
-		if (sum_sign(sum_sub(sum_abs(off), most)) > 0)
+		if (sum_compare(sum_abs(off), most) > 0)
 			return false;
 	}
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
@@ -214,26 +207,25 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K of struct picture from half and scale of view_limits (the margin is 0
- * here). In pixels from the viewport's corner, x is half + scale x / w to the right, and
- * y is half + scale y / w upward or, if pixels count from the top, half - scale y / w
- * downward. The axes of K are X of *u, or -X if is_mirrored, Y of *u, or -Y if pixels
- * count from the top, and the gaze. */
-static void set_intrinsics(const struct scene *s, const struct upright *u,
+/* Computes K of struct picture from half and scale (the margin is 0 here). In pixels
+ * from the viewport's corner, x is half + scale x / w to the right, and y is half +
+ * scale y / w upward or, if pixels count from the top, half - scale y / w downward. The
+ * axes of K are X of *u, or -X if is_mirrored, Y of *u, or -Y if pixels count from the
+ * top, and the gaze. */
+static void set_intrinsics(const struct lens *l, const struct upright *u,
     double k[3][3])
 {
+	const struct scene *s = l->scene;
 	bool down = !answer_convention(s)->origin_bottom_left;
 	const bool minus[3] = { is_mirrored(s), down, false };
-	struct sum half[2], scale[2];
 
-	view_limits(s, half, scale);
 	for (int i = 0; i < 6; i++) {
 		int row = i / 3, j = i % 3;
-		struct sum n = sum_mul(u->xy[row][j], scale[row]);
+		struct sum n = sum_mul(u->xy[row][j], l->scale[row]);
 
 		n = sum_negated_if(minus[j] != (row == 1 && down), n);
 		if (j == 2)
-			n = sum_add(n, sum_mul(u->w[0], half[row]));
+			n = sum_add(n, sum_mul(u->w[0], l->half[row]));
 		k[row][j] = sum_ratio_or_nan(n, u->w[0]);
 	}
 	k[2][0] = k[2][1] = 0;
@@ -275,8 +267,6 @@ static void set_shear(const struct upright *u, const struct projection *given,
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
-	p->plane = 0;
-	p->kind = OBLIQUE_ANGLE;
 	if (given->type == PROJECTION_OBLIQUE) {
 		p->plane = given->plane;
 		p->kind = given->kind;
@@ -409,11 +399,13 @@ static void set_parameters(const struct lens *l, struct picture *r)
 	upright_of(l, &u);
 	depth_of(l, &r->depth);
 	r->reverse_z = l->reversed;
-	r->near = u.tilted ? UNDEFINED : depth_distance(&r->depth, false);
-	r->far = u.tilted ? UNDEFINED : depth_distance(&r->depth, true);
+	if (!u.tilted) {
+		r->near = depth_distance(&r->depth, false);
+		r->far = depth_distance(&r->depth, true);
+	}
 	set_near_edges(l, &u, r);
 	if (s->has_viewport && !l->parallel)
-		set_intrinsics(s, &u, r->intrinsics);
+		set_intrinsics(l, &u, r->intrinsics);
 	r->notes = notes_of(l, &u, r);
 	r->scene = *s;
 	r->scene.answer = NULL;

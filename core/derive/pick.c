@@ -57,10 +57,10 @@ bool pick_is_within(const struct picker *k, const double in[4],
 	    fabs(d2 - r2) > 0x1p-8 * r2)
 		return d2 < r2;
 	struct sum w = point_column(t, 3, in);
-	struct sum d = sum_neg(square(sum_mul(w, sum_of_double(k->radius))));
+	struct sum d = sum_neg(square(sum_scale(w, k->radius)));
 
 	for (int j = 0; j < 2; j++) {
-		struct sum at = sum_mul(w, sum_of_double(k->at[j]));
+		struct sum at = sum_scale(w, k->at[j]);
 
 		d = sum_add(d, square(sum_sub(point_column(t, j, in), at)));
 	}
@@ -74,6 +74,6 @@ double pick_distance(const struct picker *k, const double in[4])
 
 int pick_compare(const struct picker *k, const double p[4], const double q[4])
 {
-	return sum_sign(sum_sub(point_column(&k->depth, 2, p),
-	    point_column(&k->depth, 2, q)));
+	return sum_compare(point_column(&k->depth, 2, p),
+	    point_column(&k->depth, 2, q));
 }

@@ -54,7 +54,8 @@ struct lens {
 	const struct scene *scene;
 	struct volume volume;
 	struct map to_view, to_world; /* from world to view space and back */
-	struct sum clip[4][4];   /* columns of volume.to_clip, but y upward */
+	struct sum clip[4][4]; /* columns of volume.to_clip, but y upward */
+	struct sum half[2], scale[2]; /* of view_limits */
 	bool parallel, reversed; /* reversed: near has the larger ndc depth */
 };
 
@@ -137,7 +138,8 @@ struct picture {
 	struct scene scene;
 };
 
-/* Sets the members from taxon to corner. */
+/* Sets the members from taxon to corner; all are nan before, and the ones that do not
+ * exist stay so. */
 void taxonomy_of(const struct lens *, struct picture *);
 
 /* Sets all members of the picture. Returns NULL, or the member and the reason. */

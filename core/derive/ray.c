@@ -19,11 +19,8 @@
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
-	/* the columns X, Y and w, and for the rows of r, x, y, none and 1, the two
-	 * columns whose cross product the row is */
-	static const int column[3] = { 0, 1, 3 };
-	static const int factor[4][2] = { { 1, 2 }, { 2, 0 }, { 0, 0 },
-		{ 0, 1 } };
+	/* the columns X, Y and w of m, and the rows of r for x, y and 1 */
+	static const int element[3] = { 0, 1, 3 };
 	struct sum normal[3][3];
 	struct map m;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_DEVICE, &m);
@@ -33,18 +30,17 @@ static const char *set_direction_map(const struct scene *s, bool depth_falls,
 	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != depth_falls;
 
 	for (int i = 0; i < 9; i++)
-		normal[i % 3][i / 3] = m.m[i / 3][column[i % 3]];
+		normal[i % 3][i / 3] = m.m[i / 3][element[i % 3]];
 	why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
 	memset(r->m, 0, sizeof r->m);
-	for (int i = 0; i < 4; i++) {
+	for (int i = 0; i < 3; i++) {
+		int a = (i + 1) % 3, b = (i + 2) % 3;
 		struct sum view[3];
 
-		if (i == 2)
-			continue;
-		vec3_cross(normal[factor[i][turned]],
-		    normal[factor[i][!turned]], view);
+		vec3_cross(normal[turned ? b : a], normal[turned ? a : b],
+		    view);
 		for (int j = 0; j < 3; j++)
-			sum_dot(3, view, &m.m[0][j], 4, &r->m[i][j]);
+			sum_dot(3, view, &m.m[0][j], 4, &r->m[element[i]][j]);
 	}
 	return why;
 }
@@ -197,14 +193,12 @@ static void set_plane_row(const struct map *m, int i, const struct sum p[4],
 	const struct sum *a = m->m[i], *b = m->m[2];
 
 	for (int j = 0; j < 4; j++) {
-		struct sum s = sum_of_double(0);
+		struct sum minor[4] = { 0 };
 
 		for (int k = 0; k < 4; k++)
 			if (k != j)
-				s = sum_add(s,
-				    sum_mul(p[k],
-					sum_minor(a[j], b[k], b[j], a[k])));
-		r->m[i][j] = s;
+				minor[k] = sum_minor(a[j], b[k], b[j], a[k]);
+		sum_dot(4, p, minor, 1, &r->m[i][j]);
 	}
 }
 
@@ -213,16 +207,15 @@ static void set_plane_row(const struct map *m, int i, const struct sum p[4],
 const char *ray_plane_transform(const struct scene *s, enum space from,
     enum space to, const double plane[4], struct transform *t)
 {
-	struct sum p[4], m2_p = sum_of_double(0);
+	struct sum p[4], m2_p;
 	struct map m, *r = &t->map;
 	const char *why = scene_map(s, from, to, &m);
 
 	if (why != NULL)
 		return why;
-	for (int k = 0; k < 4; k++) {
+	for (int k = 0; k < 4; k++)
 		p[k] = sum_of_double(plane[k]);
-		m2_p = sum_add(m2_p, sum_mul(m.m[2][k], p[k]));
-	}
+	sum_dot(4, m.m[2], p, 1, &m2_p);
 	if (sum_sign(m2_p) == 0)
 		return sum_sign(m.m[2][3]) == 0 ?
 		    "the plane is parallel to all rays; choose another" :

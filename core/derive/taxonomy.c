@@ -46,7 +46,7 @@ static void classify_parallel(const struct lens *l, struct picture *t)
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
 		across[k] = sum_snap_zero(across[k]);
-	/* of the angle between projectors and projection plane */
+	/* the cotangent of the angle between projectors and projection plane */
 	double cot = sum_ratio_or_nan(vec3_length(across), size);
 
 	t->taxon = cot <= KIND_TOLERANCE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
@@ -82,15 +82,12 @@ static enum kind perspective_kind(const struct lens *l)
  * angle is the length of the normals' cross product over minus their dot product. */
 static void set_fov(const struct lens *l, double fov[2])
 {
-	struct sum half[2], scale[2];
-
-	view_limits(l->scene, half, scale);
 	for (int k = 0; k < 2; k++) {
 		struct sum g[3], a[3], v[3];
 
 		for (int i = 0; i < 3; i++) {
-			g[i] = sum_mul(half[k], l->clip[3][i]);
-			a[i] = sum_mul(scale[k], l->clip[k][i]);
+			g[i] = sum_mul(l->half[k], l->clip[3][i]);
+			a[i] = sum_mul(l->scale[k], l->clip[k][i]);
 		}
 		vec3_cross(a, g, v);
 		fov[k] = trig_atan2_degrees(sum_scale(vec3_length(v), 2),
@@ -122,18 +119,16 @@ static void classify_perspective(const struct lens *l, struct picture *t)
 	}
 }
 
-/* Writes the world coordinates of a homogeneous point h in view space, or nan if the
- * point does not exist. */
+/* Writes the world coordinates of a homogeneous point h in view space. */
 static void world_point(const struct lens *l, const struct sum h[4],
-    bool exists, double p[3])
+    double p[3])
 {
 	struct sum world[4];
 
 	for (int j = 0; j < 4; j++)
 		map_image(&l->to_world, j, h, &world[j]);
 	for (int j = 0; j < 3; j++)
-		p[j] = exists ? sum_ratio_or_nan(world[j], world[3]) :
-				(double)NAN;
+		p[j] = sum_ratio_or_nan(world[j], world[3]);
 }
 
 void taxonomy_of(const struct lens *l, struct picture *t)
@@ -145,7 +140,8 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 	int side = sum_sign(far) * sum_sign(v->eye[3]);
 	bool against = side < 0; /* the gradient of w is against the gaze */
 
-	world_point(l, v->eye, side != 0, t->eye);
+	if (side != 0)
+		world_point(l, v->eye, t->eye);
 	t->taxon = against ? TAXON_REVERSE : TAXON_PERSPECTIVE;
 	if (!l->parallel) {
 		classify_perspective(l, t);
@@ -157,6 +153,6 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 	for (int k = 0; k < 3 && against; k++)
 		t->gaze[k] = 0 - t->gaze[k]; /* not -0 */
 	for (int i = 0; i < 8; i++)
-		world_point(l, v->corner[i], sum_sign(v->corner[i][3]) > 0,
-		    t->corner[i]);
+		if (sum_sign(v->corner[i][3]) > 0)
+			world_point(l, v->corner[i], t->corner[i]);
 }

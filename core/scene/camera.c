@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera.h"
 
-#include <string.h>
-
 void convention_change(const struct convention *from,
     const struct convention *to, bool clip, bool input, struct map *r)
 {
@@ -31,39 +29,34 @@ void convention_change(const struct convention *from,
 		map_set_origin(r, NULL);
 }
 
-/* An axis of view space: the unit vector v / length. v is not divided, as its elements
- * are polynomials, whose terms cancel exactly. If the length of axis y is exact, all
- * three lengths are equal, and become the map's divisor. */
-struct axis {
-	struct sum v[3];
-	struct sum length;
+/* The axes of view space: axis i is the unit vector v[i] / length[i]. v is not divided,
+ * as its elements are polynomials, whose terms cancel exactly. If the length of axis y
+ * is exact, all three lengths are equal, and become the map's divisor. */
+struct axes {
+	struct sum v[3][3], length[3];
 };
 
-enum { AXIS_STRIDE = sizeof(struct axis) / sizeof(struct sum) };
-
-static void axis_scale(struct axis *a, struct sum s)
+static void axis_scale(struct axes *a, int i, struct sum s)
 {
-	for (int i = 0; i < 3; i++)
-		a->v[i] = sum_mul(a->v[i], s);
-	a->length = sum_mul(a->length, s);
+	for (int k = 0; k < 3; k++)
+		a->v[i][k] = sum_mul(a->v[i][k], s);
+	a->length[i] = sum_mul(a->length[i], s);
 }
 
 /* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
  * cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
 static const char *axes_of_gaze(const struct camera *c,
-    const struct convention *convention, struct axis axis[3])
+    const struct convention *convention, struct axes *a)
 {
-	struct sum up[3];
-	struct axis *x = &axis[0], *y = &axis[1], *z = &axis[2];
+	struct sum up[3], *x = a->v[0], *y = a->v[1], *z = a->v[2];
 	bool at = c->kind == CAMERA_AT;
 
 	for (int i = 0; i < 3; i++) {
-		z->v[i] = sum_diff(c->at[i], at ? c->eye[i] : 0);
-		if (convention->right_handed)
-			z->v[i] = sum_neg(z->v[i]);
+		z[i] = sum_negated_if(convention->right_handed,
+		    sum_diff(c->at[i], at ? c->eye[i] : 0));
 		up[i] = sum_of_double(c->up[i]);
 	}
-	if (vec3_is_zero(z->v))
+	if (vec3_is_zero(z))
 		return at ? "/camera/at: equal to the eye; "
 			    "choose another point to look at" :
 			    "/camera/gaze: has no direction; "
@@ -71,33 +64,33 @@ static const char *axes_of_gaze(const struct camera *c,
 	if (vec3_is_zero(up))
 		return "/camera/up: has no direction; "
 		       "at least one element must not be 0";
-	vec3_cross(up, z->v, x->v);
-	vec3_cross(z->v, x->v, y->v);
-	struct sum xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
+	vec3_cross(up, z, x);
+	vec3_cross(z, x, y);
+	struct sum xx = vec3_dot(x, x), zz = vec3_dot(z, z);
 	struct sum product = sum_mul(vec3_dot(up, up), zz);
 
 	/* up and z count as parallel if the sine |x| / (|up| |z|) is below 2^-50 */
 	if (sum_compare(xx, sum_scale(product, 0x1p-100)) < 0)
 		return "/camera/up: parallel to the gaze; "
 		       "choose another up vector";
-	x->length = sum_sqrt(xx);
-	z->length = sum_sqrt(zz);
-	y->length = sum_mul(x->length, z->length);
-	for (int i = 0; i < 3 && convention->view_y_down; i++) {
-		y->v[i] = sum_neg(y->v[i]);
-		z->v[i] = sum_neg(z->v[i]);
-	}
-	if (sum_is_exact(&y->length)) {
-		struct sum x_length = x->length;
+	struct sum x_length = sum_sqrt(xx), z_length = sum_sqrt(zz);
 
-		axis_scale(x, z->length);
-		axis_scale(z, x_length);
+	a->length[0] = x_length;
+	a->length[1] = sum_mul(x_length, z_length);
+	a->length[2] = z_length;
+	for (int i = 0; i < 3 && convention->view_y_down; i++) {
+		y[i] = sum_neg(y[i]);
+		z[i] = sum_neg(z[i]);
+	}
+	if (sum_is_exact(&a->length[1])) {
+		axis_scale(a, 0, z_length);
+		axis_scale(a, 2, x_length);
 	}
 	return NULL;
 }
 
 /* Computes the axes of quaternion q: the columns of its rotation matrix times |q|^2. */
-static void axes_of_quaternion(const struct sum q[4], struct axis axis[3])
+static void axes_of_quaternion(const struct sum q[4], struct axes *a)
 {
 	struct sum p[4][4];
 
@@ -111,15 +104,14 @@ static void axes_of_quaternion(const struct sum q[4], struct axis axis[3])
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 		struct sum along = sum_add(p[3][3], p[i][i]);
 
-		axis[i].length = norm;
-		axis[i].v[i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
-		axis[i].v[j] = sum_scale(sum_add(p[i][j], p[k][3]), 2);
-		axis[i].v[k] = sum_scale(sum_sub(p[i][k], p[j][3]), 2);
+		a->length[i] = norm;
+		a->v[i][i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
+		a->v[i][j] = sum_scale(sum_add(p[i][j], p[k][3]), 2);
+		a->v[i][k] = sum_scale(sum_sub(p[i][k], p[j][3]), 2);
 	}
 }
 
-static const char *axes_of_orientation(const struct camera *c,
-    struct axis axis[3])
+static const char *axes_of_orientation(const struct camera *c, struct axes *a)
 {
 	struct sum q[4];
 
@@ -127,21 +119,17 @@ static const char *axes_of_orientation(const struct camera *c,
 		q[i] = sum_of_double(c->orientation[i]);
 	if (vec3_is_zero(q) && sum_sign(q[3]) == 0)
 		return "/camera/orientation: is zero; no turn is [0, 0, 0, 1]";
-	axes_of_quaternion(q, axis);
+	axes_of_quaternion(q, a);
 	return NULL;
 }
 
-static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
+static const char *axes_of_rvec(const struct camera *c, struct axes *a)
 {
-	struct sum r[3][3];
-
-	if (!rotation_about(c->rvec, r))
+	if (!rotation_about(c->rvec, a->v))
 		return "/camera/rvec: is longer than 2 pi; its length is the "
 		       "angle in radians";
-	for (int i = 0; i < 3; i++) {
-		memcpy(axis[i].v, r[i], sizeof r[i]);
-		axis[i].length = sum_of_double(1);
-	}
+	for (int i = 0; i < 3; i++)
+		a->length[i] = sum_of_double(1);
 	return NULL;
 }
 
@@ -151,7 +139,7 @@ static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
 
 /* Computes the axes of the rotation nearest to the upper 3x3 of the camera's matrix. An
  * element that is not above its error becomes 0. */
-static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
+static const char *axes_of_matrix(const struct camera *c, struct axes *a)
 {
 	struct sum q[4];
 	enum rotation_result found = rotation_nearest(c->matrix, q);
@@ -163,9 +151,9 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 		return REFUSAL(c->kind == CAMERA_POSE,
 		    "two directions have all but vanished; no rotation is the "
 		    "nearest");
-	axes_of_quaternion(q, axis);
+	axes_of_quaternion(q, a);
 	for (int i = 0; i < 9; i++)
-		axis[i / 3].v[i % 3] = sum_snap_zero(axis[i / 3].v[i % 3]);
+		a->v[i / 3][i % 3] = sum_snap_zero(a->v[i / 3][i % 3]);
 	return NULL;
 }
 
@@ -187,27 +175,28 @@ static void set_eye(struct map *r, const double eye[3])
  * found: t = (-x.eye, -y.eye, -z.eye), or, if all axes have one length,
  * eye = -t0 x - t1 y - t2 z. Its elements are polynomials, divided once by a length.
  * Rounded axes would give an eye (1,2,3) that looks at 0 an x.eye of -4.9e-32. */
-static void map_of_axes(const struct axis a[3], const double given[3],
+static void map_of_axes(const struct axes *a, const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {
 	const struct sum one = sum_of_double(1);
-	bool exact = sum_is_exact(&a[1].length);
-	struct sum d = exact ? a[1].length : one, minus[3], found;
+	bool exact = sum_is_exact(&a->length[1]);
+	struct sum d = exact ? a->length[1] : one, minus[3], found;
 	double origin[3] = { 0 };
 
 	for (int i = 0; i < 3; i++)
 		minus[i] = sum_of_double(-given[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		struct sum scale = exact ? one : sum_quotient(one, a[i].length);
+		struct sum scale = exact ? one :
+					   sum_quotient(one, a->length[i]);
 
 		for (int k = 0; k < 3; k++)
 			r->m[inverse ? i : k][inverse ? k : i] =
-			    sum_mul(a[i].v[k], scale);
+			    sum_mul(a->v[i][k], scale);
 		if (is_translation)
-			sum_dot(3, minus, &a[0].v[i], AXIS_STRIDE, &found);
+			sum_dot(3, minus, &a->v[0][i], 3, &found);
 		else
-			found = vec3_dot(a[i].v, minus);
+			found = vec3_dot(a->v[i], minus);
 		found = sum_mul(found, scale);
 		r->m[3][i] = is_translation == inverse ? found :
 							 sum_scale(d, given[i]);
@@ -245,7 +234,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {
 	bool pose = c->kind == CAMERA_POSE, inverts = inverse != pose;
-	struct axis axis[3];
+	struct axes axes;
 
 	map_of_doubles(c->matrix, r);
 	if (!map_is_affine(r))
@@ -257,11 +246,11 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 			map_of_doubles(c->matrix, r);
 		return NULL;
 	}
-	const char *why = axes_of_matrix(c, axis);
+	const char *why = axes_of_matrix(c, &axes);
 
 	if (why != NULL)
 		return why;
-	map_of_axes(axis, c->matrix[3], true, inverts, r);
+	map_of_axes(&axes, c->matrix[3], true, inverts, r);
 	if (pose)
 		set_eye(r, inverse ? NULL : c->matrix[3]);
 	return NULL;
@@ -274,18 +263,18 @@ const char *camera_map(const struct camera *c,
 	    c->kind == CAMERA_RVEC_TRANSLATION;
 	bool by_rvec = c->kind == CAMERA_RVEC ||
 	    c->kind == CAMERA_RVEC_TRANSLATION;
-	struct axis axis[3];
+	struct axes axes;
 
 	if (c->kind == CAMERA_MATRIX || c->kind == CAMERA_POSE)
 		return camera_matrix_map(c, inverse, r);
 	const char *why = c->kind <= CAMERA_GAZE ?
-	    axes_of_gaze(c, convention, axis) :
-	    by_rvec ? axes_of_rvec(c, axis) :
-		      axes_of_orientation(c, axis);
+	    axes_of_gaze(c, convention, &axes) :
+	    by_rvec ? axes_of_rvec(c, &axes) :
+		      axes_of_orientation(c, &axes);
 
 	if (why != NULL)
 		return why;
-	map_of_axes(axis, c->eye, is_translation, inverse, r);
+	map_of_axes(&axes, c->eye, is_translation, inverse, r);
 	if (c->roll != 0)
 		camera_roll(convention->view_y_down ? -c->roll : c->roll,
 		    c->unit, inverse, r);

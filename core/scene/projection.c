@@ -123,7 +123,7 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
 }
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (zx zy zz 1), (0 0 tz 0). With intrinsics,
- * the rows map the canonical space of intrinsics_matrix to clip space. */
+ * the rows map the canonical space of append_intrinsics to clip space. */
 static const char *persp_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
@@ -235,17 +235,15 @@ void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
 	    p->eye_given_by == EYE_BY_POINT ? p->eye[2] : 1);
 }
 
-static const char *eye_plane_refusal(const struct projection *p)
-{
-	if (p->eye_given_by == EYE_BY_ANGLE)
-		return "/projection/view_angle: the eye plane crosses the "
-		       "volume; choose a smaller one, or move z_near";
-	return p->eye_given_by == EYE_BY_POINT ?
-	    "/projection/eye: its plane crosses the volume; "
-	    "move it before z_near or beyond z_far" :
+static const char *const eye_plane_refusals[] = {
+	[EYE_BY_INVERSE_Z] =
 	    "/projection/inverse_eye_z: the eye plane crosses "
-	    "the volume; it must lie before z_near or beyond z_far";
-}
+	    "the volume; it must lie before z_near or beyond z_far",
+	[EYE_BY_POINT] = "/projection/eye: its plane crosses the volume; "
+			 "move it before z_near or beyond z_far",
+	[EYE_BY_ANGLE] = "/projection/view_angle: the eye plane crosses the "
+			 "volume; choose a smaller one, or move z_near",
+};
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -an, -qn), (0, 0, an zn, qd).
  * x and y are those of volume_section times qd. sx and sy are x/z and y/z of the
@@ -271,11 +269,11 @@ static const char *volume_matrix(const struct projection *p,
 	struct sum bn = sum_sub(qd, sum_mul(qn, zn));
 
 	if (sum_sign(an) * sum_sign(bn) <= 0)
-		return eye_plane_refusal(p);
+		return eye_plane_refusals[p->eye_given_by];
 	for (int k = 0; k < 2; k++)
 		skew[k] = p->eye_given_by == EYE_BY_POINT ?
 		    sum_of_double(p->eye[k]) :
-		    sum_mul(sum_of_double(p->tan_skew[k]), qd);
+		    sum_scale(qd, p->tan_skew[k]);
 	f->zx = sum_neg(sum_mul(skew[0], f->x));
 	f->zy = sum_neg(sum_mul(skew[1], f->y));
 	f->x = sum_mul(qd, f->x);
@@ -335,26 +333,18 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 	};
 }
 
-/* Returns whether the last column or, if row, the last row is 0 0 1 0 or 0 0 -1 0. */
-static bool w_is_z(const double m[4][4], bool row)
-{
-	bool is = true;
-
-	for (int i = 0; i < 4; i++) {
-		double a = fabs(row ? m[3][i] : m[i][3]);
-
-		is &= a == (i == 2);
-	}
-	return is;
-}
-
-/* Returns whether the matrix looks like the transpose of a perspective matrix. */
+/* Returns whether the matrix looks like the transpose of a perspective matrix: its last
+ * row, and not its last column, is 0 0 1 0 or 0 0 -1 0, and it is not affine. */
 static bool is_transposed(const double m[4][4])
 {
-	bool is_affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 &&
-	    m[3][3] == 1;
+	bool row = true, column = true, affine = true;
 
-	return w_is_z(m, true) && !w_is_z(m, false) && !is_affine;
+	for (int i = 0; i < 4; i++) {
+		row &= fabs(m[3][i]) == (i == 2);
+		column &= fabs(m[i][3]) == (i == 2);
+		affine &= m[i][3] == (i == 3);
+	}
+	return row && !column && !affine;
 }
 
 static const char *projection_matrix_map(const struct projection *p,
@@ -371,29 +361,21 @@ static const char *projection_matrix_map(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the affine matrix from view space (d3d) to the canonical space of u w, v w,
- * w (projection.h). Both have y upward: if device y points down, y is -Y, and -v w. */
-static void intrinsics_matrix(const struct projection *p,
-    const struct convention *c, double canonical[4][4])
-{
-	const double sign[4] = { 1, c->origin_bottom_left ? 1 : -1, 1, 1 };
-
-	for (int i = 0; i < 4; i++) {
-		for (int j = 0; j < 3; j++)
-			canonical[i][j] = sign[i] * sign[j] *
-			    p->intrinsics[j][i];
-		canonical[i][3] = i == 3;
-	}
-}
-
-/* Puts the map of intrinsics_matrix before r or, if inverse, its inverse after r. */
+/* Puts the affine map from view space (d3d) to the canonical space of u w, v w, w
+ * (projection.h) before r or, if inverse, its inverse after r. Both spaces have y
+ * upward: if device y points down, y is -Y, and -v w. */
 static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
+	const double sign[4] = { 1, c->origin_bottom_left ? 1 : -1, 1, 1 };
 	double m[4][4];
 	struct map canonical;
 
-	intrinsics_matrix(p, c, m);
+	for (int i = 0; i < 4; i++) {
+		for (int j = 0; j < 3; j++)
+			m[i][j] = sign[i] * sign[j] * p->intrinsics[j][i];
+		m[i][3] = i == 3;
+	}
 	map_of_doubles(m, &canonical);
 	if (inverse && !map_inverse(m, &canonical))
 		return "/projection/intrinsics: the left three columns of P "

@@ -63,8 +63,7 @@ struct projection {
 	enum { EYE_BY_INVERSE_Z, EYE_BY_POINT, EYE_BY_ANGLE } eye_given_by;
 
 	double matrix[4][4];
-	bool
-	    without_camera; /* the scene has no camera; matrix may contain it */
+	bool without_camera; /* the scene has none; matrix may contain it */
 };
 
 /* Returns whether the projection is a persp without near and far planes. */
@@ -87,22 +86,13 @@ static inline bool projection_has_intrinsics(const struct projection *p)
 }
 
 /* Returns whether P is tilted: whether its last row does not begin with 0 0 1. If P is
- * not tilted, w is the distance along the gaze plus an offset. */
+ * not tilted, w is the distance along the gaze plus intrinsics[2][3]. */
 static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->intrinsics[2];
 
 	return projection_has_intrinsics(p) &&
 	    (w[0] != 0 || w[1] != 0 || w[2] != 1);
-}
-
-/* Returns w at the origin of view space: the offset of a P that is not tilted. Returns
- * 0 without P, or if P is tilted. */
-static inline double projection_w_at_eye(const struct projection *p)
-{
-	bool offset = projection_has_intrinsics(p) && !projection_is_tilted(p);
-
-	return offset ? p->intrinsics[2][3] : 0;
 }
 
 /* Computes 1/z of a volume's eye, z in view space. The denominator is exact. */

@@ -92,30 +92,14 @@ const char *window_map(const struct window *w, const struct device *d,
 	return NULL;
 }
 
-/* Writes the pixels per unit of ndc x and y: half the sides with SCALE_FILL. */
-static void viewport_scales(const struct viewport *v, double s[2])
+void viewport_limits(const struct viewport *v, double half[2], double scale[2])
 {
-	double larger = fmax(v->width, v->height);
-
-	s[0] = v->scale == SCALE_UNIFORM ? larger / 2 : v->width / 2;
-	s[1] = v->scale == SCALE_UNIFORM ? larger / 2 : v->height / 2;
-	if (v->scale == SCALE_GIVEN) {
-		s[0] = v->scales[0];
-		s[1] = v->scales[1];
-	}
-}
-
-void viewport_limits(const struct viewport *v, struct sum half[2],
-    struct sum scale[2])
-{
-	double s[2] = { 1, 1 };
-
-	if (v != NULL)
-		viewport_scales(v, s);
-	half[0] = sum_of_double(v != NULL ? v->width / 2 : 1);
-	half[1] = sum_of_double(v != NULL ? v->height / 2 : 1);
+	half[0] = v->width / 2;
+	half[1] = v->height / 2;
 	for (int k = 0; k < 2; k++)
-		scale[k] = sum_of_double(s[k]);
+		scale[k] = v->scale == SCALE_GIVEN ? v->scales[k] :
+		    v->scale == SCALE_UNIFORM      ? fmax(half[0], half[1]) :
+						     half[k];
 }
 
 const char *viewport_map(const struct viewport *v, const struct convention *c,
@@ -123,20 +107,20 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 {
 	struct sum depth = sum_diff(v->max_z, v->min_z),
 		   min = sum_of_double(v->min_z);
-	double s[2];
+	double half[2], scale[2];
 
 	if (inverse && sum_sign(depth) == 0)
 		return "/viewport/max_z: equal to min_z; "
 		       "depth can't be inverted then";
-	viewport_scales(v, s);
+	viewport_limits(v, half, scale);
 	if (c->ndc_y_down == c->origin_bottom_left)
-		s[1] = -s[1];
+		scale[1] = -scale[1];
 	if (c->depth_minus_one)
 		min = sum_scale(sum_diff(v->min_z, -v->max_z), 0.5);
 	map_identity(r);
-	ndc_axis(r, 0, sum_of_double(s[0]), 1, sum_diff(v->x, -v->width / 2),
+	ndc_axis(r, 0, sum_of_double(scale[0]), 1, sum_diff(v->x, -half[0]),
 	    inverse);
-	ndc_axis(r, 1, sum_of_double(s[1]), 1, sum_diff(v->y, -v->height / 2),
+	ndc_axis(r, 1, sum_of_double(scale[1]), 1, sum_diff(v->y, -half[1]),
 	    inverse);
 	ndc_axis(r, 2, depth, c->depth_minus_one ? 2 : 1, min, inverse);
 	map_set_origin(r, r->origin);

@@ -39,9 +39,8 @@ const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* Computes the limits of the ndc coordinates that the viewport shows: |x| scale[0] <=
- * half[0] and |y| scale[1] <= half[1]. Without a viewport (NULL) all four are 1. */
-void viewport_limits(const struct viewport *, struct sum half[2],
-    struct sum scale[2]);
+/* Writes half the sides of the viewport, and the pixels per unit of ndc x and y. Points
+ * with |x| scale[0] <= half[0] and |y| scale[1] <= half[1] are in the viewport. */
+void viewport_limits(const struct viewport *, double half[2], double scale[2]);
 
 #endif
