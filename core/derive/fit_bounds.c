@@ -113,16 +113,16 @@ const char *fit_axes(const struct scene *s, struct map *xy, struct map *depth)
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, depth);
 	if (why != NULL)
 		return why;
-	for (int i = 0; i < 4; i++) {
+	for (int i = 0; i < 5; i++) {
 		xy->m[i][1] = sum_negated_if(flat && s->convention.ndc_y_down,
 		    xy->m[i][1]);
 		depth->m[i][2] = sum_negated_if(looks_back(&s->convention),
 		    depth->m[i][2]);
+		/* fit_prepare has refused a tilted P */
+		if (i >= 3 && projection_has_intrinsics(p))
+			depth->m[i][2] = sum_add(depth->m[i][2],
+			    sum_scale(depth->divisor, p->intrinsics[2][3]));
 	}
-	/* fit_prepare has refused a tilted P */
-	if (projection_has_intrinsics(p))
-		depth->m[3][2] = sum_add(depth->m[3][2],
-		    sum_scale(depth->divisor, p->intrinsics[2][3]));
 	return NULL;
 }
 

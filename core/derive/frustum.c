@@ -66,10 +66,11 @@ const char *view_planes(const struct scene *s, enum space from,
 		return why;
 	planes_of_clip(s, &m, sides, ends);
 	/* w of ndc and device points is 1; that of view space says which are behind */
-	if (from == SPACE_NDC || from == SPACE_DEVICE)
+	if (from == SPACE_NDC || from == SPACE_DEVICE) {
 		why = scene_map(s, from, SPACE_VIEW, &m);
-	for (int i = 0; i < 5; i++)
-		ends->m[i][2] = m.m[i][3];
+		for (int i = 0; i < 5; i++)
+			ends->m[i][2] = m.m[i][3];
+	}
 	return why;
 }
 

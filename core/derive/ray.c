@@ -186,7 +186,8 @@ bool rays_cast(const struct ray_maker *r, bool single,
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
  * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). Row i of r is the factor of q_i
- * times m_2 . p. In column j of the row, the terms of p_j cancel. */
+ * times m_2 . p. In column j of the row, the terms of p_j cancel. Row 4 is made of m_4
+ * likewise, as multiples of m_2, such as the origin's z m_2, cancel. */
 static void set_plane_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {
@@ -238,8 +239,8 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	t->reciprocal = false;
 	t->kind = KERNEL_PROJECTIVE;
 	transform_prepare(t);
-	return map_is_finite(r) && !ex_has_overflowed() ?
-	    NULL :
-	    "the plane is too near to the eye, or the "
-	    "scene too large, for the range of doubles";
+	return ex_has_overflowed() ? SCENE_TOO_WIDE :
+	    map_is_finite(r)       ? NULL :
+				     "the plane is too near to the eye, or the "
+				     "scene too large, for the range of doubles";
 }

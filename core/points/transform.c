@@ -27,8 +27,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 			k->slope[j] = fmax(k->slope[j], fabs(e.hi));
 	}
 	k->offset[j] = fabs(k->hi[3][j]);
-	k->least_noise[j] = sum_least_error(&t->map.m[4][j],
-	    &t->map.divisor);
+	k->least_noise[j] = sum_least_error(&t->map.m[4][j], &t->map.divisor);
 }
 
 void transform_prepare(struct transform *t)

@@ -8,7 +8,6 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 {
 	r->m[i][i] = sum_mul(r->divisor, inverse ? d : n);
 	r->m[3][i] = sum_mul(r->divisor, sum_negated_if(inverse, t));
-	r->m[4][i] = r->m[3][i];
 	map_divide_column(r, i, inverse ? n : d);
 }
 
@@ -87,8 +86,7 @@ const char *window_map(const struct window *w, const struct device *d,
 		    sum_scale(size[i], w->zoom), inverse);
 		origin[i] = sum_ratio(c, sum_of_double(w->zoom));
 	}
-	if (!inverse)
-		map_set_origin(r, origin);
+	map_set_origin(r, inverse ? NULL : origin);
 	return NULL;
 }
 
