@@ -74,18 +74,6 @@ static bool map_alone(const struct transform *t, exact_kernel kernel,
 	return done;
 }
 
-/* Computes the image of point i, for which the kernel wrote nan, or infinity if the
- * point has no image. */
-static void map_undecided(const struct transform *t, exact_kernel kernel,
-    const double *const in[4], double *const out[4], size_t i)
-{
-	if (isinf(out[0][i]))
-		for (int j = 0; j < t->out; j++)
-			out[j][i] = (double)NAN;
-	else if (!map_alone(t, kernel, in, out, i))
-		map_one(t, PRECISION_EXACT, in, out, i);
-}
-
 /* Returns whether all coordinates of image i are finite. */
 static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 {
@@ -118,11 +106,16 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 		return map_each(t, PRECISION_EXACT, in, out, n);
 	if (kernel(&t->for_kernel, in, out, n))
 		return true;
-	for (size_t i = 0; i < n; i++)
-		if (!isfinite(x[i])) {
-			map_undecided(t, kernel, in, out, i);
-			finite &= is_finite(t, out, i);
-		}
+	for (size_t i = 0; i < n; i++) {
+		if (isfinite(x[i]))
+			continue;
+		if (isinf(x[i])) /* the point has no image */
+			for (int j = 0; j < t->out; j++)
+				out[j][i] = (double)NAN;
+		else if (!map_alone(t, kernel, in, out, i))
+			map_one(t, PRECISION_EXACT, in, out, i);
+		finite &= is_finite(t, out, i);
+	}
 	return finite;
 }
 

@@ -9,14 +9,11 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->slope[j] = k->noise[j] = 0;
 	for (int i = 0; i < 4; i++) {
-		struct sum a = t->map.m[i < 3 ? i : 4][j];
-
-		if (!sum_is_exact_zero(&a) && !sum_is_one(&t->map.divisor))
-			a = sum_quotient(a, t->map.divisor);
+		struct sum a = map_element(&t->map, i < 3 ? i : 4, j);
 		dd e = sum_dd(a);
 
-		if (e.hi ==
-		    0) /* the smallest double, unless the element is 0 */
+		/* the smallest double, unless the element is 0 */
+		if (e.hi == 0)
 			e = (dd){ sum_sign(a) * 0x1p-1074, 0 };
 		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
@@ -27,8 +24,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 			k->slope[j] = fmax(k->slope[j], fabs(e.hi));
 	}
 	k->offset[j] = fabs(k->hi[3][j]);
-	k->least_noise[j] = sum_least_error(&t->map.m[4][j],
-	    &t->map.divisor);
+	k->least_noise[j] = sum_least_error(&t->map.m[4][j], &t->map.divisor);
 }
 
 void transform_prepare(struct transform *t)
