@@ -87,7 +87,7 @@ void map_divide(struct map *r, struct sum d)
 		power = sum_mul(power, r->divisor);
 		r->divisor = sum_of_double(1);
 	}
-	for (int i = 0; i < 20; i++)
+	for (int i = 0; i < 20 && !sum_is_one(&power); i++)
 		divide_element(&r->m[i / 4][i % 4], &power);
 }
 
@@ -100,7 +100,7 @@ void map_divide_column(struct map *r, int j, struct sum d)
 	}
 	for (int i = 0; i < 5; i++)
 		for (int k = 0; k < 4; k++)
-			if (k != j)
+			if (k != j && !sum_is_exact_zero(&r->m[i][k]))
 				sum_dot(1, &r->m[i][k], &d, 1, &r->m[i][k]);
 	map_divide(r, d);
 }

@@ -82,6 +82,19 @@ static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 	    (t->out < 4 || isfinite(out[3][i]));
 }
 
+/* Computes the image of point i, for which the kernel wrote nan, or infinity if the
+ * point has no image. Returns true if all coordinates are finite. */
+static bool map_undecided(const struct transform *t, exact_kernel kernel,
+    const double *const in[4], double *const out[4], size_t i)
+{
+	if (isinf(out[0][i]))
+		for (int j = 0; j < t->out; j++)
+			out[j][i] = (double)NAN;
+	else if (!map_alone(t, kernel, in, out, i))
+		map_one(t, PRECISION_EXACT, in, out, i);
+	return is_finite(t, out, i);
+}
+
 /* Computes the images one by one. Returns true if all coordinates are finite. */
 static bool map_each(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
@@ -106,16 +119,9 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 		return map_each(t, PRECISION_EXACT, in, out, n);
 	if (kernel(&t->for_kernel, in, out, n))
 		return true;
-	for (size_t i = 0; i < n; i++) {
-		if (isfinite(x[i]))
-			continue;
-		if (isinf(x[i])) /* the point has no image */
-			for (int j = 0; j < t->out; j++)
-				out[j][i] = (double)NAN;
-		else if (!map_alone(t, kernel, in, out, i))
-			map_one(t, PRECISION_EXACT, in, out, i);
-		finite &= is_finite(t, out, i);
-	}
+	for (size_t i = 0; i < n; i++)
+		if (!isfinite(x[i]))
+			finite &= map_undecided(t, kernel, in, out, i);
 	return finite;
 }
 

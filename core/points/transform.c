@@ -82,14 +82,11 @@ static const char *transform_check(const struct transform *t)
 void transform_init(struct transform *t, enum space from, enum space to,
     bool homogeneous)
 {
-	t->in = t->out = 3;
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
-	if (from == SPACE_CLIP || t->reciprocal)
-		t->in = 4;
+	t->in = from == SPACE_CLIP || t->reciprocal ? 4 : 3;
+	t->out = to == SPACE_CLIP || (homogeneous && !t->reciprocal) ? 4 : 3;
 	if (from == SPACE_CLIP) /* no origin, as w may differ from 1 */
 		map_set_origin(&t->map, NULL);
-	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
-		t->out = 4;
 	t->divide = t->reciprocal ||
 	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
 	t->front = !t->reciprocal &&
