@@ -187,14 +187,13 @@ static void wait_unless_first(void)
 void vdie_at(int status, const struct place *place, const char *format,
     va_list args)
 {
-	bool goes_on = place != NULL && place->of_scene &&
-	    message_state.on_refusal != NULL;
-
-	if (!goes_on)
-		wait_unless_first();
-	print_line(goes_on ? EXIT_INPUT : status, place, format, args);
-	if (goes_on)
+	if (place != NULL && place->of_scene &&
+	    message_state.on_refusal != NULL) {
+		print_line(EXIT_INPUT, place, format, args);
 		longjmp(*message_state.on_refusal, 1);
+	}
+	wait_unless_first();
+	print_line(status, place, format, args);
 	exit(status);
 }
 

@@ -91,25 +91,15 @@ static inline char *put_with_point(char *s, const char *d, int n, int point)
 	return s + n + 1;
 }
 
-/* Writes the n digits at d as d.ddde+exponent. Returns the end of the text. */
-static char *put_exponential(char *s, const char *d, int n, int exponent)
+/* Writes an exponent, such as e-7 or e+21. Returns the end of the text. */
+static char *put_exponent(char *s, int exponent)
 {
-	int e = abs(exponent);
+	int e = abs(exponent), zeros = (e < 100) + (e < 10);
 
-	*s++ = d[0];
-	if (n > 1) {
-		*s++ = '.';
-		memcpy(s, d + 1, size_t(n - 1));
-		s += n - 1;
-	}
 	*s++ = 'e';
 	*s++ = exponent < 0 ? '-' : '+';
-	if (e >= 100)
-		*s++ = char('0' + e / 100);
-	if (e >= 10)
-		*s++ = char('0' + e / 10 % 10);
-	*s++ = char('0' + e % 10);
-	return s;
+	memcpy(s, triple.text[e] + zeros, size_t(3 - zeros));
+	return s + 3 - zeros;
 }
 
 /* Writes the number 0.ddd * 10^point, whose n digits ddd are at d, as JavaScript does,
@@ -122,7 +112,8 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 	if (0 < point && point <= 21)
 		return put_with_point<room>(s, d, n, point);
 	if (point <= -6 || point > 0)
-		return put_exponential(s, d, n, point - 1);
+		return put_exponent(put_with_point<room>(s, d, n, 1),
+		    point - 1);
 	memcpy(s, "0.000000", 8);
 	memcpy(s + 2 - point, d, room);
 	return s + 2 - point + n;

@@ -235,27 +235,16 @@ static char *put_line(struct writer *w, const struct line *line, size_t p,
 			   chunk_flags(w->chunk, OUT_NAN), at);
 }
 
-/* Returns room for the output of the block. */
-static char *reserve_lines(const struct layout *l, struct chunk *c)
-{
-	size_t n = c->block_lines;
-	const struct line *first = c->line, *last = &c->line[n - 1];
-
-	return chunk_reserve(c,
-	    is_binary(l->out.format) ?
-		n * binary_size(l) :
-		lines_room(l, n, (size_t)(last->s + last->size - first->s)));
-}
-
 /* Appends the block's lines, with the images of its points, to the chunk's out. If
  * finite is true, all images are finite doubles. */
 static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
 	const struct layout *l = &j->layout;
+	const size_t n = c->block_lines;
 	struct writer w; /* no initializer: it would clear the texts */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 
-	if (c->block_lines == 0)
+	if (n == 0)
 		return;
 	w.job = j;
 	w.chunk = c;
@@ -270,9 +259,13 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	if (l->flags || j->visible)
 		frustum_outside_all(&j->frustum, in, w.outside,
 		    c->block_points);
-	char *at = reserve_lines(l, c);
+	const char *end = c->line[n - 1].s + c->line[n - 1].size;
+	char *at = chunk_reserve(c,
+	    is_binary(l->out.format) ?
+		n * binary_size(l) :
+		lines_room(l, n, (size_t)(end - c->line[0].s)));
 
-	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
+	for (size_t i = 0, p = 0; i < n; i++) {
 		at = put_line(&w, &c->line[i], p, at);
 		p += c->line[i].kind == LINE_POINT;
 	}

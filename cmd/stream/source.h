@@ -40,10 +40,9 @@ struct piece {
 
 struct point_source {
 	const char *name;
-	struct span
-	    text;   /* the unread part of a text in memory, or s is NULL */
-	int fd;     /* of a file */
-	off_t size; /* bytes; 0: unknown */
+	struct span text;  /* unread part of a text in memory; or s is NULL */
+	int fd;            /* of a file */
+	off_t size;        /* bytes; 0: unknown */
 	size_t bytes_read; /* bytes of all pieces read so far */
 	struct span rest;  /* of the last piece, after whole lines or points */
 };

@@ -129,12 +129,10 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		if (low > least)
 			ex_overflowed = true;
 	}
-	for (int i = 0; i < high - low; i++)
-		sum[i] = 0;
+	memset(sum, 0, (size_t)(high - low) * sizeof *sum);
 	for (int k = 0; k < n; k++)
-		if (a[k]->n > 0 && b[k]->n > 0)
-			add_product(sum, high - low, a[k]->e + b[k]->e - low,
-			    a[k], b[k]);
+		add_product(sum, high - low, a[k]->e + b[k]->e - low, a[k],
+		    b[k]);
 	bool minus = sum[high - low - 1] >> 63;
 	uint64_t carry = minus;
 
@@ -142,13 +140,11 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		sum[i] = multiply_add(~sum[i], 1, 0, &carry);
 	while (high > low && sum[high - low - 1] == 0)
 		high--;
-	int dropped = high - low - EX_MIN_WORDS;
+	int lowest = least < high - EX_MIN_WORDS ? least : high - EX_MIN_WORDS;
 
-	dropped = dropped < 0 || least <= low ? 0 :
-	    least - low < dropped             ? least - low :
-						dropped;
-	ex_set_words(r, minus ? -1 : 1, sum + dropped, high - low - dropped,
-	    low + dropped);
+	lowest = lowest > low ? lowest : low;
+	ex_set_words(r, minus ? -1 : 1, sum + (lowest - low), high - lowest,
+	    lowest);
 }
 
 ex ex_truncate(ex a, int n)

@@ -93,18 +93,15 @@ void map_divide(struct map *r, struct sum d)
 
 void map_divide_column(struct map *r, int j, struct sum d)
 {
-	bool divides = !sum_is_exact(&d) || sum_is_power_of_two(&d);
-
-	for (int i = 0; i < 5 && divides; i++)
-		divide_element(&r->m[i][j], &d);
-	if (divides)
+	if (!sum_is_exact(&d) || sum_is_power_of_two(&d)) {
+		for (int i = 0; i < 5; i++)
+			divide_element(&r->m[i][j], &d);
 		return;
-	for (int i = 0; i < 20; i++) {
-		struct sum *m = &r->m[i / 4][i % 4];
-
-		if (i % 4 != j && !sum_is_exact_zero(m))
-			sum_dot(1, m, &d, 1, m);
 	}
+	for (int i = 0; i < 5; i++)
+		for (int k = 0; k < 4; k++)
+			if (k != j && !sum_is_exact_zero(&r->m[i][k]))
+				sum_dot(1, &r->m[i][k], &d, 1, &r->m[i][k]);
 	map_divide(r, d);
 }
 

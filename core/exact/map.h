@@ -36,8 +36,9 @@ void map_of_doubles(const double m[4][4], struct map *);
 void map_set_origin(struct map *, const double origin[3]);
 
 /* Divide the images of the map, or only their coordinate j, by d. map_divide needs an
- * exact d. map_divide_column divides column j by a d with an error. To keep the map
- * exact, it multiplies the divisor and the other columns by an exact d. */
+ * exact d. map_divide_column divides column j by a power of two, or by a d with an
+ * error. By any other d it multiplies the other columns and the divisor, which keeps
+ * the map exact. */
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 

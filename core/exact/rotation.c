@@ -118,14 +118,13 @@ enum rotation_result rotation_nearest(const double matrix[4][4],
  * = v x p, a = sin t / t and b = (1 - cos t) / t^2. */
 bool rotation_about(const double vector[3], struct sum r[3][3])
 {
-	struct sum v[3], square[3], a, b, length2 = sum_of_double(0);
+	struct sum v[3], square[3], a, b;
 
 	for (int i = 0; i < 3; i++) {
 		v[i] = sum_of_double(vector[i]);
 		square[i] = sum_mul(v[i], v[i]);
-		length2 = sum_add(length2, square[i]);
 	}
-	if (!trig_sinc(length2, &a, &b))
+	if (!trig_sinc(vec3_dot(v, v), &a, &b))
 		return false;
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;

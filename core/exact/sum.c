@@ -194,8 +194,8 @@ struct sum sum_quotient(struct sum a, struct sum b)
 
 struct sum sum_sqrt(struct sum a)
 {
-	if (a.value.sign <=
-	    0) /* the exact root is at most the root of a's error */
+	/* the exact root is at most the root of a's error */
+	if (a.value.sign <= 0)
 		return (struct sum){ ex_of(0),
 			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
 	struct sum r = { ex_sqrt(a.value), 0 };

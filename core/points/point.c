@@ -24,14 +24,6 @@ struct sum point_column(const struct transform *t, int j, const double in[4])
 	return r;
 }
 
-static bool has_nan(const struct transform *t, const double in[4])
-{
-	for (int i = 0; i < t->in; i++)
-		if (isnan(in[i]))
-			return true;
-	return false;
-}
-
 /* Sets *d to the divisor of the image. Returns false if p has no image. */
 static bool find_divisor(const struct transform *t, const double in[4],
     const struct sum p[4], struct sum *d)
@@ -54,8 +46,9 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 
 	for (int j = 0; j < t->out; j++)
 		out[j] = (double)NAN;
-	if (has_nan(t, in))
-		return;
+	for (int i = 0; i < t->in; i++)
+		if (isnan(in[i]))
+			return;
 	set_relative(t, in, p);
 	if (!find_divisor(t, in, p, &d))
 		return;

@@ -74,9 +74,17 @@ static bool map_alone(const struct transform *t, exact_kernel kernel,
 	return done;
 }
 
+/* Returns whether all coordinates of image i are finite. */
+static bool is_finite(const struct transform *t, double *const out[4], size_t i)
+{
+	return isfinite(out[0][i]) && isfinite(out[1][i]) &&
+	    (t->out < 3 || isfinite(out[2][i])) &&
+	    (t->out < 4 || isfinite(out[3][i]));
+}
+
 /* Computes the image of point i, for which the kernel wrote nan, or infinity if the
- * point has no image. */
-static void map_undecided(const struct transform *t, exact_kernel kernel,
+ * point has no image. Returns true if all coordinates are finite. */
+static bool map_undecided(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
 	if (isinf(out[0][i]))
@@ -84,14 +92,7 @@ static void map_undecided(const struct transform *t, exact_kernel kernel,
 			out[j][i] = (double)NAN;
 	else if (!map_alone(t, kernel, in, out, i))
 		map_one(t, PRECISION_EXACT, in, out, i);
-}
-
-/* Returns whether all coordinates of image i are finite. */
-static bool is_finite(const struct transform *t, double *const out[4], size_t i)
-{
-	return isfinite(out[0][i]) && isfinite(out[1][i]) &&
-	    (t->out < 3 || isfinite(out[2][i])) &&
-	    (t->out < 4 || isfinite(out[3][i]));
+	return is_finite(t, out, i);
 }
 
 /* Computes the images one by one. Returns true if all coordinates are finite. */
@@ -119,10 +120,8 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 	if (kernel(&t->for_kernel, in, out, n))
 		return true;
 	for (size_t i = 0; i < n; i++)
-		if (!isfinite(x[i])) {
-			map_undecided(t, kernel, in, out, i);
-			finite &= is_finite(t, out, i);
-		}
+		if (!isfinite(x[i]))
+			finite &= map_undecided(t, kernel, in, out, i);
 	return finite;
 }
 

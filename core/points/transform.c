@@ -9,14 +9,11 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->slope[j] = k->noise[j] = 0;
 	for (int i = 0; i < 4; i++) {
-		struct sum a = t->map.m[i < 3 ? i : 4][j];
-
-		if (!sum_is_exact_zero(&a) && !sum_is_one(&t->map.divisor))
-			a = sum_quotient(a, t->map.divisor);
+		struct sum a = map_element(&t->map, i < 3 ? i : 4, j);
 		dd e = sum_dd(a);
 
-		if (e.hi ==
-		    0) /* the smallest double, unless the element is 0 */
+		/* the smallest double, unless the element is 0 */
+		if (e.hi == 0)
 			e = (dd){ sum_sign(a) * 0x1p-1074, 0 };
 		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
@@ -85,14 +82,11 @@ static const char *transform_check(const struct transform *t)
 void transform_init(struct transform *t, enum space from, enum space to,
     bool homogeneous)
 {
-	t->in = t->out = 3;
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
-	if (from == SPACE_CLIP || t->reciprocal)
-		t->in = 4;
+	t->in = from == SPACE_CLIP || t->reciprocal ? 4 : 3;
+	t->out = to == SPACE_CLIP || (homogeneous && !t->reciprocal) ? 4 : 3;
 	if (from == SPACE_CLIP) /* no origin, as w may differ from 1 */
 		map_set_origin(&t->map, NULL);
-	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
-		t->out = 4;
 	t->divide = t->reciprocal ||
 	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
 	t->front = !t->reciprocal &&

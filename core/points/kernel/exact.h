@@ -111,9 +111,11 @@ static struct kernel_range range_of(double low, double high, double origin)
 	return r;
 }
 
-/* Returns the range of n coordinates. Even and odd vectors have a minimum and a maximum
- * each, as operations on single ones would wait for each other. */
-static struct kernel_range range_in(const double *in, size_t n, double origin)
+/* Finds the least and the greatest of n coordinates: infinity and -infinity if all are
+ * nan. Even and odd vectors have a minimum and a maximum each, as operations on single
+ * ones would wait for each other. */
+static void find_limits(const double *in, size_t n, double *least,
+    double *greatest)
 {
 	V low[2] = { ALL(HUGE_VAL), ALL(HUGE_VAL) };
 	V high[2] = { ALL(-HUGE_VAL), ALL(-HUGE_VAL) };
@@ -125,8 +127,8 @@ static struct kernel_range range_in(const double *in, size_t n, double origin)
 			low[k] = MIN(x, low[k]);
 			high[k] = MAX(x, high[k]);
 		}
-	return range_of(-greatest_lane(-MIN(low[0], low[1])),
-	    greatest_lane(MAX(high[0], high[1])), origin);
+	*least = -greatest_lane(-MIN(low[0], low[1]));
+	*greatest = greatest_lane(MAX(high[0], high[1]));
 }
 
 /* Returns the largest noise of column j within these ranges. */
@@ -222,7 +224,10 @@ static struct kernel_block block_of(const struct kernel_map *m,
 	struct kernel_block b = { .moderate = 1 };
 
 	for (int k = 0; k < terms; k++) {
-		b.range[k] = range_in(in[k], n, m->origin[k]);
+		double low, high;
+
+		find_limits(in[k], n, &low, &high);
+		b.range[k] = range_of(low, high, m->origin[k]);
 		b.moderate &= is_moderate(b.range[k].largest);
 		b.has_whole |= fabs(b.range[k].whole) > 0;
 	}

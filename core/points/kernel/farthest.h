@@ -22,22 +22,15 @@ static double farthest_along(const double m[3], const double *const in[3],
 	return greatest_lane(MAX(even, odd));
 }
 
-static double largest_magnitude(const double *in, size_t n)
-{
-	V even = ALL(0.0), odd = even;
-
-	for (size_t i = 0; i < n; i += 2 * WIDTH) {
-		even = MAX(ABS(LOAD(in + i)), even);
-		odd = MAX(ABS(LOAD(in + i + WIDTH)), odd);
-	}
-	return greatest_lane(MAX(even, odd));
-}
-
 static void farthest(const double (*m)[3], int directions,
     const double *const in[3], size_t n, double *most, double largest[3])
 {
 	for (int j = 0; j < directions; j++)
 		most[j] = farthest_along(m[j], in, n);
-	for (int k = 0; k < 3; k++)
-		largest[k] = largest_magnitude(in[k], n);
+	for (int k = 0; k < 3; k++) {
+		double low, high;
+
+		find_limits(in[k], n, &low, &high);
+		largest[k] = fmax(0, fmax(-low, high));
+	}
 }
