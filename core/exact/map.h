@@ -15,9 +15,10 @@ struct sum vec3_length(const struct sum a[3]);
 bool vec3_is_zero(const struct sum a[3]);
 
 /* The image of a point p is (p, 1) m / divisor, by the first four rows of m. Elements
- * can have errors; the divisor is exact and positive. A map that is computed without
- * angles and lengths is exact, and so is its inverse. One divisor serves all columns,
- * as it cancels in most images, which are quotients of two columns.
+ * can have errors; the divisor is positive, and exact unless map_divide was given an
+ * error. A map that is computed without angles and lengths is exact, and so is its
+ * inverse. One divisor serves all columns, as it cancels in most images, which are
+ * quotients of two columns.
  *
  * The origin is the eye or a window's centre. Images of points near it need many
  * digits: transform.h first subtracts the origin from points. Row 4 is the origin's
@@ -36,9 +37,9 @@ void map_of_doubles(const double m[4][4], struct map *);
 void map_set_origin(struct map *, const double origin[3]);
 
 /* Divide the images of the map, or only their coordinate j, by d. map_divide needs an
- * exact d. map_divide_column divides column j by a power of two, or by a d with an
- * error. By any other d it multiplies the other columns and the divisor, which keeps
- * the map exact. */
+ * exact d, unless each image is a quotient of two columns. map_divide_column divides
+ * column j by a power of two, or by a d with an error. By any other d it multiplies the
+ * other columns and the divisor, which keeps the map exact. */
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 
