@@ -101,9 +101,9 @@ void run_fit(const struct command *c, const struct options *o)
 	if (!d.has_bounds && !points)
 		document_refuse(&d,
 		    d.flat ? "/bounds: missing; add \"bounds\": {\"min\": "
-			     "[-1,-1], \"max\": [1,1]}, or POINTS" :
+			     "[-1,-1], \"max\": [1,1]}, or POINTS or -" :
 			     "/bounds: missing; add \"bounds\": {\"min\": "
-			     "[-1,-1,-1], \"max\": [1,1,1]}, or POINTS");
+			     "[-1,-1,-1], \"max\": [1,1,1]}, or POINTS or -");
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

@@ -44,8 +44,10 @@ void operands_check(const struct command *c, const struct options *o)
 	char hint[160];
 
 	snprintf(hint, sizeof hint,
-	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' "
-	    "shows",
+	    o->columns.n == 1 ?
+		"--columns takes a list with commas: 1,2,3 or x,y,z" :
+		"PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help "
+		"%s' shows",
 	    c->name);
 	/* the shell splits an object without quotes: the first operand lacks } */
 	if (first_nonblank(o->params) != '{')

@@ -158,9 +158,8 @@ static void check_not_points(const struct command *c, const struct options *o)
 	if (!command_reads_points(c))
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
-	    "holds points, and a scene is wanted first; name its file: %s %s",
-	    named && first_nonblank(o->points[0]) != '[' ? o->points[0] :
-							   "scene.json",
+	    "holds points, and a scene is wanted first; name its file: "
+	    "scene.json %s",
 	    params.name);
 }
 

@@ -50,8 +50,9 @@ const struct member *member_named(const struct member *table, int kind,
 	const struct member *row = member_of(table, kind, name);
 
 	for (; row == NULL && table->name != NULL; table++)
-		if (table->aliases != NULL && has_kind(table->kinds, kind) &&
-		    word_is_one_of(name, table->aliases))
+		if (has_kind(table->kinds, kind) &&
+		    (word_is_one_of(name, table->name) ||
+			word_is_one_of(name, table->aliases)))
 			row = table;
 	return row;
 }
@@ -88,17 +89,19 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Refuses v, a member that the table lacks, unless any document may have it. The
- * message says the first of these that is true: v->name is an alias in the table; it is
- * a name or else an alias in other objects of the scene; it names a member of the scene
- * itself; it is near a name in the table. Else the message lists the table. */
-static void check_unknown(const struct value *v, const struct member *table,
+/* Refuses v, a member that the object's table lacks, unless any document may have it.
+ * The message says the first of these that is true: v->name is an alias in the table;
+ * it is a synonym; it is a name or else an alias in other objects of the scene, of two
+ * dimensions for an object of two; it names a member of the scene itself; it is near a
+ * name in the table. Else the message lists the table. */
+static void check_unknown(const struct value *v, const struct member *object,
     int kind)
 {
+	const struct member *table = object->members;
 	const struct member *row = member_named(table, kind, v->name);
 	const struct member *scene = v->source->scene_members;
 	const struct member *of_scene = member_of(scene, 0, v->name);
-	const char *names[MEMBERS_MAX + 1];
+	const char *names[MEMBERS_MAX + 1], *hint = synonym_of(v->name, ':');
 	char all[LIST_ROOM];
 	int n = 0;
 
@@ -110,9 +113,12 @@ static void check_unknown(const struct value *v, const struct member *table,
 		    row->name, row->note != NULL ? " (" : "",
 		    row->note != NULL ? row->note : "",
 		    row->note != NULL ? ")" : "");
+	if (hint != NULL)
+		value_refuse(v, "unknown member; %s", hint + 2);
 	for (int alias = 0; alias < 2 && n == 0; alias++)
 		for (const struct member *s = scene; s->name != NULL; s++)
 			if (s->members != NULL && s->members != table &&
+			    (s->flat == object->flat || table == scene) &&
 			    (alias ? member_named : member_of)(s->members,
 				ANY_KIND, v->name) != NULL)
 				names[n++] = s->name;
@@ -278,7 +284,7 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;
 		if (known == NULL)
-			check_unknown(&m, table, kind);
+			check_unknown(&m, row, kind);
 		value_member(v, m.name, &first);
 		if (first.item != m.item)
 			value_refuse(&m, "repeated; give it once");

@@ -58,6 +58,8 @@ struct member {
 	const struct member *members;
 	const struct ways *ways;
 	const char *example, *command;
+	/* For an object of a scene: it is of two dimensions. */
+	bool flat;
 	/* For a member of a scene: it may also stand in a document that is not a scene
 	 * but one of its objects, such as a camera. */
 	bool in_any_document;
@@ -109,7 +111,8 @@ void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
 /* Search the rows that objects of the kind have, or all. Return the row called name, or
- * NULL. member_named returns the row with the alias name if no row has the name. */
+ * NULL. If no row has the name, member_named returns the row with the alias name, or
+ * the row whose name differs in case, _ and - alone. */
 enum { ANY_KIND = -1 }; /* searches all rows */
 const struct member *member_of(const struct member *, int kind,
     const char *name);

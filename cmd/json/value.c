@@ -292,5 +292,9 @@ int value_word(const struct value *v, const char *const *words)
 	for (int i = 0; words[i] != NULL; i++)
 		if (strcmp(s, words[i]) == 0)
 			return i;
-	value_refuse(v, "is \"%.60s\"; %s is wanted", s, all);
+	s = nearest_word(s, words);
+	if (s != NULL)
+		value_refuse(v, "is \"%.60s\"; did you mean \"%s\"?",
+		    value_string(v), s);
+	value_refuse(v, "is \"%.60s\"; %s is wanted", value_string(v), all);
 }

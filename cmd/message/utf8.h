@@ -48,7 +48,12 @@ unsigned escape_find_invisible(const char *);
 const char *nearest_word(const char *word, const char *const *words);
 
 /* Returns whether word is one of words, which are in lower case with blanks between
- * them. Case, _ and - in word do not count: LookAt, look_at and look-at are lookat. */
+ * them, or NULL. Case, _ and - do not count: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
+
+/* Returns the hint for a word that other programs have, or NULL: an option "--jobs", in
+ * which * stands for the word, a remark ": ...", or a call "project -m". If first is
+ * not NUL, the hint begins with it. */
+const char *synonym_of(const char *word, char first);
 
 #endif

@@ -28,6 +28,10 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 	struct value e = { v->source, .parent = v, .unused = v->unused };
 	int n = 0;
 
+	if (*s == '{')
+		value_refuse(v,
+		    "is an object, not [1,2,3]; -i json reads lines of objects "
+		    "from a file or -; jq -c '.[]' makes lines of an array");
 	if (*s != '[') {
 		value_peek(v, s, end);
 		value_refuse_type(v, "an array of coordinates");
@@ -73,7 +77,7 @@ static size_t write_points(const struct value *v, const struct span *array,
 	if (!value_is(v, JSON_ARRAY))
 		value_refuse_type(v, "an array of points");
 	s = json_skip_blanks(s + 1, end);
-	if (*s != '[' && *s != ']') {
+	if (*s != '[' && *s != '{' && *s != ']') {
 		e = *v;
 		s = array->s;
 	}

@@ -7,7 +7,8 @@ const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,
-	    .aliases = "position pos from origin", .unit = "world units",
+	    .aliases = "position pos from origin location",
+	    .unit = "world units",
 	    .about = "position of the camera in world space"),
 	ROW(camera, "at", type_numbers, at, .n = 3,
 	    .aliases = "target center centre lookat", .unit = "world units",
@@ -16,9 +17,10 @@ static const struct member camera_members[] = {
 	    .aliases = "direction dir forward",
 	    .about = "direction in which the camera looks, of any length"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
-	    .aliases = "rotation quaternion quat qvec",
-	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
-		    "world to view that is -x, -y, -z, w",
+	    .aliases = "rotation rotationquaternion quaternion quat qvec q qw "
+		       "euler rotationeuler",
+	    .note = "x, y, z, w from view to world axes, with w last; from "
+		    "world to view, negate x, y, z; a 3x3 R is in \"matrix\"",
 	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
@@ -31,12 +33,13 @@ static const struct member camera_members[] = {
 	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
-		       "camtoworld c2w",
+		       "camtoworld c2w twc localtoworldmatrix",
 	    .note = "view to world",
 	    .about = "affine matrix from view to world space"),
 	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
-		       "rotationmatrix worldtocamera worldtocam w2c",
+		       "rotationmatrix worldtocamera worldtocameramatrix "
+		       "worldtocam w2c tcw",
 	    .note = "world to view, [R|t]",
 	    .about = "affine matrix from world to view space, such as [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
@@ -69,6 +72,11 @@ static const struct ways camera_ways[] = {
 	ROW(object, label, type_numbers, field, .range = &range_positive, \
 	    __VA_ARGS__)
 
+static const struct value_range height_range = { SIZE_MIN, MAGNITUDE_MAX,
+	.wanted = "a number from 1e-150 to 1e150 is wanted; what turns y is "
+		  "the \"convention\" (\"webgpu\" for a flipped viewport of "
+		  "Vulkan) or a device's \"origin\"" };
+
 #define RECTANGLE(object)                                               \
 	ROW(object, "x", type_numbers, x, .aliases = "left",            \
 	    .unit = "device units", .fallback = "0", .shown = true,     \
@@ -77,8 +85,11 @@ static const struct ways camera_ways[] = {
 		.unit = "device units", .fallback = "0", .shown = true, \
 		.about = "least device y of the rectangle"),            \
 	    SIZE(object, "width", width, .unit = "device units",        \
+		.aliases = "w imagewidth",                              \
 		.about = "width of the rectangle, required"),           \
-	    SIZE(object, "height", height, .unit = "device units",      \
+	    ROW(object, "height", type_numbers, height,                 \
+		.range = &height_range, .aliases = "h imageheight",     \
+		.unit = "device units",                                 \
 		.about = "height of the rectangle, required")
 
 /* The fields scale and scales of struct viewport, which the member scale sets. */
@@ -122,10 +133,10 @@ static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
 static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
 	ROW(viewport, "min_z", type_numbers, min_z,
-	    .aliases = "near mindepth zmin minz", .unit = "device units",
+	    .aliases = "near mindepth zmin", .unit = "device units",
 	    .fallback = "0", .about = "device z of the least depth in ndc"),
 	ROW(viewport, "max_z", type_numbers, max_z,
-	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
+	    .aliases = "far maxdepth zmax", .unit = "device units",
 	    .fallback = "1", .about = "device z of the greatest depth in ndc"),
 	ROW(viewport, "scale", type_scale, scale, .words = scale_names,
 	    .fallback = "\"fill\"",
@@ -147,13 +158,15 @@ static const struct ways rectangle_ways[] = { { .way = { "width height" } },
 
 static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
-	    .aliases = "centre x y position", .unit = "window units",
+	    .aliases = "centre position", .unit = "window units",
 	    .about = "centre of the window, with width and height"),
 	SIZE(window, "width", width, .unit = "window units",
 	    .about = "width of the window"),
 	SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
-	ROW(window, "left", type_numbers, left, .unit = "window units",
+	ROW(window, "left", type_numbers, left, .aliases = "x y xmin viewbox",
+	    .note = "with \"right\", \"bottom\" and \"top\"",
+	    .unit = "window units",
 	    .about = "left edge of the window, with right, bottom and top"),
 	ROW(window, "right", type_numbers, right, .unit = "window units",
 	    .about = "right edge of the window, greater than left"),
@@ -276,16 +289,16 @@ const struct member scene_members[] = {
 	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
 	SCENE_OBJECT("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
-	    .ways = rectangle_ways, .aliases = "screen",
+	    .ways = rectangle_ways, .aliases = "screen image",
 	    .about = "rectangle on the screen that shows the camera's image",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
 	SCENE_OBJECT("window", window, window_members, WINDOW_EXAMPLE,
-	    .ways = window_ways,
+	    .ways = window_ways, .flat = true, .aliases = "viewbox",
 	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
 	SCENE_OBJECT("device", device, device_members, RECTANGLE_EXAMPLE,
-	    .ways = rectangle_ways,
+	    .ways = rectangle_ways, .flat = true,
 	    .about = "rectangle on the screen that shows a 2D window",
 	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
 	ROW(document, "points", type_points, points, .aliases = "point",

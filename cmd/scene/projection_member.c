@@ -74,7 +74,7 @@ const struct member projection_members[] = {
 	LENGTH(OBLIQUE, "plane", plane, .fallback = "0",
 	    .about = "depth at which the slant moves no point"),
 	ANGLE(PERSP, "fovy", angle, .range = &fov_range,
-	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
+	    .aliases = "fov yfov vfov verticalfov fieldofview cameraangley",
 	    .note = GLTF,
 	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", angle, .range = &fov_range,
@@ -91,9 +91,11 @@ const struct member projection_members[] = {
 	    .about = "half the height of the view volume at view z = 0"),
 	SIZE(VOLUME, "size", half_width,
 	    .about = "smaller side of the view volume at view z = 0"),
-	SIZE(SECTIONED, "width", width,
+	SIZE(SECTIONED, "width", width, .aliases = "orthoscale xmag",
+	    .note = "twice xmag",
 	    .about = "width of the view volume; persp: at near or edges_at"),
-	SIZE(SECTIONED, "height", height,
+	SIZE(SECTIONED, "height", height, .aliases = "orthographicsize ymag",
+	    .note = "twice orthographicSize or ymag",
 	    .about = "height of the view volume; persp: at near or edges_at"),
 	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
 	    .aliases = "ratio aspectratio",
@@ -115,27 +117,28 @@ const struct member projection_members[] = {
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix matrix intrinsic p "
 		       "principalpoint skew",
-	    .note = "[fx, fy, cx, cy], K or P, in pixels; 16 numbers are "
-		    "\"matrix\" of type \"matrix\"",
+	    .note = "[fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from "
+		    "view to clip is \"matrix\" of type \"matrix\"",
 	    .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
 	SIZE(PERSP, "edges_at", edges_at, .aliases = "distance",
 	    .about = "distance from the eye where edges are; if absent, near"),
-	SIZE(PERSP, "near", near, .aliases = "znear nearplane nearfar",
+	SIZE(PERSP, "near", near,
+	    .aliases = "znear nearplane nearfar clipstart",
 	    .about = "distance of the near plane from the eye"),
-	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane",
+	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane clipstart",
 	    .about = "distance of the near plane from the eye"),
 	MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
-	    .aliases = "zfar farplane", .unit = "view units",
+	    .aliases = "zfar farplane clipend", .unit = "view units",
 	    .about = "distance of the far plane from the eye"),
-	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane",
+	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane clipend",
 	    .about = "distance of the far plane from the eye"),
 	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
 	    .aliases = "reversed", .fallback = "false",
 	    .about = "make depth greater at the near than at the far plane"),
-	LENGTH(VOLUME, "z_near", z_near, .aliases = "near znear nearplane",
+	LENGTH(VOLUME, "z_near", z_near, .aliases = "near nearplane",
 	    .about = "z of the near plane in view space"),
-	LENGTH(VOLUME, "z_far", z_far, .aliases = "far zfar farplane",
+	LENGTH(VOLUME, "z_far", z_far, .aliases = "far farplane",
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
@@ -197,33 +200,31 @@ static bool is_given(const struct projection *p, uint64_t seen,
 	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
-/* Refuses a projection without a type; lists the types that have all its members. */
+/* Refuses a projection without a type; lists the types that have all its members, by
+ * name or else by alias. */
 static _Noreturn void refuse_missing_type(const struct value *v)
 {
 	const struct value *type = VALUE_MISSING(v, "type");
-	struct value m = value_child(v);
 	const char *names[6];
-	unsigned types = SECTIONED | VOLUME | MATRIX;
 	char all[LIST_ROOM];
 	int n = 0;
 
-	for (; m.item != NULL; value_next(&m)) {
-		unsigned has = 0;
+	for (int alias = 0; alias < 2 && n == 0; alias++)
+		for (int i = 0; projection_types[i] != NULL; i++) {
+			struct value m = value_child(v);
 
-		for (int i = 0; projection_types[i] != NULL; i++)
-			if (member_of(projection_members, i, m.name) != NULL)
-				has |= 1u << i;
-		if ((types & has) != 0)
-			types &= has;
-	}
-	for (int i = 0; projection_types[i] != NULL; i++)
-		if (types >> i & 1)
-			names[n++] = projection_types[i];
+			while (m.item != NULL &&
+			    (alias ? member_named :
+				     member_of)(projection_members, i,
+				m.name) != NULL)
+				value_next(&m);
+			if (m.item == NULL)
+				names[n++] = projection_types[i];
+		}
 	names[n] = NULL;
-	list_words(all, names, " or ", "\"");
-	if (n == 1)
-		value_refuse(type, "missing; add \"type\": %s", all);
-	value_refuse(type, "missing; it is %s", all);
+	list_words(all, n > 0 ? names : projection_types, " or ", "\"");
+	value_refuse(type, "missing; %s %s", n == 1 ? "add \"type\":" : "it is",
+	    all);
 }
 
 /* Reads the type, on which the other members depend. */

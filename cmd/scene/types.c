@@ -84,20 +84,14 @@ static void print_object(struct printer *p, const struct member *row,
 
 const struct type type_object = { NULL, read_object, print_object, 0 };
 
-#define FAR_FORMS "a number or \"infinity\""
-
 static void read_far(const struct value *v, const struct member *row, void *out)
 {
-	char shown[ESCAPED_MAX];
-	const char *s = value_string(v);
+	static const char *const words[] = { "infinity", NULL };
 
-	if (s != NULL && strcmp(s, "infinity") == 0)
+	if (value_string(v) != NULL && value_word(v, words) == 0)
 		*(double *)out = HUGE_VAL;
-	else if (s != NULL)
-		value_refuse(v, "is \"%s\"; " FAR_FORMS " is wanted",
-		    escaped(shown, s, strlen(s)));
 	else if (value_is(v, JSON_NULL))
-		value_refuse_type(v, FAR_FORMS);
+		value_refuse_type(v, "a number or \"infinity\"");
 	else
 		read_numbers(v, row, out);
 }
@@ -205,6 +199,11 @@ static void read_matrix(const struct value *v, const struct member *member,
 	     swap = column && n == rows;
 	double e[16];
 
+	if (affine && n == 3 && value_is(&row, JSON_ARRAY) &&
+	    value_count(&row) == 3)
+		value_refuse(&all,
+		    "is 3x3; append t to its rows as 4th numbers, [R|t] (of a "
+		    "rotation alone, 0)");
 	if (n != rows && n != 16)
 		value_refuse(&all, "has %zu element%s; %s are wanted", n,
 		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS);
@@ -297,6 +296,12 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		k[2][2] = 1;
 		return;
 	}
+	if (n == 16 || (n == 4 && columns == 4))
+		value_refuse(v,
+		    "is 4x4; of K and P leave the last row out, 0, 0, 0, 1, "
+		    "and "
+		    "of K the last column; a 4x4 from view to clip is "
+		    "\"matrix\" of type \"matrix\"");
 	if (nested ? n != 3 : n != 9 && n != 12)
 		value_refuse(v, "is none of " INTRINSICS_FORMS);
 	read_rows(v, 3, columns, e);
