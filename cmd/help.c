@@ -144,9 +144,6 @@ bool help_member(const char *name)
 		print_members(scene_members, ANY_KIND, ALL_MEMBERS);
 		return true;
 	}
-	for (int i = 0; i < CONVENTIONS; i++)
-		if (strcmp(name, convention_names[i]) == 0)
-			name = "convention";
 	if (synonym_find(name, &row) == NULL)
 		return false;
 	put_heading(row->name);

@@ -16,26 +16,27 @@ enum {
 	SHOWN_ROOM = 64,    /* for the name of a member or option */
 };
 
-/* Returns the member called name or, if alias is set, with the alias name; or NULL.
+/* Returns the member called name or else, if aliases is set, with the alias; or NULL.
  * Searches the members of the scene whose bits are set in objects, the last first, and
  * the members of these objects that the kind has. Sets *object as synonym_find does. */
 static const struct member *find_member(unsigned objects, int kind,
-    const char *name, bool alias, const struct member **object)
+    const char *name, bool aliases, const struct member **object)
 {
-	const struct member *(*find)(const struct member *, int,
-	    const char *) = alias ? member_named : member_of;
+	for (int alias = 0; alias <= aliases; alias++)
+		for (int k = 31; k >= 0; k--) {
+			const struct member *s = *object = &scene_members[k];
+			const struct member *m = NULL;
 
-	for (int k = 31; k >= 0; k--) {
-		const struct member *s = *object = &scene_members[k], *m;
-
-		if ((objects >> k & 1) == 0)
-			continue;
-		if (find(scene_members, ANY_KIND, name) == s)
-			return s;
-		m = s->members != NULL ? find(s->members, kind, name) : NULL;
-		if (m != NULL)
-			return m;
-	}
+			if ((objects >> k & 1) == 0)
+				continue;
+			if (member_named(scene_members, ANY_KIND, name,
+				alias) == s)
+				return s;
+			if (s->members != NULL)
+				m = member_named(s->members, kind, name, alias);
+			if (m != NULL)
+				return m;
+		}
 	return NULL;
 }
 
@@ -124,12 +125,11 @@ static void check_word(const struct command *c, const char *unknown,
 	    option_is_for(option_named(hint + 2), c))
 		refuse_synonym(c, unknown, name, hint);
 	/* searches aliases, too, unless an option has the name */
-	for (int i = 0; i < 2; i++)
-		for (int alias = 0; alias < (r == NULL ? 2 : 1); alias++) {
-			m = find_member(objects[i], kind, name, alias, &object);
-			if (m != NULL)
-				refuse_member(unknown, reads, m, object);
-		}
+	for (int i = 0; i < 2; i++) {
+		m = find_member(objects[i], kind, name, r == NULL, &object);
+		if (m != NULL)
+			refuse_member(unknown, reads, m, object);
+	}
 	hint = synonym_of(name, '\0');
 	if (hint != NULL)
 		refuse_synonym(c, unknown, name, hint);

@@ -5,9 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Words of other programs, with blanks between them, and the hint to give: an option
- * "--jobs", in which * stands for the word, a remark ": ...", or a call "project -m".
- * The names that other programs have for members are in the tables of members. */
+/* The names that other programs have for members are in the tables of members. */
 static const struct {
 	const char *words, *hint;
 } synonyms[] = {
@@ -62,17 +60,11 @@ static const struct {
 	  "distcoeffs dist d k1 k2 k3 p1 p2",
 	    ": lenses are not modelled; undistort points first" },
 	{ "lens sensorwidth sensorheight sensorsize",
-	    ": lenses are not modelled; \"fovx\" is 2 atan(sensor width / 2 / "
-	    "focal length)" },
+	    ": \"fovx\" is 2 atan(sensor width / 2 / focal length)" },
 	{ "size imagesize windowsize resolution",
-	    ": give \"width\" and \"height\"; a picture has them in "
-	    "\"viewport\" or, in two dimensions, in \"device\"" },
-	{ "zoom",
-	    ": \"zoom\" is a window's; in three dimensions give a smaller "
-	    "\"fovy\", or a smaller \"width\" and \"height\"" },
-	{ "scale",
-	    ": \"scale\" is a viewport's, in pixels for one unit of ndc; what "
-	    "scales points is \"world\"" },
+	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
+	{ "zoom", ": only a window has it; in 3D give a smaller \"fovy\"" },
+	{ "scale", ": only a viewport has it; \"world\" can scale points" },
 };
 
 enum { SYNONYMS = sizeof synonyms / sizeof *synonyms };

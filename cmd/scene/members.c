@@ -19,28 +19,28 @@ static const struct member camera_members[] = {
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation rotationquaternion quaternion quat qvec q qw "
 		       "euler rotationeuler",
-	    .note = "x, y, z, w from view to world axes, with w last; from "
-		    "world to view, negate x, y, z; a 3x3 R is in \"matrix\"",
+	    .note = " (x, y, z, w from view to world axes, with w last; from "
+		    "world to view, negate x, y, z; a 3x3 R is in \"matrix\")",
 	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
-	    .note = "world to view; its length is the angle", .unit = "radians",
+	    .note = " (world to view, its length the angle)", .unit = "radians",
 	    .about = "rotation vector that turns world axes into view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t",
-	    .note = "where the world's origin is in view space",
+	    .note = " (where the world's origin is in view space)",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w twc localtoworldmatrix",
-	    .note = "view to world",
+	    .note = " (view to world)",
 	    .about = "affine matrix from view to world space"),
 	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
 		       "rotationmatrix worldtocamera worldtocameramatrix "
 		       "worldtocam w2c tcw",
-	    .note = "world to view, [R|t]",
+	    .note = " (world to view, [R|t])",
 	    .about = "affine matrix from world to view space, such as [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .shown = true, .about = "direction that points up in the image"),
@@ -74,8 +74,7 @@ static const struct ways camera_ways[] = {
 
 static const struct value_range height_range = { SIZE_MIN, MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted; what turns y is "
-		  "the \"convention\" (\"webgpu\" for a flipped viewport of "
-		  "Vulkan) or a device's \"origin\"" };
+		  "\"convention\", of Vulkan's flipped viewport \"webgpu\"" };
 
 #define RECTANGLE(object)                                               \
 	ROW(object, "x", type_numbers, x, .aliases = "left",            \
@@ -165,7 +164,6 @@ static const struct member window_members[] = {
 	SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
 	ROW(window, "left", type_numbers, left, .aliases = "x y xmin viewbox",
-	    .note = "with \"right\", \"bottom\" and \"top\"",
 	    .unit = "window units",
 	    .about = "left edge of the window, with right, bottom and top"),
 	ROW(window, "right", type_numbers, right, .unit = "window units",
@@ -200,8 +198,7 @@ static const struct ways window_ways[] = {
 static void read_bounds_point(const struct value *v, const struct member *row,
     void *out)
 {
-	bool pair = value_is(v, JSON_ARRAY) && value_count(v) == 2;
-	bool flat = v->source->flat;
+	bool pair = value_count(v) == 2, flat = v->source->flat;
 
 	(void)row;
 	if (flat && !pair && !v->unused)
@@ -251,8 +248,7 @@ static const struct value_range margin_range = { .min = 0,
 	.wanted = "a number from 0 to below 0.5 is wanted",
 	.max_excluded = true };
 
-/* The row of a member that is an object. Struct scene has it in field, and in has_field
- * whether the document gave it. */
+/* The row of an object, which struct scene has in field; has_field: it is given. */
 #define SCENE_OBJECT(label, field, table, sample, ...)                    \
 	ROW(document, label, type_object, scene.field, .example = sample, \
 	    .flag = offsetof(struct document, scene.has_##field),         \
@@ -261,8 +257,8 @@ static const struct value_range margin_range = { .min = 0,
 const struct member scene_members[] = {
 	ROW(document, "convention", type_convention, scene.convention,
 	    .members = convention_members, .example = "\"d3d\"",
-	    .words = convention_names, .fallback = "\"d3d\"", .shown = true,
-	    .default_from = "-c's",
+	    .aliases = "d3d gl vulkan webgpu opencv", .words = convention_names,
+	    .fallback = "\"d3d\"", .shown = true, .default_from = "-c's",
 	    .about = "convention of the scene's axes, depths and matrices",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_EXAMPLE "}'"),
@@ -294,11 +290,11 @@ const struct member scene_members[] = {
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
 	SCENE_OBJECT("window", window, window_members, WINDOW_EXAMPLE,
-	    .ways = window_ways, .flat = true, .aliases = "viewbox",
+	    .ways = window_ways, .aliases = "viewbox",
 	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
 	SCENE_OBJECT("device", device, device_members, RECTANGLE_EXAMPLE,
-	    .ways = rectangle_ways, .flat = true,
+	    .ways = rectangle_ways,
 	    .about = "rectangle on the screen that shows a 2D window",
 	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
 	ROW(document, "points", type_points, points, .aliases = "point",
