@@ -98,8 +98,8 @@ void run_fit(const struct command *c, const struct options *o)
 		    "/bounds: not together with POINTS; give one of them");
 	if (!d.has_bounds && !points)
 		document_refuse(&d,
-		    "/bounds: missing; give POINTS or -, or add \"bounds\", "
-		    "which 'projcalc help bounds' describes");
+		    "/bounds: missing; add \"bounds\", which 'projcalc help "
+		    "bounds' describes, or POINTS or -");
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

@@ -88,8 +88,7 @@ static const char *hint_of(const struct json_check *s)
 		return "comments are not JSON; use a member \"_comment\"";
 	if (*p == '\'')
 		return "JSON has \"double quotes\" alone";
-	if (s->level == 0 &&
-	    (*p == '%' || *p == '<' || (*p == '-' && next == '-')))
+	if (s->level == 0 && (*p == '%' || *p == '<'))
 		return "YAML and XML are to be converted to JSON";
 	if (*p == '\0' || utf8_read(p, s->end, &code) == 0)
 		return "JSON is UTF-8 text";

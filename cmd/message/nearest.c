@@ -51,7 +51,7 @@ static const struct {
 	{ "d3d gl vulkan webgpu opencv", "--convention *" },
 	{ "pixel pixels screen image", "--to device" },
 	{ "world view clip ndc device", "--to *" },
-	{ "depth", "--from device" },
+	{ "depth", "--plane" },
 	{ "float", "--precision single" },
 
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
