@@ -60,9 +60,7 @@ static void fit_read_points(const struct options *o, struct document *d)
 	}
 	run_points(o, d, &j);
 	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
-		document_refuse(d,
-		    "/bounds: missing, and there are no points to "
-		    "hold in their place");
+		document_refuse(d, "/bounds: missing, and there are no points");
 }
 
 /* Refuses a scene; why is the reason that core/ returned. If the bounds were computed
@@ -100,10 +98,8 @@ void run_fit(const struct command *c, const struct options *o)
 		    "/bounds: not together with POINTS; give one of them");
 	if (!d.has_bounds && !points)
 		document_refuse(&d,
-		    d.flat ? "/bounds: missing; add \"bounds\": {\"min\": "
-			     "[-1,-1], \"max\": [1,1]}, or POINTS" :
-			     "/bounds: missing; add \"bounds\": {\"min\": "
-			     "[-1,-1,-1], \"max\": [1,1,1]}, or POINTS");
+		    "/bounds: missing; add \"bounds\", which 'projcalc help "
+		    "bounds' describes, or POINTS or -");
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

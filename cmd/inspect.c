@@ -86,9 +86,8 @@ static void put_sides(struct printer *p, const char *name, int sides,
 		"near", "far" };
 
 	put_open(put_name(p, name), "{");
-	for (int k = 0; k < sides; k++) {
+	for (int k = 0; k < sides; k++)
 		put_vector(put_name(p, names[k]), v + k * (n > 0 ? n : 1), n);
-	}
 	put_close(p, "}");
 }
 
@@ -166,9 +165,8 @@ static void put_error_bounds(struct printer *p, const double bound[3],
 	int precision = PRECISION_SINGLE;
 
 	put_open(put_name(p, "error_bound"), "{");
-	for (int i = PRECISION_SINGLE; i >= PRECISION_EXACT; i--) {
+	for (int i = PRECISION_SINGLE; i >= PRECISION_EXACT; i--)
 		put_number(put_name(p, precision_names[i]), bound[i]);
-	}
 	put_close(p, "}");
 	while (precision > PRECISION_EXACT && !(bound[precision] <= tolerance))
 		precision--;

@@ -83,6 +83,11 @@ void run_project(const struct command *c, const struct options *o)
 
 	if (!o->ray && !plane)
 		project_check_alone(o, from, to);
+	if (!o->has_to && to == SPACE_NDC && d.scene.projection.type != 0 &&
+	    (d.scene.has_device || d.scene.has_window))
+		document_refuse(&d,
+		    "/viewport: missing; \"device\" and \"window\" are for two "
+		    "dimensions; give \"viewport\", or say --to ndc");
 	document_refuse_if(&d, project_prepare(&d.scene, o, from, to, &j));
 	if (o->matrix) {
 		print_matrix(o, &d, &j.transform);

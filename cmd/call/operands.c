@@ -44,8 +44,10 @@ void operands_check(const struct command *c, const struct options *o)
 	char hint[160];
 
 	snprintf(hint, sizeof hint,
-	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' "
-	    "shows",
+	    o->columns.n == 1 ?
+		"--columns takes a list with commas: 1,2,3 or x,y,z" :
+		"PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help "
+		"%s' shows",
 	    c->name);
 	/* the shell splits an object without quotes: the first operand lacks } */
 	if (first_nonblank(o->params) != '{')
@@ -54,9 +56,11 @@ void operands_check(const struct command *c, const struct options *o)
 		refuse_no_file(c, o->params, "has no }", hint);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
-	snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
-	    2 * coordinates_of(c, o) + 1, "1.5,2,3,4",
-	    c->kind == PICK ? POSITION_HINT : "");
+	if (o->columns.n != 1)
+		snprintf(hint, sizeof hint,
+		    "POINTS are a file, - or '[%.*s]'%s",
+		    2 * coordinates_of(c, o) + 1, "1.5,2,3,4",
+		    c->kind == PICK ? POSITION_HINT : "");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
@@ -83,8 +87,7 @@ bool has_points(const struct command *c, const struct options *o,
 	return !none;
 }
 
-/* Returns whether path is the name of a member that the output adds, or a JSON pointer
- * whose first token is such a name. */
+/* Returns whether path, a name or a JSON pointer, leads to a member that is added. */
 static bool is_added_member(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';

@@ -9,8 +9,7 @@
 /* The hint of pick about a point of two numbers, which may be meant for --at. */
 #define POSITION_HINT "; --at 320,240 is the position"
 
-/* Refuses operands that the command does not take or that can't be opened. Runs before
- * anything is printed. */
+/* Refuses operands that the command does not take or that can't be opened. */
 void operands_check(const struct command *, const struct options *);
 
 /* Moves to the next document of PARAMS and returns whether there is one. Without
@@ -52,8 +51,7 @@ bool check_input(const char *name, int fd);
  * status 2 what check_input refuses, and a file that can't be opened. */
 int open_input(const char *name);
 
-/* Appends the next bytes of fd to the text. Returns false at the end of the file. name
- * is for messages. */
+/* Appends the next bytes of fd to the text. Returns false at the end of the file. */
 bool text_read_more(struct text *, int fd, const char *name);
 
 /* Returns the text of a file, or of standard input for "-". */

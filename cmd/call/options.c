@@ -22,6 +22,7 @@ static void option_read_word(struct options *o, const struct option_row *r,
 {
 	unsigned *at = r->global != NULL ? r->global :
 					   (void *)((char *)o + r->offset);
+	const char *near = nearest_word(word, r->words);
 	char all[LIST_ROOM];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
@@ -29,6 +30,9 @@ static void option_read_word(struct options *o, const struct option_row *r,
 			*at = i;
 			return;
 		}
+	if (near != NULL)
+		die(EXIT_USAGE, "--%s: unknown word '%s'; did you mean %s?",
+		    r->name, word, near);
 	die(EXIT_USAGE, "--%s: unknown word '%s'; use %s", r->name, word,
 	    list_words(all, r->words, " or ", ""));
 }
@@ -124,8 +128,7 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 		o->separator = *word;
 }
 
-/* Returns the first word of a list that commas divide. Sets *list to the next word, or
- * to NULL if there is none. */
+/* Returns the first word of a list with commas. Sets *list to the next, or NULL. */
 static char *cut_word(char **list)
 {
 	char *word = *list;

@@ -16,9 +16,8 @@ static struct {
 	int fd; /* -1: all of PARAMS is read */
 	struct text text;
 	long number; /* of the document, from 1 */
-	/* Offsets in text: of the document, and of the next byte in the search for the
-	 * document's end. The search counts quotes and brackets only, so that it finds
-	 * the end of invalid JSON, too. */
+	/* Offsets in text: of the document, and of the next byte in the search for its
+	 * end, which counts quotes and brackets only, as the JSON may be invalid. */
 	size_t begin, end;
 	/* The lines and columns (in bytes) of begin and end, from 1. next_scene finds
 	 * all four before the readers of the document change the text. */
@@ -147,20 +146,17 @@ static void check_not_points(const struct command *c, const struct options *o)
 {
 	const struct place place = { .file = params.name };
 	const char *s = params.text.s + params.begin;
-	const bool named = o->n_points > 0;
 
 	while (*(s += strspn(s, " \t\r\n")) == '#')
 		s += strcspn(s, "\n");
 	if (!isdigit((unsigned char)s[strspn(s, "+-.(")]) &&
-	    !(named && params.begin < params.end &&
+	    !(o->n_points > 0 && params.begin < params.end &&
 		(*s == '[' || (is_binary(o->in) && *s != '{'))))
 		return;
 	if (!command_reads_points(c))
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
-	    "holds points, and a scene is wanted first; name its file: %s %s",
-	    named && first_nonblank(o->points[0]) != '[' ? o->points[0] :
-							   "scene.json",
+	    "holds points; a scene is wanted first, as in: scene.json %s",
 	    params.name);
 }
 

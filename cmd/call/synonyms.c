@@ -10,86 +10,33 @@
 #include "../message/utf8.h"
 #include "../scene/types.h"
 
-/* Words of other programs, with blanks between them, and the hint to give: an option
- * "--jobs", a remark ": ...", or a call "project -m". The names that other programs
- * have for members are in the tables of members. */
-static const struct synonym {
-	const char *words, *hint;
-} synonyms[] = {
-	{ "unproject backproject", "project --from device --to world" },
-	{ "inverse invert",
-	    ": the way back is project --from device --to world; of lookat "
-	    "project -m --from view --to world; in 2D d2w, n2w or d2n" },
-	{ "ray raycast", "project --ray" },
-	{ "transform points", "project" },
-	{ "mvp matrix", "project -m --to clip" },
-	{ "pose", "project -m --from view --to world" },
-	{ "viewport", "project --from ndc --to device" },
-	{ "camera view lookat", "lookat" },
-	{ "perspective projection", "persp" },
-	{ "frustum",
-	    ": persp makes one of its left, right, bottom, top, near and far, "
-	    "and inspect describes one" },
-	{ "orthographic", "ortho" },
-	{ "cavalier cabinet", "oblique" },
-	{ "window", "w2n" },
-	{ "device", "n2d" },
-	{ "bounds zoom extent", "fit" },
-	{ "info", "inspect" },
-	{ "click", "pick" },
-	{ "explain", "trace" },
-	{ "usage man", "help" },
-
-	{ "format", "--output" },
-	{ "json", "--output json" },
-	{ "csv", "--input csv" },
-	{ "delimiter", "--separator" },
-	{ "cols", "--columns" },
-	{ "space", "--to" },
-	{ "threads", "--jobs" },
-	{ "round places", "--decimals" },
-	{ "epsilon", "--tolerance" },
-	{ "cull", "--visible" },
-	{ "verbose", "--progress" },
-	{ "convert gl opengl", "--convention gl" },
-	{ "d3d directx", "--convention d3d" },
-	{ "vulkan", "--convention vulkan" },
-	{ "webgpu", "--convention webgpu" },
-	{ "opencv", "--convention opencv" },
-
-	{ "distortion undistort lens k1",
-	    ": lenses are not modelled; undistort points first" },
-	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
-	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
-};
-
 enum {
-	SYNONYMS = sizeof synonyms / sizeof *synonyms,
 	NAMES_MAX = 240,    /* commands, members, and members of members */
 	UNKNOWN_ROOM = 512, /* for "unknown command ..." */
 	SHOWN_ROOM = 64,    /* for the name of a member or option */
 };
 
-/* Returns the member called name or, if alias is set, with the alias name; or NULL.
+/* Returns the member called name or else, if aliases is set, with the alias; or NULL.
  * Searches the members of the scene whose bits are set in objects, the last first, and
  * the members of these objects that the kind has. Sets *object as synonym_find does. */
 static const struct member *find_member(unsigned objects, int kind,
-    const char *name, bool alias, const struct member **object)
+    const char *name, bool aliases, const struct member **object)
 {
-	const struct member *(*find)(const struct member *, int,
-	    const char *) = alias ? member_named : member_of;
+	for (int alias = 0; alias <= aliases; alias++)
+		for (int k = 31; k >= 0; k--) {
+			const struct member *s = *object = &scene_members[k];
+			const struct member *m = NULL;
 
-	for (int k = 31; k >= 0; k--) {
-		const struct member *s = *object = &scene_members[k], *m;
-
-		if ((objects >> k & 1) == 0)
-			continue;
-		if (find(scene_members, ANY_KIND, name) == s)
-			return s;
-		m = s->members != NULL ? find(s->members, kind, name) : NULL;
-		if (m != NULL)
-			return m;
-	}
+			if ((objects >> k & 1) == 0)
+				continue;
+			if (member_named(scene_members, ANY_KIND, name,
+				alias) == s)
+				return s;
+			if (s->members != NULL)
+				m = member_named(s->members, kind, name, alias);
+			if (m != NULL)
+				return m;
+		}
 	return NULL;
 }
 
@@ -105,10 +52,9 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that stands for m, a member of the scene (m == object) or a member of
- * the scene's member object. Prints the text in unknown, then the example of object if
- * it shows m, else the topic of help that describes m. reads: the members that the
- * command reads, as bits of enum scene_member. */
+/* Refuses a word that stands for m, a member of the scene (m == object) or of object.
+ * Prints the text in unknown, then the example of object if it shows m, else the topic
+ * of help that describes m. reads: the members that the command reads, as bits. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -129,23 +75,27 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses a word by the text unknown and a hint as in synonyms. If c is NULL or lacks
- * the option that the hint is, names the commands that take the option. */
+/* Refuses name by the text unknown and a hint of synonym_of. If c is NULL or lacks the
+ * option that the hint is, names the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
-    const char *unknown, const char *hint)
+    const char *unknown, const char *name, const char *hint)
 {
-	const struct option_row *r = *hint == '-' ? option_named(hint + 2) :
-						    NULL;
-	char list[LIST_ROOM];
+	const size_t n = strcspn(hint, "*");
+	char list[LIST_ROOM], call[LIST_ROOM];
 
 	if (*hint == ':')
 		die(EXIT_USAGE, "%s; %s", unknown, hint + 2);
-	if (r != NULL && c != NULL && option_is_for(r, c))
-		die(EXIT_USAGE, "%s; did you mean %s?", unknown, hint);
-	if (r != NULL)
-		die(EXIT_USAGE, "%s; %s is an option of %s", unknown, hint,
-		    option_takers(r, list));
-	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, hint);
+	snprintf(call, sizeof call, "%.*s%s", (int)n, hint,
+	    hint[n] == '*' ? name : "");
+	if (*hint != '-')
+		die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown,
+		    call);
+	const struct option_row *r = option_named(call + 2);
+
+	if (c != NULL && option_is_for(r, c))
+		die(EXIT_USAGE, "%s; did you mean %s?", unknown, call);
+	die(EXIT_USAGE, "%s; %s is an option of %s", unknown, call,
+	    option_takers(r, list));
 }
 
 /* Refuses name if it is a synonym or the name of an option or a member; else returns.
@@ -165,23 +115,25 @@ static void check_word(const struct command *c, const char *unknown,
 	const int type = (int)w->source.implied_type,
 		  kind = type > 0 ? type - 1 : 0;
 	const struct member *m, *object;
-	char option[SHOWN_ROOM];
+	const char *hint;
 
-	snprintf(option, sizeof option, "--%s", r != NULL ? r->name : "");
 	if (c != NULL && r != NULL && option_is_for(r, c))
-		refuse_synonym(c, unknown, option);
+		refuse_synonym(c, unknown, r->name, "--*");
+	hint = synonym_of(name, '-');
+	if (c != NULL && hint != NULL &&
+	    option_is_for(option_named(hint + 2), c))
+		refuse_synonym(c, unknown, name, hint);
 	/* searches aliases, too, unless an option has the name */
-	for (int i = 0; i < 2; i++)
-		for (int alias = 0; alias < (r == NULL ? 2 : 1); alias++) {
-			m = find_member(objects[i], kind, name, alias, &object);
-			if (m != NULL)
-				refuse_member(unknown, reads, m, object);
-		}
-	for (int i = 0; i < SYNONYMS; i++)
-		if (word_is_one_of(name, synonyms[i].words))
-			refuse_synonym(c, unknown, synonyms[i].hint);
+	for (int i = 0; i < 2; i++) {
+		m = find_member(objects[i], kind, name, r == NULL, &object);
+		if (m != NULL)
+			refuse_member(unknown, reads, m, object);
+	}
+	hint = synonym_of(name, '\0');
+	if (hint != NULL)
+		refuse_synonym(c, unknown, name, hint);
 	if (r != NULL)
-		refuse_synonym(c, unknown, option);
+		refuse_synonym(c, unknown, r->name, "--*");
 	m = synonym_find(name, &object);
 	if (m != NULL)
 		refuse_member(unknown, c != NULL ? reads : SCENE_ALL, m,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "text.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,11 +19,6 @@ enum {
 /* Each function check_PART below checks a part of JSON that begins at s->at. If the
  * part is valid, the function moves s->at to its end and returns true. If not, the
  * function moves s->at to the error, writes s->reason and returns false. */
-
-static bool is_letter(char c)
-{
-	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 static bool next_is(const struct json_check *s, char c)
 {
@@ -92,6 +88,8 @@ static const char *hint_of(const struct json_check *s)
 		return "comments are not JSON; use a member \"_comment\"";
 	if (*p == '\'')
 		return "JSON has \"double quotes\" alone";
+	if (s->level == 0 && (*p == '%' || *p == '<'))
+		return "YAML and XML are to be converted to JSON";
 	if (*p == '\0' || utf8_read(p, s->end, &code) == 0)
 		return "JSON is UTF-8 text";
 	if ((*p == ']' || *p == '}') && after_comma(s))
@@ -171,7 +169,7 @@ const char *json_scalar_end(const char *p, const char *end)
 {
 	static const char *const words[] = { "true", "false", "null" };
 
-	for (int i = 0; i < 3 && p < end && is_letter(*p); i++) {
+	for (int i = 0; i < 3 && p<end && * p> '9'; i++) {
 		size_t n = strlen(words[i]);
 
 		if ((size_t)(end - p) >= n && memcmp(p, words[i], n) == 0)
@@ -206,7 +204,7 @@ static bool check_scalar(struct json_check *s)
 	if (end == NULL || (end < s->end && in_token(*end))) {
 		if (s->at < s->end && strchr("+-.0123456789", *s->at))
 			hint = "a number is like -1.5e-3";
-		else if (s->at < s->end && is_letter(*s->at))
+		else if (s->at < s->end && isalpha((unsigned char)*s->at))
 			hint = "a word is true, false, null or \"text\" in "
 			       "quotes";
 		return refuse(s, "a value", hint);

@@ -15,11 +15,15 @@ static bool has_kind(unsigned kinds, int kind)
 	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
 }
 
-const struct member *member_of(const struct member *row, int kind,
-    const char *name)
+const struct member *member_named(const struct member *row, int kind,
+    const char *name, bool alias)
 {
 	for (; row->name != NULL; row++)
-		if (has_kind(row->kinds, kind) && strcmp(row->name, name) == 0)
+		if (has_kind(row->kinds, kind) &&
+		    (strcmp(row->name, name) == 0 ||
+			(alias &&
+			    (word_is_one_of(name, row->name) ||
+				word_is_one_of(name, row->aliases)))))
 			return row;
 	return NULL;
 }
@@ -36,24 +40,13 @@ uint64_t member_bits(const struct member *table, int kind, const char *names,
 		memcpy(name, names, n);
 		name[n] = '\0';
 		names += n;
-		const struct member *row = member_of(table, kind, name);
+		const struct member *row = member_named(table, kind, name,
+		    false);
 
 		if (row != NULL && !(required && *names == '?'))
 			bits |= UINT64_C(1) << (row - table);
 	}
 	return bits;
-}
-
-const struct member *member_named(const struct member *table, int kind,
-    const char *name)
-{
-	const struct member *row = member_of(table, kind, name);
-
-	for (; row == NULL && table->name != NULL; table++)
-		if (table->aliases != NULL && has_kind(table->kinds, kind) &&
-		    word_is_one_of(name, table->aliases))
-			row = table;
-	return row;
 }
 
 const char *member_type(const struct member *row, char out[LIST_ROOM])
@@ -88,17 +81,14 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Refuses v, a member that the table lacks, unless any document may have it. The
- * message says the first of these that is true: v->name is an alias in the table; it is
- * a name or else an alias in other objects of the scene; it names a member of the scene
- * itself; it is near a name in the table. Else the message lists the table. */
+/* Refuses v, a member that the table lacks, unless any document may have it. */
 static void check_unknown(const struct value *v, const struct member *table,
     int kind)
 {
-	const struct member *row = member_named(table, kind, v->name);
+	const struct member *row = member_named(table, kind, v->name, true);
 	const struct member *scene = v->source->scene_members;
-	const struct member *of_scene = member_of(scene, 0, v->name);
-	const char *names[MEMBERS_MAX + 1];
+	const struct member *of_scene = member_named(scene, 0, v->name, false);
+	const char *names[MEMBERS_MAX + 1], *hint = synonym_of(v->name, ':');
 	char all[LIST_ROOM];
 	int n = 0;
 
@@ -106,15 +96,15 @@ static void check_unknown(const struct value *v, const struct member *table,
 	    v->parent->parent == NULL)
 		return;
 	if (row != NULL)
-		value_refuse(v, "unknown member; did you mean \"%s\"%s%s%s?",
-		    row->name, row->note != NULL ? " (" : "",
-		    row->note != NULL ? row->note : "",
-		    row->note != NULL ? ")" : "");
+		value_refuse(v, "unknown member; did you mean \"%s\"%s?",
+		    row->name, row->note != NULL ? row->note : "");
+	if (hint != NULL)
+		value_refuse(v, "unknown member; %s", hint + 2);
 	for (int alias = 0; alias < 2 && n == 0; alias++)
 		for (const struct member *s = scene; s->name != NULL; s++)
 			if (s->members != NULL && s->members != table &&
-			    (alias ? member_named : member_of)(s->members,
-				ANY_KIND, v->name) != NULL)
+			    member_named(s->members, ANY_KIND, v->name,
+				alias) != NULL)
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
@@ -147,8 +137,7 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->flag) = true;
 }
 
-/* A list of ways (see struct ways) for one kind of object. In a set of the object's
- * members bit i is row i of the table. */
+/* A list of struct ways for one kind of object. Bit i of a set is row i of table. */
 struct way_bits {
 	const char *const *list;
 	const struct member *table;
@@ -273,7 +262,8 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 	struct value m = value_child(v), first;
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *known = member_of(table, kind, m.name);
+		const struct member *known = member_named(table, kind, m.name,
+		    false);
 
 		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;

@@ -43,14 +43,12 @@ struct member {
 	 * default is printed only if shown is set. */
 	const char *fallback;
 	bool shown;
-	/* For the help: where the default comes from before fallback is taken, such
-	 * as "-c's"; or NULL. */
-	const char *default_from;
+	const char
+	    *default_from; /* for the help: "-c's", before fallback; or NULL */
 	/* Names of the member in other programs, in lower case without _ and -, with
 	 * blanks between the names; or NULL. */
 	const char *aliases;
-	/* A hint for users who gave an alias; or NULL. */
-	const char *note;
+	const char *note; /* " (a hint for users who gave an alias)"; or NULL */
 	/* For the help. unit may be NULL; it is "degrees" for all angles. */
 	const char *unit, *about;
 	/* For an object of a scene: the table of its members, the ways to combine them,
@@ -91,10 +89,9 @@ struct ways {
 
 /* Reads an object of the kind to the struct at base: all defaults, the members that are
  * given, and for each struct ways of the row the index of the object's way. Returns the
- * given members as bits. If base is NULL, reads no values. row has the table of the
- * object's members; kind is 0 if the table has no kinds. Ignores $schema, members that
- * begin with _, and those that any document may have. Refuses members that are unknown,
- * of another kind or repeated, and objects that fit no way. */
+ * given members as bits. If base is NULL, reads no values. kind is 0 if table has no
+ * kinds. Ignores $schema, members that begin with _, and those that any document may
+ * have. Refuses members that are unknown or repeated, and objects that fit no way. */
 uint64_t object_read(const struct value *, const struct member *row, int kind,
     void *base);
 
@@ -108,16 +105,13 @@ void object_read_member(const struct value *, const struct member *,
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
-/* Search the rows that objects of the kind have, or all. Return the row called name, or
- * NULL. member_named returns the row with the alias name if no row has the name. */
+/* Returns the first row that objects of the kind have and that is called name or, if
+ * alias is set, has the alias name or differs in case, _ and - alone; or NULL. */
 enum { ANY_KIND = -1 }; /* searches all rows */
-const struct member *member_of(const struct member *, int kind,
-    const char *name);
 const struct member *member_named(const struct member *, int kind,
-    const char *name);
+    const char *name, bool alias);
 
-/* Returns the words for a member's type in the help, such as "3 numbers", "size", "left
- * or right". The words may be written to out. */
+/* Returns the words for a member's type in the help, which may be written to out. */
 const char *member_type(const struct member *, char out[LIST_ROOM]);
 
 /* Returns, as bits, the members that the kind has of those in names, which is a way of

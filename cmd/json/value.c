@@ -158,7 +158,8 @@ const char *value_string(const struct value *v)
 
 size_t value_count(const struct value *v)
 {
-	return (size_t)cJSON_GetArraySize(v->item);
+	return value_is(v, JSON_ARRAY) ? (size_t)cJSON_GetArraySize(v->item) :
+					 0;
 }
 
 /* A pointer has at most TOKENS_MAX tokens, as in /camera/matrix/matrix/3/3. A token
@@ -249,17 +250,16 @@ double value_number(const struct value *v, const struct value_range *range)
 void value_numbers(const struct value *v, const struct value_range *range,
     size_t n, double *out)
 {
-	bool array = value_is(v, JSON_ARRAY);
-	size_t count = array ? value_count(v) : 0;
+	const size_t count = value_count(v);
 	char wanted[40];
 
-	if (!array || count != n)
+	if (count != n) {
 		snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
-	if (!array)
-		value_refuse_type(v, wanted);
-	if (count != n)
+		if (!value_is(v, JSON_ARRAY))
+			value_refuse_type(v, wanted);
 		value_refuse(v, "has %zu element%s; %s is wanted", count,
 		    count == 1 ? "" : "s", wanted);
+	}
 	struct value e = value_child(v);
 
 	for (; e.item != NULL; value_next(&e))
@@ -292,5 +292,9 @@ int value_word(const struct value *v, const char *const *words)
 	for (int i = 0; words[i] != NULL; i++)
 		if (strcmp(s, words[i]) == 0)
 			return i;
-	value_refuse(v, "is \"%.60s\"; %s is wanted", s, all);
+	s = nearest_word(s, words);
+	if (s != NULL)
+		value_refuse(v, "is \"%.60s\"; did you mean \"%s\"?",
+		    value_string(v), s);
+	value_refuse(v, "is \"%.60s\"; %s is wanted", value_string(v), all);
 }

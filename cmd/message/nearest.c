@@ -5,6 +5,79 @@
 #include <string.h>
 #include <strings.h>
 
+/* The names that other programs have for members are in the tables of members. */
+static const struct {
+	const char *words, *hint;
+} synonyms[] = {
+	{ "unproject backproject", "project --from device --to world" },
+	{ "inverse invert",
+	    ": the way back is project --from device --to world; of lookat "
+	    "project -m --from view --to world; in 2D d2w, n2w or d2n" },
+	{ "ray raycast", "project --ray" },
+	{ "transform points", "project" },
+	{ "mvp matrix", "project -m --to clip" },
+	{ "pose", "project -m --from view --to world" },
+	{ "viewport", "project --from ndc --to device" },
+	{ "camera view lookat", "lookat" },
+	{ "camera", "project --to view" },
+	{ "perspective projection", "persp" },
+	{ "frustum",
+	    ": persp makes one of its left, right, bottom, top, near and far, "
+	    "and inspect describes one" },
+	{ "orthographic", "ortho" },
+	{ "cavalier cabinet", "oblique" },
+	{ "window", "w2n" },
+	{ "device", "n2d" },
+	{ "bounds zoom extent", "fit" },
+	{ "info", "inspect" },
+	{ "click", "pick" },
+	{ "explain", "trace" },
+	{ "usage man", "help" },
+
+	{ "format", "--output" },
+	{ "json", "--output json" },
+	{ "csv", "--input csv" },
+	{ "delimiter", "--separator" },
+	{ "cols", "--columns" },
+	{ "space", "--to" },
+	{ "threads", "--jobs" },
+	{ "round places", "--decimals" },
+	{ "epsilon", "--tolerance" },
+	{ "cull", "--visible" },
+	{ "verbose", "--progress" },
+	{ "convert opengl", "--convention gl" },
+	{ "directx direct3d", "--convention d3d" },
+	{ "ros", "--convention opencv" },
+	{ "d3d gl vulkan webgpu opencv", "--convention *" },
+	{ "pixel pixels screen image", "--to device" },
+	{ "world view clip ndc device", "--to *" },
+	{ "depth", "--plane" },
+	{ "float", "--precision single" },
+
+	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
+	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
+	{ "distortion undistort distortioncoefficients distortionmodel "
+	  "distcoeffs dist d k1 k2 k3 p1 p2",
+	    ": lenses are not modelled; undistort points first" },
+	{ "lens sensorwidth sensorheight sensorsize",
+	    ": \"fovx\" is 2 atan(sensor width / 2 / focal length)" },
+	{ "size imagesize windowsize resolution",
+	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
+	{ "zoom", ": only a window has it; in 3D give a smaller \"fovy\"" },
+	{ "scale", ": only a viewport has it; \"world\" can scale points" },
+};
+
+enum { SYNONYMS = sizeof synonyms / sizeof *synonyms };
+
+const char *synonym_of(const char *word, char first)
+{
+	for (int i = 0; i < SYNONYMS; i++)
+		if ((first == '\0' || *synonyms[i].hint == first) &&
+		    word_is_one_of(word, synonyms[i].words))
+			return synonyms[i].hint;
+	return NULL;
+}
+
 /* Returns whether start has three letters or more and word begins with start. */
 static bool begins_with(const char *word, const char *start)
 {
@@ -34,11 +107,20 @@ static bool edits_reach(const char *a, const char *b, int n)
 
 const char *nearest_word(const char *word, const char *const *words)
 {
+	const char *const *w;
 	size_t length = strlen(word);
 	int most = length < 2 ? 0 : length < 6 ? 1 : length < 9 ? 2 : 3;
 
+	for (int i = 0; i < SYNONYMS; i++) {
+		const char *last = strrchr(synonyms[i].hint, ' ');
+
+		for (w = words; last != NULL && *w != NULL; w++)
+			if (strcmp(last + 1, *w) == 0 &&
+			    word_is_one_of(word, synonyms[i].words))
+				return *w;
+	}
 	for (int n = 0; n <= most; n++)
-		for (const char *const *w = words; *w != NULL; w++)
+		for (w = words; *w != NULL; w++)
 			if (edits_reach(word, *w, n))
 				return *w;
 	for (; *words != NULL; words++)
@@ -49,16 +131,21 @@ const char *nearest_word(const char *word, const char *const *words)
 
 bool word_is_one_of(const char *word, const char *words)
 {
-	char sought[64];
-	size_t n = 0, length;
-
-	for (; *word != '\0' && n < sizeof sought; word++)
-		if (*word != '_' && *word != '-')
-			sought[n++] = (char)tolower((unsigned char)*word);
-	for (; *words != '\0'; words += length + (words[length] == ' ')) {
-		length = strcspn(words, " ");
-		if (length == n && memcmp(words, sought, n) == 0)
+	for (const char *s = word; words != NULL; words++) {
+		while (*s == '_' || *s == '-')
+			s++;
+		if (*words == '_')
+			continue;
+		if (*s == '\0' && (*words == '\0' || *words == ' '))
 			return true;
+		if (*words > ' ' && tolower((unsigned char)*s) == *words) {
+			s++;
+			continue;
+		}
+		words += strcspn(words, " ");
+		if (*words == '\0')
+			break;
+		s = word;
 	}
 	return false;
 }

@@ -15,8 +15,7 @@ struct span {
  * bytes, or 0 if the bytes at s are no character. */
 int utf8_read(const char *s, const char *end, unsigned *code);
 
-/* Writes the character of a code that is not half of a surrogate pair. Returns the
- * length of the character in bytes. */
+/* Writes a character whose code is not half of a surrogate pair. Returns its length. */
 int utf8_write(unsigned code, char out[4]);
 
 /* Messages show text of the user with escapes: control characters and invisible
@@ -39,16 +38,20 @@ const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 /* Returns the code of the first invisible character in a string with escapes, or 0. */
 unsigned escape_find_invisible(const char *);
 
-/* Returns the word of the list words, which NULL ends, that is the fewest edits from
- * word. An edit changes, adds or drops a letter, or swaps two neighbours. In a word of
- * two to five letters one edit is allowed, in one of up to eight two, in a longer one
- * three. If no word is so near, returns the first that begins with word or that word
- * begins with; the shorter of the two must have three letters. If there is none,
- * returns NULL. Case does not count. */
+/* Returns the word of words, which NULL ends, that is last in the hint of a synonym, or
+ * else is the fewest edits from word. An edit changes, adds or drops a letter, or
+ * swaps two neighbours; a word of two to five letters may have one, of up to eight two,
+ * a longer one three. If there is none, returns the first word of three letters or more
+ * that begins the other, or NULL. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);
 
 /* Returns whether word is one of words, which are in lower case with blanks between
- * them. Case, _ and - in word do not count: LookAt, look_at and look-at are lookat. */
+ * them, or NULL. Case, _ and - do not count: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
+
+/* Returns the hint for a word that other programs have, or NULL: an option "--jobs", in
+ * which * stands for the word, a remark ": ...", or a call "project -m". If first is
+ * not NUL, the hint begins with it. */
+const char *synonym_of(const char *word, char first);
 
 #endif

@@ -19,15 +19,18 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 static const struct member scene_row = { .members = scene_members };
 
 /* Writes the point v, whose text begins at s, to *out as a line without blanks. Moves
- * *out to the end of the line, and returns the end of the point's text, which is known
- * to be JSON. Refuses a value that is not a point: an array of coordinates, each a
- * number or null, and perhaps of other elements that are no arrays or objects. */
+ * *out to the end of the line, and returns the end of the point's text. A point is an
+ * array of coordinates, each a number or null, and perhaps of other scalars. */
 static const char *write_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
 	struct value e = { v->source, .parent = v, .unused = v->unused };
 	int n = 0;
 
+	if (*s == '{')
+		value_refuse(v,
+		    "is an object; -i json reads lines of objects, from a file "
+		    "or -, and jq -c '.[]' makes lines of an array");
 	if (*s != '[') {
 		value_peek(v, s, end);
 		value_refuse_type(v, "an array of coordinates");
@@ -73,7 +76,7 @@ static size_t write_points(const struct value *v, const struct span *array,
 	if (!value_is(v, JSON_ARRAY))
 		value_refuse_type(v, "an array of points");
 	s = json_skip_blanks(s + 1, end);
-	if (*s != '[' && *s != ']') {
+	if (*s != '[' && *s != '{' && *s != ']') {
 		e = *v;
 		s = array->s;
 	}
@@ -155,8 +158,7 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns, as bits, the members that v, the value of "convention", gives: all if v is a
- * name, none if v is missing. */
+/* Returns, as bits, the members that v, a "convention", gives: all if v is a name. */
 static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))

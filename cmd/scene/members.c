@@ -7,7 +7,8 @@ const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,
-	    .aliases = "position pos from origin", .unit = "world units",
+	    .aliases = "position pos from origin location",
+	    .unit = "world units",
 	    .about = "position of the camera in world space"),
 	ROW(camera, "at", type_numbers, at, .n = 3,
 	    .aliases = "target center centre lookat", .unit = "world units",
@@ -16,28 +17,30 @@ static const struct member camera_members[] = {
 	    .aliases = "direction dir forward",
 	    .about = "direction in which the camera looks, of any length"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
-	    .aliases = "rotation quaternion quat qvec",
-	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
-		    "world to view that is -x, -y, -z, w",
+	    .aliases = "rotation rotationquaternion quaternion quat qvec q qw "
+		       "euler rotationeuler",
+	    .note = " (x, y, z, w from view to world axes, with w last; from "
+		    "world to view, negate x, y, z; a 3x3 R is in \"matrix\")",
 	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
-	    .note = "world to view; its length is the angle", .unit = "radians",
+	    .note = " (world to view, its length the angle)", .unit = "radians",
 	    .about = "rotation vector that turns world axes into view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t",
-	    .note = "where the world's origin is in view space",
+	    .note = " (where the world's origin is in view space)",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
-		       "camtoworld c2w",
-	    .note = "view to world",
+		       "camtoworld c2w twc localtoworldmatrix",
+	    .note = " (view to world)",
 	    .about = "affine matrix from view to world space"),
 	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
-		       "rotationmatrix worldtocamera worldtocam w2c",
-	    .note = "world to view, [R|t]",
+		       "rotationmatrix worldtocamera worldtocameramatrix "
+		       "worldtocam w2c tcw",
+	    .note = " (world to view, [R|t])",
 	    .about = "affine matrix from world to view space, such as [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .shown = true, .about = "direction that points up in the image"),
@@ -69,6 +72,10 @@ static const struct ways camera_ways[] = {
 	ROW(object, label, type_numbers, field, .range = &range_positive, \
 	    __VA_ARGS__)
 
+static const struct value_range height_range = { SIZE_MIN, MAGNITUDE_MAX,
+	.wanted = "a number from 1e-150 to 1e150 is wanted; what turns y is "
+		  "\"convention\", of Vulkan's flipped viewport \"webgpu\"" };
+
 #define RECTANGLE(object)                                               \
 	ROW(object, "x", type_numbers, x, .aliases = "left",            \
 	    .unit = "device units", .fallback = "0", .shown = true,     \
@@ -77,8 +84,11 @@ static const struct ways camera_ways[] = {
 		.unit = "device units", .fallback = "0", .shown = true, \
 		.about = "least device y of the rectangle"),            \
 	    SIZE(object, "width", width, .unit = "device units",        \
+		.aliases = "w imagewidth",                              \
 		.about = "width of the rectangle, required"),           \
-	    SIZE(object, "height", height, .unit = "device units",      \
+	    ROW(object, "height", type_numbers, height,                 \
+		.range = &height_range, .aliases = "h imageheight",     \
+		.unit = "device units",                                 \
 		.about = "height of the rectangle, required")
 
 /* The fields scale and scales of struct viewport, which the member scale sets. */
@@ -122,10 +132,10 @@ static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
 static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
 	ROW(viewport, "min_z", type_numbers, min_z,
-	    .aliases = "near mindepth zmin minz", .unit = "device units",
+	    .aliases = "near mindepth zmin", .unit = "device units",
 	    .fallback = "0", .about = "device z of the least depth in ndc"),
 	ROW(viewport, "max_z", type_numbers, max_z,
-	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
+	    .aliases = "far maxdepth zmax", .unit = "device units",
 	    .fallback = "1", .about = "device z of the greatest depth in ndc"),
 	ROW(viewport, "scale", type_scale, scale, .words = scale_names,
 	    .fallback = "\"fill\"",
@@ -147,13 +157,14 @@ static const struct ways rectangle_ways[] = { { .way = { "width height" } },
 
 static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
-	    .aliases = "centre x y position", .unit = "window units",
+	    .aliases = "centre position", .unit = "window units",
 	    .about = "centre of the window, with width and height"),
 	SIZE(window, "width", width, .unit = "window units",
 	    .about = "width of the window"),
 	SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
-	ROW(window, "left", type_numbers, left, .unit = "window units",
+	ROW(window, "left", type_numbers, left, .aliases = "x y xmin viewbox",
+	    .unit = "window units",
 	    .about = "left edge of the window, with right, bottom and top"),
 	ROW(window, "right", type_numbers, right, .unit = "window units",
 	    .about = "right edge of the window, greater than left"),
@@ -187,8 +198,7 @@ static const struct ways window_ways[] = {
 static void read_bounds_point(const struct value *v, const struct member *row,
     void *out)
 {
-	bool pair = value_is(v, JSON_ARRAY) && value_count(v) == 2;
-	bool flat = v->source->flat;
+	bool pair = value_count(v) == 2, flat = v->source->flat;
 
 	(void)row;
 	if (flat && !pair && !v->unused)
@@ -238,8 +248,7 @@ static const struct value_range margin_range = { .min = 0,
 	.wanted = "a number from 0 to below 0.5 is wanted",
 	.max_excluded = true };
 
-/* The row of a member that is an object. Struct scene has it in field, and in has_field
- * whether the document gave it. */
+/* The row of an object, which struct scene has in field; has_field: it is given. */
 #define SCENE_OBJECT(label, field, table, sample, ...)                    \
 	ROW(document, label, type_object, scene.field, .example = sample, \
 	    .flag = offsetof(struct document, scene.has_##field),         \
@@ -248,8 +257,8 @@ static const struct value_range margin_range = { .min = 0,
 const struct member scene_members[] = {
 	ROW(document, "convention", type_convention, scene.convention,
 	    .members = convention_members, .example = "\"d3d\"",
-	    .words = convention_names, .fallback = "\"d3d\"", .shown = true,
-	    .default_from = "-c's",
+	    .aliases = "d3d gl vulkan webgpu opencv", .words = convention_names,
+	    .fallback = "\"d3d\"", .shown = true, .default_from = "-c's",
 	    .about = "convention of the scene's axes, depths and matrices",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_EXAMPLE "}'"),
@@ -276,12 +285,12 @@ const struct member scene_members[] = {
 	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
 	SCENE_OBJECT("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
-	    .ways = rectangle_ways, .aliases = "screen",
+	    .ways = rectangle_ways, .aliases = "screen image",
 	    .about = "rectangle on the screen that shows the camera's image",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
 	SCENE_OBJECT("window", window, window_members, WINDOW_EXAMPLE,
-	    .ways = window_ways,
+	    .ways = window_ways, .aliases = "viewbox",
 	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
 	SCENE_OBJECT("device", device, device_members, RECTANGLE_EXAMPLE,

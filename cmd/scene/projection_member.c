@@ -54,7 +54,7 @@ enum {
 	NUMBER(types, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(types, label, field, ...) \
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
-#define GLTF "for glTF and NeRF with \"angle_unit\": \"radians\""
+#define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")"
 
 /* The rows are in the order in which members are printed. */
 const struct member projection_members[] = {
@@ -74,7 +74,7 @@ const struct member projection_members[] = {
 	LENGTH(OBLIQUE, "plane", plane, .fallback = "0",
 	    .about = "depth at which the slant moves no point"),
 	ANGLE(PERSP, "fovy", angle, .range = &fov_range,
-	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
+	    .aliases = "fov yfov vfov verticalfov fieldofview cameraangley",
 	    .note = GLTF,
 	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", angle, .range = &fov_range,
@@ -91,9 +91,11 @@ const struct member projection_members[] = {
 	    .about = "half the height of the view volume at view z = 0"),
 	SIZE(VOLUME, "size", half_width,
 	    .about = "smaller side of the view volume at view z = 0"),
-	SIZE(SECTIONED, "width", width,
+	SIZE(SECTIONED, "width", width, .aliases = "orthoscale xmag",
+	    .note = " (ortho_scale, or twice xmag)",
 	    .about = "width of the view volume; persp: at near or edges_at"),
-	SIZE(SECTIONED, "height", height,
+	SIZE(SECTIONED, "height", height, .aliases = "orthographicsize ymag",
+	    .note = " (twice orthographicSize or ymag)",
 	    .about = "height of the view volume; persp: at near or edges_at"),
 	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
 	    .aliases = "ratio aspectratio",
@@ -108,34 +110,35 @@ const struct member projection_members[] = {
 	    .about = "top edge of the view volume, other than bottom"),
 	ANGLE(PERSP, "angles", left, .n = 4, .range = &edge_angle_range,
 	    .aliases = "angleleft angleright angleup angledown",
-	    .note = "[left, right, bottom, top] from the gaze; for OpenXR "
-		    "with \"angle_unit\": \"radians\"",
+	    .note = " ([left, right, bottom, top] from the gaze; for OpenXR "
+		    "with \"angle_unit\": \"radians\")",
 	    .about = "angles from the gaze: left, right, bottom, top plane"),
 	MEMBER(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix matrix intrinsic p "
 		       "principalpoint skew",
-	    .note = "[fx, fy, cx, cy], K or P, in pixels; 16 numbers are "
-		    "\"matrix\" of type \"matrix\"",
+	    .note = " ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from "
+		    "view to clip is \"matrix\" of type \"matrix\")",
 	    .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
 	SIZE(PERSP, "edges_at", edges_at, .aliases = "distance",
 	    .about = "distance from the eye where edges are; if absent, near"),
-	SIZE(PERSP, "near", near, .aliases = "znear nearplane nearfar",
+	SIZE(PERSP, "near", near,
+	    .aliases = "znear nearplane nearfar clipstart",
 	    .about = "distance of the near plane from the eye"),
-	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane",
+	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane clipstart",
 	    .about = "distance of the near plane from the eye"),
 	MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
-	    .aliases = "zfar farplane", .unit = "view units",
+	    .aliases = "zfar farplane clipend", .unit = "view units",
 	    .about = "distance of the far plane from the eye"),
-	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane",
+	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane clipend",
 	    .about = "distance of the far plane from the eye"),
 	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
 	    .aliases = "reversed", .fallback = "false",
 	    .about = "make depth greater at the near than at the far plane"),
-	LENGTH(VOLUME, "z_near", z_near, .aliases = "near znear nearplane",
+	LENGTH(VOLUME, "z_near", z_near, .aliases = "near nearplane",
 	    .about = "z of the near plane in view space"),
-	LENGTH(VOLUME, "z_far", z_far, .aliases = "far zfar farplane",
+	LENGTH(VOLUME, "z_far", z_far, .aliases = "far farplane",
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
@@ -191,39 +194,35 @@ static const struct ways optional_planes = {
 static bool is_given(const struct projection *p, uint64_t seen,
     const char *name)
 {
-	const struct member *row = member_of(projection_members,
-	    (int)p->type - 1, name);
+	const struct member *row = member_named(projection_members,
+	    (int)p->type - 1, name, false);
 
 	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
-/* Refuses a projection without a type; lists the types that have all its members. */
+/* Refuses a projection without a type; lists the types with most of its members. */
 static _Noreturn void refuse_missing_type(const struct value *v)
 {
-	const struct value *type = VALUE_MISSING(v, "type");
-	struct value m = value_child(v);
-	const char *names[6];
-	unsigned types = SECTIONED | VOLUME | MATRIX;
+	const char *names[6], *const add[] = { "add \"type\":", "it is" };
 	char all[LIST_ROOM];
-	int n = 0;
+	int n = 0, most = 0;
 
-	for (; m.item != NULL; value_next(&m)) {
-		unsigned has = 0;
+	for (int i = 0; projection_types[i] != NULL; i++) {
+		struct value m = value_child(v);
+		int count = 0; /* a name counts more than an alias */
 
-		for (int i = 0; projection_types[i] != NULL; i++)
-			if (member_of(projection_members, i, m.name) != NULL)
-				has |= 1u << i;
-		if ((types & has) != 0)
-			types &= has;
-	}
-	for (int i = 0; projection_types[i] != NULL; i++)
-		if (types >> i & 1)
+		for (; m.item != NULL; value_next(&m))
+			for (int alias = 0; alias < 2; alias++)
+				count += member_named(projection_members, i,
+					     m.name, alias) != NULL;
+		n = count > most ? 0 : n;
+		most = count > most ? count : most;
+		if (count == most)
 			names[n++] = projection_types[i];
+	}
 	names[n] = NULL;
-	list_words(all, names, " or ", "\"");
-	if (n == 1)
-		value_refuse(type, "missing; add \"type\": %s", all);
-	value_refuse(type, "missing; it is %s", all);
+	value_refuse(VALUE_MISSING(v, "type"), "missing; %s %s", add[n > 1],
+	    list_words(all, names, " or ", "\""));
 }
 
 /* Reads the type, on which the other members depend. */
@@ -241,18 +240,6 @@ static void read_type(const struct value *v, struct projection *p)
 		value_refuse(&m, "is \"%s\", but the command is %s",
 		    projection_types[p->type - 1],
 		    projection_types[implied - 1]);
-}
-
-static void check_angles(const struct value *v, const struct projection *p)
-{
-	struct value e = { .source = v->source,
-		.parent = VALUE_MISSING(v, "angles"),
-		.index = p->left < p->right ? 3 : 1 };
-
-	if (!(p->left < p->right && p->bottom < p->top))
-		value_refuse(&e,
-		    "not greater than the one before it; the order is left, "
-		    "right, bottom, top");
 }
 
 /* Refuses a perspective that lacks near or far. The command fit finds both. Intrinsics
@@ -303,8 +290,10 @@ static void read_projection(const struct value *v, const struct member *row,
 	else if (v->source->for_plane && p->far == p->near &&
 	    !(is_given(p, seen, "near") && is_given(p, seen, "far")))
 		p->far = 1; /* near is 0 */
-	if (p->extent == EXTENT_ANGLES)
-		check_angles(v, p);
+	if (p->extent == EXTENT_ANGLES &&
+	    !(p->left < p->right && p->bottom < p->top))
+		value_refuse(VALUE_MISSING(v, "angles"),
+		    "not in order: left below right, bottom below top");
 	if (is_given(p, seen, "size")) {
 		p->half_width /= 2;
 		p->half_height = p->half_width;

@@ -84,20 +84,14 @@ static void print_object(struct printer *p, const struct member *row,
 
 const struct type type_object = { NULL, read_object, print_object, 0 };
 
-#define FAR_FORMS "a number or \"infinity\""
-
 static void read_far(const struct value *v, const struct member *row, void *out)
 {
-	char shown[ESCAPED_MAX];
-	const char *s = value_string(v);
+	static const char *const words[] = { "infinity", NULL };
 
-	if (s != NULL && strcmp(s, "infinity") == 0)
+	if (value_string(v) != NULL && value_word(v, words) == 0)
 		*(double *)out = HUGE_VAL;
-	else if (s != NULL)
-		value_refuse(v, "is \"%s\"; " FAR_FORMS " is wanted",
-		    escaped(shown, s, strlen(s)));
 	else if (value_is(v, JSON_NULL))
-		value_refuse_type(v, FAR_FORMS);
+		value_refuse_type(v, "a number or \"infinity\"");
 	else
 		read_numbers(v, row, out);
 }
@@ -155,10 +149,8 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 /* Refuses m, read for row vectors, if m is affine only for column vectors. */
 static void check_transposed(const struct value *v, const double m[4][4])
 {
-	bool last = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
-	    m[3][3] == 1;
-
-	if (last && (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
+	if (m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && m[3][3] == 1 &&
+	    (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
 		value_refuse(v,
 		    "its rows are for column vectors; add to the scene "
 		    "\"convention\": \"gl\", or another of column vectors, or "
@@ -198,13 +190,15 @@ static void read_matrix(const struct value *v, const struct member *member,
 			     "an array of " MATRIX_FORMS);
 	struct value row = value_child(&all);
 	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
-	bool narrow = affine && n == 4 && value_is(&row, JSON_ARRAY) &&
-	    value_count(&row) == 3;
+	bool narrow = affine && n == rows && value_count(&row) == 3;
 	size_t columns = narrow ? 3 : 4;
 	bool column = is_for_columns(v, rows, columns),
 	     swap = column && n == rows;
 	double e[16];
 
+	if (narrow && n == 3)
+		value_refuse(&all,
+		    "is 3x3; append t to its rows as 4th numbers, [R|t]");
 	if (n != rows && n != 16)
 		value_refuse(&all, "has %zu element%s; %s are wanted", n,
 		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS);
@@ -246,31 +240,21 @@ const struct type type_affine = { "matrix", read_matrix, print_affine, 0 };
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which
- * is not 0 under the diagonal. */
+/* Refuses k if it can't be the matrix K of a camera. */
 static void check_k(const struct value *v, const double k[3][4])
 {
-	bool nested = value_count(v) == 3;
-
-	for (size_t n = 0; n < 9; n++) {
-		size_t i = n / 3, j = n % 3;
-		const char *why = NULL;
-
-		if (i == 2 && k[i][j] != (j == 2))
-			why = "the last row of K is 0, 0, 1; is it a camera's "
-			      "K, and not transposed?";
-		else if (j < i && k[i][j] != 0)
-			why = "under the diagonal of K there is 0; is it "
-			      "transposed?";
-		else if (j == i && !scene_is_size(k[i][j]))
-			why = "is not positive, as fx and fy of K are";
-		struct value row = { v->source, .parent = v, .index = i };
-		struct value e = { v->source, .parent = nested ? &row : v,
-			.index = nested ? j : n };
-
-		if (why != NULL)
-			value_refuse(&e, "%s", why);
-	}
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++)
+			if (i == 2 && k[i][j] != (j == 2))
+				value_refuse(v,
+				    "the last row of K is 0, 0, 1; is it a "
+				    "camera's K, and not transposed?");
+			else if (j < i && k[i][j] != 0)
+				value_refuse(v,
+				    "under the diagonal of K there is 0; is it "
+				    "transposed?");
+			else if (j == i && !scene_is_size(k[i][j]))
+				value_refuse(v, "fx and fy of K are positive");
 }
 
 static void read_intrinsics(const struct value *v, const struct member *row,
@@ -297,6 +281,10 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		k[2][2] = 1;
 		return;
 	}
+	if (n == 16 || (n == 4 && columns == 4))
+		value_refuse(v,
+		    "is 4x4; leave out the last row, and of K the last "
+		    "column; a 4x4 from view to clip is of type \"matrix\"");
 	if (nested ? n != 3 : n != 9 && n != 12)
 		value_refuse(v, "is none of " INTRINSICS_FORMS);
 	read_rows(v, 3, columns, e);

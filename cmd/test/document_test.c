@@ -21,11 +21,9 @@ static const struct refusal scenes[] = {
 	{ &project, "{\"points\":[[1,2,3]],\"p\\u006fints\":[[1,2,3]]}",
 	    "/points: repeated; give it once" },
 	{ &project, "{\"convention\":\"vulcan\"}",
-	    "/convention: is \"vulcan\"; \"d3d\", \"gl\", \"vulkan\", "
-	    "\"webgpu\" or \"opencv\" is wanted" },
+	    "/convention: is \"vulcan\"; did you mean \"vulkan\"?" },
 	{ &project, "{\"convention\":\"opengl\"}",
-	    "/convention: is \"opengl\"; \"d3d\", \"gl\", \"vulkan\", "
-	    "\"webgpu\" or \"opencv\" is wanted" },
+	    "/convention: is \"opengl\"; did you mean \"gl\"?" },
 	{ &project, "{\"convention\":null}",
 	    "/convention: is null; \"d3d\", \"gl\", \"vulkan\", \"webgpu\" "
 	    "or \"opencv\" "

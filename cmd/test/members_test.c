@@ -99,10 +99,8 @@ static const struct refusal cameras[] = {
 	    "or \"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"quaternion\":[1,0,0,0]," EYE "}",
 	    "/quaternion: unknown member; did you mean \"orientation\" (x, y, "
-	    "z, "
-	    "w from view to world axes; of w, x, y, z from world to view that "
-	    "is "
-	    "-x, -y, -z, w)?" },
+	    "z, w from view to world axes, with w last; from world to view, "
+	    "negate x, y, z; a 3x3 R is in \"matrix\")?" },
 	{ &project, "{\"camera\":{\"transform_matrix\":" M16 "}}",
 	    "/camera/transform_matrix: unknown member; did you mean \"pose\" "
 	    "(view to world)?" },
@@ -145,7 +143,7 @@ static const struct refusal cameras[] = {
 	    "/projection/matrix/0: has 3 elements; an array of 4 numbers is "
 	    "wanted" },
 	{ &lookat, "{\"matrix\":{\"matrix\":" M16 ",\"vectors\":\"rows\"}}",
-	    "/matrix/vectors: is \"rows\"; \"row\" or \"column\" is wanted" },
+	    "/matrix/vectors: is \"rows\"; did you mean \"row\"?" },
 	{ &project, "{\"world\":1}",
 	    "/world: is a number; an array of " AFFINE " is wanted" },
 	{ &project, "{\"world\":{}}",
@@ -182,8 +180,7 @@ static const struct refusal others[] = {
 	{ &project, "{\"viewport\":{" SIZE ",\"scale\":[1,-1]}}",
 	    "/viewport/scale/1: -1 is not positive; " POSITIVE },
 	{ &project, "{\"device\":{" SIZE ",\"origin\":\"top\"}}",
-	    "/device/origin: is \"top\"; \"bottom-left\" or \"top-left\" is "
-	    "wanted" },
+	    "/device/origin: is \"top\"; did you mean \"top-left\"?" },
 	{ &w2n, "{}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"left\":1,\"width\":1}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"center\":[0,0]," SIZE ",\"top\":1}",

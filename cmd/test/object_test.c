@@ -54,9 +54,8 @@ static const struct refusal names[] = {
 	MEANT("forward", "gaze"),
 	{ &lookat, "{\"rotation\":0}",
 	    "/rotation: unknown member; did you mean \"orientation\" (x, y, z, "
-	    "w "
-	    "from view to world axes; of w, x, y, z from world to view that is "
-	    "-x, -y, -z, w)?" },
+	    "w from view to world axes, with w last; from world to view, "
+	    "negate x, y, z; a 3x3 R is in \"matrix\")?" },
 	{ &lookat, "{\"view\":1}",
 	    "/view: unknown member; did you mean \"matrix\" (world to view, "
 	    "[R|t])?" },
@@ -66,9 +65,6 @@ static const struct refusal names[] = {
 		&persp, "{\"" name "\":1}",                                  \
 		    "/" name ": unknown member; did you mean \"" right "\"?" \
 	}
-	MEANT("fovY", "fovy"),
-	MEANT("fov_y", "fovy"),
-	MEANT("fov_x", "fovx"),
 	MEANT("aspectRatio", "aspect"),
 	MEANT("aspect_ratio", "aspect"),
 	MEANT("ratio", "aspect"),
@@ -97,7 +93,7 @@ static const struct refusal names[] = {
 	    "\"up\", \"roll\" and \"orthonormalize\"" },
 	{ &volume, "{\"near\":1}",
 	    "/near: unknown member; did you mean \"z_near\"?" },
-	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"center\"?" },
+	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"left\"?" },
 	{ &lookat, "{\"convention\":\"gl\"," EYE "}",
 	    "/eye: unknown member; it belongs in \"camera\" or "
 	    "\"projection\"" },
@@ -116,8 +112,8 @@ static const struct refusal names[] = {
 	{ &w2d, "{\"origin\":1}",
 	    "/origin: unknown member; it belongs in \"convention\" or "
 	    "\"device\"" },
-	{ &lookat, "{\"q\":1}",
-	    "/q: unknown member; there are \"eye\", \"at\", \"gaze\", "
+	{ &lookat, "{\"j\":1}",
+	    "/j: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "
 	    "\"up\", "
 	    "\"roll\" and "

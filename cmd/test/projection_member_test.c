@@ -41,8 +41,7 @@ static const struct refusal projections[] = {
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
 	{ &project, "{\"projection\":{\"type\":\"perspective\"}}",
-	    "/projection/type: is \"perspective\"; \"persp\", \"ortho\", "
-	    "\"oblique\", \"volume\" or \"matrix\" is wanted" },
+	    "/projection/type: is \"perspective\"; did you mean \"persp\"?" },
 	{ &project, "{\"projection\":{\"type\":1}}",
 	    "/projection/type: is a number; \"persp\", \"ortho\", \"oblique\", "
 	    "\"volume\" or \"matrix\" is wanted" },
@@ -100,7 +99,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"near\":\"1\"}",
 	    "/near: is a string; a number is wanted" },
 	{ &persp, "{\"far\":\"inf\"}",
-	    "/far: is \"inf\"; a number or \"infinity\" is wanted" },
+	    "/far: is \"inf\"; did you mean \"infinity\"?" },
 	{ &persp, "{\"far\":null}",
 	    "/far: is null; a number or \"infinity\" is wanted" },
 	{ &ortho, "{\"far\":\"infinity\"}",
@@ -201,15 +200,14 @@ static const struct refusal projections[] = {
 	    "/projection/intrinsics/1: 0 is not positive; " POSITIVE },
 	{ &project,
 	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
-	    "/projection/intrinsics/1/1: is not positive, as fx and fy of "
-	    "K are" },
+	    "/projection/intrinsics: fx and fy of K are positive" },
 	{ &project,
 	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
-	    "/projection/intrinsics/2/2: the last row of K is 0, 0, 1; is it a "
+	    "/projection/intrinsics: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
 	{ &project,
 	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
-	    "/projection/intrinsics/2/0: the last row of K is 0, 0, 1; is it a "
+	    "/projection/intrinsics: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
 	{ &project,
 	    PERSP_IN_VIEWPORT("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
@@ -218,20 +216,17 @@ static const struct refusal projections[] = {
 	    "right" },
 	{ &project,
 	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
-	    "/projection/intrinsics/1/0: under the diagonal of K there is 0; "
-	    "is "
-	    "it transposed?" },
+	    "/projection/intrinsics: under the diagonal of K there is 0; is it "
+	    "transposed?" },
 	{ &project,
 	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,1,0]]", ""),
 	    "/projection/intrinsics/2: has 4 elements; an array of 3 numbers "
 	    "is "
 	    "wanted" },
 	{ &persp, "{\"angles\":[-40,40,30,20]," PLANES "}",
-	    "/angles/3: not greater than the one before it; the order is left, "
-	    "right, bottom, top" },
+	    "/angles: not in order: left below right, bottom below top" },
 	{ &persp, "{\"angles\":[40,-40,-30,20]," PLANES "}",
-	    "/angles/1: not greater than the one before it; the order is left, "
-	    "right, bottom, top" },
+	    "/angles: not in order: left below right, bottom below top" },
 	{ &persp, "{\"angles\":[-90,40,-30,20]," PLANES "}",
 	    "/angles/0: -90 is out of range; an angle above -90 and below 90 "
 	    "degrees "
@@ -258,9 +253,9 @@ static const struct refusal projections[] = {
 		&persp, "{\"" name "\":1}",                            \
 		    "/" name ": unknown member; did you mean \"" right \
 	}
-#define PIXELS                                                               \
-	"intrinsics\" ([fx, fy, cx, cy], K or P, in pixels; 16 numbers are " \
-	"\"matrix\" of type \"matrix\")?"
+#define PIXELS                                                              \
+	"intrinsics\" ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 " \
+	"from view to clip is \"matrix\" of type \"matrix\")?"
 #define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")?"
 	MEANT("K", PIXELS),
 	MEANT("fx", PIXELS),
@@ -271,6 +266,8 @@ static const struct refusal projections[] = {
 	MEANT("projectionMatrix", PIXELS),
 	MEANT("matrix", PIXELS),
 	MEANT("fov", "fovy\"" GLTF),
+	MEANT("fovY", "fovy\"" GLTF),
+	MEANT("fov_x", "fovx\"" GLTF),
 	MEANT("yfov", "fovy\"" GLTF),
 	MEANT("camera_angle_x", "fovx\"" GLTF),
 	MEANT("znear", "near\"?"),

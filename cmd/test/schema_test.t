@@ -39,7 +39,7 @@ END
 my $beyond = qr{
 	equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run | does\ not\ begin |
-	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
+	what\ holds\ them | no\ points$ | not\ in\ order | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
 	singular | determinant | last\ column | rows\ are\ for | transposed | of\ -c; | pi\S*\ radians |
 	too\ far\ from |

@@ -13,7 +13,7 @@ use Projcalc;
 # the calls.
 my %argument = (columns => '1,2,3', output => 'json', to => 'view', jobs => 1,
     decimals => 2, tolerance => 1, precision => 'double', separator => "','", convention => 'gl',
-    color => 'auto', from => 'world', to => 'device');
+    color => 'auto', plane => '0,0,1,0', from => 'world', to => 'device');
 my $scene = '{"camera":{"eye":[0,0,-5],"at":[0,0,0]},"projection":{"type":' .
     '"persp","fovy":60,"near":1,"far":10},"viewport":{"width":640,"height":480}}';
 my $lens = '{"fovy":60,"aspect":1,"near":1,"far":10}';
@@ -21,7 +21,7 @@ my %params = (lookat => '{"eye":[0,0,-5],"at":[0,0,0]}', persp => $lens,
     w2n => '{"center":[0,0],"width":1,"height":1}',
     n2d => '{"width":1,"height":1}', ortho => '{"width":1,"height":1,"near":0,"far":1}');
 
-my ($table) = slurp('cmd/call/synonyms.c') =~ /synonyms\[\] = \{(.*?)\n\};/s;
+my ($table) = slurp('cmd/message/nearest.c') =~ /synonyms\[\] = \{(.*?)\n\};/s;
 my %words = map { $_ => 1 } (map { split } $table =~ /^\t\{ "([^"]+)"/mg),
     qw(pan rvec rotation flags columns fovy zoom eye lookAt
     radians transpose column-major near_far near-far extent);
@@ -39,7 +39,7 @@ sub completed {
 	return $call if $command eq 'help' || $command =~ /^-/;
 	$call .= " $argument{$1}" if $call =~ /--(\w+)$/ && $argument{$1};
 	$call =~ s/1,2,3$/1,2/ if $call =~ /\b\w2\w\b/;
-	my $points = $call =~ /--ray/ ? '[320,240]' : $call =~ /inspect/ ? '' :
+	my $points = $call =~ /--ray|--plane/ ? '[320,240]' : $call =~ /inspect/ ? '' :
 	    $call =~ /\b\w2\w\b/ ? '[1,1]' : '[1,1,1]';
 	$points = '' if $call =~ / -m/;
 	$points = "1 1 1\n" if $call =~ /columns|input csv/;
@@ -80,6 +80,15 @@ for my $word (sort keys %words) {
 		ok($status == 2 && $said =~ /; / && $said !~ / lists /, $call) or
 		    diag($said);
 		works($_) for suggested($command, $said);
+	}
+}
+
+# Remarks are also about members.
+while ($table =~ /^\t\{ ((?:"[^"]*"\s*)+),\s*": /mg) {
+	for my $word (map { split } $1 =~ /"([^"]*)"/g) {
+		my ($status, $said) = try("lookat '{\"$word\":1}'");
+		ok($status == 1 && $said =~ /unknown member; (?!there are)/,
+		    "member $word") or diag($said);
 	}
 }
 

@@ -13,10 +13,12 @@ static double first_number(const char *array, size_t n)
 	strcpy(text, array);
 	struct value v = value_parse_document(&source, "/none", text,
 	    strlen(text), &none);
-	struct value e = value_child(&v);
+	struct value e = value_child(&v), last = e;
 
 	assert_string_equal(text, array);
-	assert_int_equal(value_count(&v), n);
+	for (; last.item != NULL; value_next(&last))
+		n--;
+	assert_int_equal(n, 0);
 	return value_number(&e, &range_any);
 }
 

@@ -27,11 +27,10 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 	const double high[2] = { w->right, w->top };
 
 	if (w->by_edges && !(w->left < w->right))
-		return "/window/right: not greater than left; "
-		       "a window's edges stand in order";
+		return "/window/right: not greater than left; swap them";
 	if (w->by_edges && !(w->bottom < w->top))
-		return "/window/top: not greater than bottom; "
-		       "a window's edges stand in order";
+		return "/window/top: not greater than bottom; swap them; "
+		       "what turns y is the \"origin\" of the device";
 	size[0] = sum_of_double(w->width);
 	size[1] = sum_of_double(w->height);
 	for (int i = 0; i < 2; i++) {
