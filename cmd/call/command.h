@@ -32,8 +32,9 @@ struct command {
 	/* What the command needs of a document. read_document adds what depends on the
 	 * options and on the place of the text. */
 	struct document_wants wants;
-	/* For matrix commands: the spaces of the matrix, and of the images of points, by
-	 * enum flat_space for MATRIX_2D, by enum space for MATRIX_3D. */
+	/* For matrix commands: the spaces from and to which the matrix maps, and the
+	 * space of the images of points. Values are of enum flat_space for MATRIX_2D,
+	 * of enum space for MATRIX_3D. */
 	int from, to, points_to;
 	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;

@@ -87,7 +87,8 @@ bool has_points(const struct command *c, const struct options *o,
 	return !none;
 }
 
-/* Returns whether path, a name or a JSON pointer, leads to a member that is added. */
+/* Returns whether path is the name of a member that the output adds, or a JSON pointer
+ * whose first token is such a name. */
 static bool is_added_member(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
