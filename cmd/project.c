@@ -93,6 +93,7 @@ void run_project(const struct command *c, const struct options *o)
 		print_matrix(o, &d, &j.transform);
 		return;
 	}
+	j.from = from != SPACE_MODEL ? space_names[from] : NULL;
 	j.space = space_names[to];
 	run_points(o, &d, &j);
 }

@@ -227,6 +227,7 @@ static void prepare_job(struct job *j, const struct options *o)
 		.record = o->in_record,
 		.keeps = o->in_record > 0 && (!o->has_out || o->out_record > 0),
 		.single = o->precision == PRECISION_SINGLE,
+		.from = j->from,
 	};
 	j->layout.columns.by_default = o->columns.n == 0;
 	for (int k = 0; k < 4 && j->layout.columns.by_default; k++)

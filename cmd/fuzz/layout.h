@@ -30,6 +30,7 @@ static inline struct layout layout_of(const uint8_t *b)
 		.reads = size[0],
 		.writes = size[1],
 		.flags = b[1] / 6 & 1,
+		.from = "a",
 	};
 	static const char *const written[] = { "x", "y", "z", "w", "v", "u" };
 	enum format in = l.in.format;

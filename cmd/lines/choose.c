@@ -66,7 +66,8 @@ bool is_index(struct span token, long k)
 
 /* Returns whether route, for element i of struct chosen, leads to f, which is field k
  * after the cursor, or into the value of f. Sets *rest to the path within that value,
- * or to "" if the route ends at f. In a header, X may stand for the default name x. */
+ * or to "" if the route ends at f. In a header, X may stand for the default name x,
+ * and so may device_x if the points are in space device. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
@@ -82,16 +83,22 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 	struct span token = { path, path + n };
 
 	*rest = token.end;
-	if (c->names)
-		return (size_t)(f->value.end - f->value.s) == n &&
-		    (i < 4 && l->columns.by_default ?
-			    strncasecmp(f->value.s, path, n) :
-			    strncmp(f->value.s, path, n)) == 0;
+	if (c->names) {
+		const bool by_default = i < 4 && l->columns.by_default;
+		const char *s = f->value.s,
+			   *space = by_default ? l->from : NULL;
+		const size_t from = space != NULL ? strlen(space) : 0;
+
+		if (from > 0 && (size_t)(f->value.end - s) > from &&
+		    memcmp(s, space, from) == 0 && s[from] == '_')
+			s += from + 1;
+		return (size_t)(f->value.end - s) == n &&
+		    (by_default ? strncasecmp : strncmp)(s, path, n) == 0;
+	}
 	return c->members ? json_is_name(f->name, token, pointer) :
 			    pointer && is_index(token, k);
 }
 
-/* A search for the first n elements of struct chosen. */
 struct search {
 	const struct layout *l;
 	int n;
@@ -234,26 +241,38 @@ bool chosen_clashes(const struct layout *l, const struct chosen *c,
 	return i < SOUGHT_MAX;
 }
 
+bool choose_is_name(struct span f)
+{
+	unsigned c = 0;
+
+	for (int n = 1; f.s < f.end; f.s += n) {
+		n = utf8_read(f.s, f.end, &c);
+		if (n == 0 || c == '_' || (c | 32) - 'a' < 26u ||
+		    (c >= 0xc0 && (c < 0x2000 || c >= 0x2c00)))
+			return true;
+		if (c == '.' || c - '0' < 10u)
+			return false;
+	}
+	return true;
+}
+
 bool choose_is_header(const struct layout *l, struct cursor header)
 {
-	bool all_missing = true, all_digits = true;
+	bool has_name = false;
 	struct chosen c;
 
 	header.names = false; /* look for the coordinates of a row */
 	choose(l, header, &c);
 	for (int i = 0; i < l->reads; i++) {
-		struct span f = c.field[i].value;
+		const struct span f = c.field[i].value;
 		double v;
 
 		if (c.times[i] == 0)
 			continue;
 		if (format_number(l->in, f.s, f.end, &v) != f.end)
-			all_missing = false;
+			has_name |= choose_is_name(f);
 		else if (!isnan(v))
 			return false;
-		f.s += f.end - f.s > 1 && strchr("+-", *f.s) != NULL;
-		all_digits &= f.s < f.end &&
-		    strchr("0123456789.", *f.s) != NULL;
 	}
-	return !all_missing && !all_digits;
+	return has_name;
 }

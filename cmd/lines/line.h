@@ -1,13 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads lines with a point each, and writes them with other numbers in the place of the
- * coordinates. All other bytes of a line stay.
- *
- * A line is simple if walk.c can read it. Most lines are, and walk.c reads many of them
- * at once. line_read in read.c reads any line, and alone decides which lines are legal:
- * a cursor goes over the fields of the line, choose.c finds the coordinates among these
- * fields, and say.c writes what is wrong. The first line of csv may be a header, which
- * header.c reads. in_place.h writes a point if only numbers of its line change or are
- * added, and splice.c writes all other lines. */
+ * coordinates. All other bytes of a line stay. walk.c reads simple lines, many at once.
+ * line_read in read.c reads any line, and alone decides which lines are legal. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -72,6 +66,7 @@ struct layout {
 	bool keeps; /* records are written, with images for coordinates */
 	const char *two_hint; /* a remedy if z is missing; or NULL */
 	bool single;          /* numbers are written as floats */
+	const char *from;     /* the name of the space of points, or NULL */
 	struct number_style style[COORDINATES_MAX];
 };
 
@@ -101,7 +96,6 @@ struct line {
 	bool has_bom;   /* the line begins with a byte order mark */
 };
 
-/* The part of a coordinate that is missing in a line. */
 static const struct part part_missing = { 1, 0 };
 
 static inline bool is_missing(struct part p)
@@ -122,7 +116,6 @@ struct numbers {
 	size_t stride, text_stride;
 };
 
-/* The word of --flags, such as left+near. */
 struct word {
 	char s[WORD_MAX];
 	size_t size;
@@ -133,7 +126,6 @@ static inline struct span line_text(const struct line *line)
 	return (struct span){ line->s, line->s + line->size };
 }
 
-/* Returns the text of coordinate i. */
 static inline struct span line_field(const struct line *line, int i)
 {
 	return (struct span){ line->s + line->at[i].from,
@@ -146,7 +138,6 @@ static inline struct part line_part(const struct line *line, struct span f)
 		(uint32_t)(f.end - line->s) };
 }
 
-/* Returns the size of a binary record in bytes. */
 static inline size_t record_size(const struct layout *l)
 {
 	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
@@ -176,7 +167,6 @@ static inline bool layout_has_names(const struct layout *l)
 	return false;
 }
 
-/* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {
 	static const char names[][2] = { "x", "y", "z", "w" };
@@ -223,7 +213,6 @@ struct cursor value_cursor(struct span value, const char *end);
 /* Reads the next field and moves the cursor past it; returns false if there is none. */
 bool cursor_next(struct cursor *, struct field *);
 
-/* Returns the number of fields after the cursor. */
 size_t cursor_count(struct cursor);
 
 /* The fields that choose finds: elements 0 to 3 of each array for the coordinates, and
@@ -251,8 +240,12 @@ int chosen_overlap(const struct layout *, const struct chosen *);
 bool chosen_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Returns whether a first line is a header: no coordinate is a number, not all are
- * missing values such as NA, and not all begin as numbers do, such as 1,5. */
+/* Returns whether f is a name: no digit or point precedes its first letter. _ and other
+ * alphabets count as letters, but not signs such as U+2212. */
+bool choose_is_name(struct span f);
+
+/* Returns whether a first line is a header: no coordinate is a number, and one is a
+ * name. */
 bool choose_is_header(const struct layout *, struct cursor);
 
 /* Returns whether the token is the number k in decimal, without leading zeros. */
@@ -282,8 +275,8 @@ bool header_row_is_long(struct layout *, struct cursor row, enum first,
 /* Returns a cursor over the names of a header, whose text has no byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);
 
-/* Writes why f is not coordinate i. An empty f stands for a missing coordinate. */
-void say_field(const struct layout *, int i, struct span f,
+/* Writes why the field is not coordinate i, and how to mend it. */
+void say_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
 
 /* Returns whether f is an empty field of csv whose separator is a blank; if so, writes
@@ -305,7 +298,8 @@ void say_note_columns(struct layout *, struct span text);
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that line, the first line of a source of text, looks like a header. */
+/* Writes that line, the first line of a source of text, looks like a header, unless the
+ * reason has a remedy for its first field. */
 void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 

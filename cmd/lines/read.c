@@ -30,10 +30,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 		if (found->times[i] != 1)
 			say_missing(l, i, c, found, reason);
 		else if (format_number(l->in, f->value.s, end, &v[i]) != end)
-			/* the message shows the quotes of csv */
-			say_field(l, i,
-			    format_of(l->in)->header ? f->whole : f->value,
-			    reason);
+			say_field(l, i, f, reason);
 		else if (!say_empty_field(l, f->whole, reason) &&
 		    in_range(l, i, v[i], reason))
 			continue;
@@ -154,8 +151,8 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (first != FIRST_LINE || !line_is_bad(line))
 		return;
 	l->max_fields = 0; /* a bad row may lack fields */
-	if (in->blanks && l->columns.n == 0 && choose_is_header(l, c) &&
-	    strchr("[{", *skip_blanks(l->in, text.s, text.end)) == NULL)
+	if (in->blanks && l->columns.n == 0 && found.times[l->reads - 1] > 0 &&
+	    choose_is_header(l, c))
 		say_text_header(l, text, reason);
 }
 
@@ -187,7 +184,9 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	} else if (first_line && in->header &&
 	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
 		line->kind = LINE_LOST;
-		say_field(l, 0, (struct span){ s, text.end }, reason);
+		text.s = s;
+		say_field(l, 0, &(struct field){ .value = text, .whole = text },
+		    reason);
 	} else if (!first_line || !in->header ||
 	    !header_read(l, text, line, reason)) {
 		read_fields(l, text, *first, line, v, reason);

@@ -19,106 +19,119 @@ say_more(char reason[REASON_MAX], const char *format, ...)
 	va_end(arguments);
 }
 
-/* Returns a byte of f, not its last, that may be the separator but is not the layout's;
- * 0: none. Commas and blanks are frequent within fields: they count if alone is set. */
-static char find_separator(const struct layout *l, struct span f, bool alone)
+static const char *find_byte(struct span f, char c)
 {
-	const char *c = alone ? ";|\t, " : ";|\t";
-
-	while (*c != '\0' && f.s < f.end &&
-	    (*c == l->in.separator ||
-		memchr(f.s, *c, (size_t)(f.end - f.s - 1)) == NULL))
-		c++;
-	return f.s < f.end ? *c : '\0';
+	return f.s < f.end ? memchr(f.s, c, (size_t)(f.end - f.s)) : NULL;
 }
 
-static void say_options(char c, char reason[REASON_MAX])
-{
-	say_more(reason,
-	    c == '\t' ? "say -i tsv" : "say -i csv --separator '%c'", c);
-}
-
-static void say_separator(const struct layout *l, char c,
+/* Adds to the reason how to mend f, a line or a field: by the mark at its beginning (a
+ * mark of letters is all of f), or by a byte of f, not its last, that may be the
+ * separator. Commas and blanks are frequent within fields: they count if alone is set.
+ * Returns the separator, ';' for a mark, or 0 if nothing is added. */
+static char say_mend(const struct layout *l, struct span f, bool alone,
     char reason[REASON_MAX])
 {
+	static const char *const marks[][2] = {
+		{ "---", "; leave out such lines by grep -v -e ---" },
+		{ "+--", "; leave out such lines by grep -v -e ---" },
+		{ "[", "; is it JSON? say -i json; if not, tr -d '[]'" },
+		{ "{", "; is it JSON? say -i json" },
+		{ "(", "; leave out such lines by grep -v '^('" },
+		{ "%", "; % begins no comment: sed 's/^%/#/'" },
+		/* the corner of a box, and a minus */
+		{ "\xe2\x94",
+		    "; as ASCII: sed '/\xe2\x94\x80/d;s/\xe2\x94\x82/|/g'" },
+		{ "\xe2\x88\x92",
+		    "; write - for U+2212: sed 's/\xe2\x88\x92/-/g'" },
+		{ "VERSION", "; in PCD, sed '1,/^DATA/d' leaves the points" },
+		{ "v", "; in OBJ, grep '^v ' and --columns 2,3,4 find points" },
+	};
+	const char own = format_of(l->in)->header ? l->in.separator : '\0';
+	const char *c = alone ? ";|\t, " : ";|\t";
+	const size_t size = (size_t)(f.end - f.s);
+
+	for (size_t k = 0; k < sizeof marks / sizeof *marks; k++) {
+		const size_t n = strlen(*marks[k]);
+
+		if (size >= n && memcmp(f.s, *marks[k], n) == 0 &&
+		    (size == n || (*f.s | 32) < 'a' || (*f.s | 32) > 'z')) {
+			say_more(reason, "%s", marks[k][1]);
+			return *c;
+		}
+	}
+	f.end -= size > 0;
+	while (*c != '\0' && (*c == own || find_byte(f, *c) == NULL))
+		c++;
+	if (*c == '\0')
+		return *c;
 	say_more(reason,
-	    c == '\t' ? "; is a tab the separator? " :
-			"; is '%c' the separator? ",
-	    c);
-	if (l->header_fields > 1)
-		say_more(reason,
-		    "the header has another; make both the same by tr or sed");
-	else
-		say_options(c, reason);
+	    *c == '\t' ? "; is a tab the separator? " :
+			 "; is '%c' the separator? ",
+	    *c);
+	say_more(reason,
+	    l->header_fields > 1 ?
+		"the header has another; make both the same by tr or sed" :
+		*c == '\t' ? "say -i tsv" :
+			     "say -i csv --separator '%c'",
+	    *c);
+	return *c;
 }
 
-/* Adds to the reason how to mend f, which should be coordinate i but is no number. */
-static void say_remedy(const struct layout *l, int i, struct span f,
+void say_field(const struct layout *l, int i, const struct field *field,
     char reason[REASON_MAX])
 {
 	const bool json = *format_of(l->in)->open != '\0';
+	const bool csv = format_of(l->in)->header;
+	const struct span f = field->value;
+	/* the message shows the quotes of csv */
+	const struct span shown = csv ? field->whole : f;
+	const char *gap = find_byte(f, ','), *open = find_byte(f, '(');
+	const char *s = f.s, *after;
+	char word[ESCAPED_MAX];
 	double v;
-	const char *after = number_read(f.s, f.end, &v);
-	const char other = json ?
-	    '\0' :
-	    find_separator(l, f, format_of(l->in)->header && after != NULL);
-	const char *s = f.s;
 
+	*reason = '\0';
+	say_more(reason, "%s is '%s'", coordinate_name(i),
+	    escaped(word, shown.s, (size_t)(shown.end - shown.s)));
 	while (json && is_blank(*--s))
 		;
-	const bool member = *s == ':';
+	const bool member = json && *s == ':';
 
-	if (other == ',' && number_read(after + 1, f.end, &v) == f.end)
-		say_more(reason, "; a decimal point is a point: 1.5");
-	else if (f.end - f.s > 2 && memcmp(f.s, "---", 3) == 0)
-		say_more(reason, "; leave out such lines by grep -v -e ---");
-	else if (other != '\0' &&
-	    (other != ' ' ||
-		(l->in.separator != ';' &&
-		    number_read(skip_separator(after, f.end), f.end, &v) !=
-			NULL)))
-		say_separator(l, other, reason);
-	else if (!json && f.end[-1] == ';')
+	after = number_read(f.s, f.end, &v);
+	const bool two = csv && after != NULL &&
+	    number_read(skip_separator(after, f.end), f.end, &v) != NULL;
+
+	if (gap == NULL && l->in.separator == ';')
+		gap = find_byte(f, ' ');
+	if (!json && after != NULL && gap != NULL &&
+	    number_read(gap + 1, f.end, &v) == f.end)
+		say_more(reason,
+		    "; write 1.5 for 1,5, and 1000 for 1,000 or 1 000");
+	else if (!json && open != NULL && f.end[-1] != ')')
+		say_more(reason, "; make brackets blanks: tr '()' '  '");
+	else if (!json && f.s < f.end && f.end[-1] == ';')
 		say_more(reason, "; leave out each ; by tr -d ';'");
+	else if (!json && open == NULL && say_mend(l, f, two, reason) != '\0')
+		return;
+	else if (!json && find_byte(f, '=') != NULL)
+		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
 	else
 		say_more(reason, "; a number is wanted%s",
-		    after != NULL && json ?
-			", as JSON writes it" :
-			after != NULL ?
+		    !json && after != NULL && !choose_is_name(f) ?
 			", and nothing else in the field" :
+			!json && l->columns.n == 0 && i == 0 ?
+			"; --columns says which fields the coordinates are" :
+			!json ?
+			", or NA" :
+			after != NULL ?
+			", as JSON writes it" :
 			member && *f.s == '[' ?
 			"; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
 			member && *f.s == '{' ?
 			"; --columns takes pointers, such as /x/value" :
 			*f.s == '[' || *f.s == '{' ?
 			"; one array or object a line: jq -c '.[]'" :
-			f.end - f.s == 1 && *f.s == 'v' ?
-			"; in OBJ, grep '^v ' and --columns 2,3,4 find points" :
-			!json && l->columns.n == 0 && i == 0 ?
-			"; --columns says which fields the coordinates are" :
 			"");
-}
-
-void say_field(const struct layout *l, int i, struct span f,
-    char reason[REASON_MAX])
-{
-	const bool json = *format_of(l->in)->open != '\0';
-	char word[ESCAPED_MAX];
-
-	*reason = '\0';
-	if (f.s == f.end) {
-		say_more(reason, "%s is missing; %d numbers are wanted%s",
-		    coordinate_name(i), l->reads,
-		    i == 2 && l->two_hint != NULL ? l->two_hint : "");
-	} else if (!json && (*f.s == '[' || *f.s == '{')) {
-		say_more(reason, "looks like JSON; say -i json%s",
-		    *f.s == '[' ? ", or take the brackets out by tr -d '[]'" :
-				  "");
-	} else {
-		say_more(reason, "%s is '%s'", coordinate_name(i),
-		    escaped(word, f.s, (size_t)(f.end - f.s)));
-		say_remedy(l, i, f, reason);
-	}
 }
 
 bool say_empty_field(const struct layout *l, struct span f,
@@ -128,7 +141,7 @@ bool say_empty_field(const struct layout *l, struct span f,
 		return false;
 	strcpy(reason,
 	    "has too few fields or an empty one; make blanks in a row one by "
-	    "sed 's/^ *//' | tr -s ' ', or say -i text");
+	    "sed 's/^ *//;s/ *$//' | tr -s ' ', or say -i text");
 	return true;
 }
 
@@ -306,16 +319,19 @@ static void say_names(const struct layout *l, struct cursor c,
 			if (*s != ']')
 				say_more(reason, "%c",
 				    strchr(".[", *s) != NULL ? '/' : *s);
+	} else if (typed != NULL && c.names && l->header == HEADER_MAYBE &&
+	    !choose_is_name(header)) {
+		say_more(reason,
+		    "; if there is no header, say --columns by "
+		    "number, such as 3,4,5");
 	} else if (typed != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
 	} else if (typed == NULL &&
 	    !say_guess(&names, l->reads, NULL, reason)) {
-		const char other = find_separator(l, header, names.n == 1);
+		const char other = say_mend(l, header, names.n == 1, reason);
 
-		if (other != '\0')
-			say_separator(l, other, reason);
-		else
+		if (other == '\0')
 			say_more(reason,
 			    "; say with --columns which the coordinates are");
 		if (other == ' ' ||
@@ -341,21 +357,23 @@ void say_missing(const struct layout *l, int i, struct cursor c,
     const struct chosen *found, char reason[REASON_MAX])
 {
 	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
-	const char other = c.bracket == NULL && cursor_count(c) == 1 ?
-	    find_separator(l, (struct span){ c.s, c.end }, true) :
-	    '\0';
+	const struct span none = { NULL, NULL };
+	const bool one = c.bracket == NULL && cursor_count(c) == 1;
 	char shown[ESCAPED_MAX];
 
 	*reason = '\0';
 	if (name == NULL) {
 		if (l->columns.n == 0)
-			say_field(l, i, (struct span){ NULL, NULL }, reason);
-		else if (other != '\0' ||
-		    !say_empty_field(l, (struct span){ NULL, NULL }, reason))
+			say_more(reason,
+			    "%s is missing; %d numbers are wanted%s",
+			    coordinate_name(i), l->reads,
+			    i == 2 && l->two_hint != NULL ? l->two_hint : "");
+		else if (one || !say_empty_field(l, none, reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
-		if (other != '\0')
-			say_separator(l, other, reason);
+		if (one)
+			say_mend(l, trimmed(c.in, (struct span){ c.s, c.end }),
+			    true, reason);
 		return;
 	}
 	escaped(shown, name, strlen(name));
@@ -452,10 +470,11 @@ bool say_needs_header(const struct layout *l, struct span row, bool lost,
 void say_text_header(const struct layout *l, struct span line,
     char reason[REASON_MAX])
 {
-	const char other = find_separator(l, line, true);
-
-	strcpy(reason, "looks like a header; ");
-	say_options(other != '\0' ? other : ' ', reason);
+	if (strstr(reason, "; --columns says") == NULL ||
+	    find_byte(line, '=') != NULL)
+		return;
+	strcpy(reason, "looks like a header");
+	say_mend(l, line, true, reason);
 	say_more(reason,
 	    ", or leave it out by sed %zud, with --columns if x is not first",
 	    l->first_line);

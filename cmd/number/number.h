@@ -49,8 +49,7 @@ struct number_text {
 	uint32_t layout;
 } __attribute__((aligned(64)));
 
-/* The number of numbers that are read or written together. */
-enum { NUMBER_BATCH = 64 };
+enum { NUMBER_BATCH = 64 }; /* numbers that are read or written together */
 
 /* Makes the texts of n numbers, of floats if single is true. t and v have room for n
  * rounded up to a multiple of NUMBER_BATCH; the numbers in v after the first n are

@@ -213,7 +213,6 @@ static inline int find_digits(char d[192], double v, int n)
 	return point;
 }
 
-/* Writes v with n decimals. Returns the end of the text. */
 static char *write_decimals(char *s, double v, int n)
 {
 	char d[192];

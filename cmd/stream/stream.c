@@ -87,10 +87,8 @@ static struct {
 };
 
 /* The functions from can_begin_chunk to run_chunks are called, and return, with the
- * lock held.
- *
- * Returns whether a thread can begin a chunk. Up to the first row, each chunk waits for
- * the previous one, which may have the csv header. */
+ * lock held. can_begin_chunk returns whether a thread can begin a chunk: up to the first
+ * row, each chunk waits for the previous one, which may have the csv header. */
 static bool can_begin_chunk(void)
 {
 	return pool.can_read && pool.unused != NULL &&
@@ -155,7 +153,6 @@ static struct chunk *begin_chunk(void)
 	return c;
 }
 
-/* Answers the next chunks up to the first that is not done. */
 static void answer_done_chunks(void)
 {
 	struct chunk *c;
@@ -177,7 +174,6 @@ static void answer_done_chunks(void)
 	pool.answering = false;
 }
 
-/* Does chunks, forever or until the source is finished. */
 static void run_chunks(bool forever)
 {
 	int looks = 0;
