@@ -9,7 +9,8 @@
 /* The hint of pick about a point of two numbers, which may be meant for --at. */
 #define POSITION_HINT "; --at 320,240 is the position"
 
-/* Refuses operands that the command does not take or that can't be opened. */
+/* Refuses operands that the command does not take or that can't be opened. Runs before
+ * anything is printed. */
 void operands_check(const struct command *, const struct options *);
 
 /* Moves to the next document of PARAMS and returns whether there is one. Without

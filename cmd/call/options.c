@@ -128,7 +128,8 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 		o->separator = *word;
 }
 
-/* Returns the first word of a list with commas. Sets *list to the next, or NULL. */
+/* Returns the first word of a list that commas divide. Sets *list to the next word, or
+ * to NULL if there is none. */
 static char *cut_word(char **list)
 {
 	char *word = *list;

@@ -61,8 +61,9 @@ struct option_row {
 	char letter;       /* or 0 */
 	unsigned kinds;    /* of the commands that take the option, as bits */
 	const char *about; /* one line of help */
-	/* The argument's name in the help, or NULL; the function that reads the argument;
-	 * and the offset in struct options of the member that the function sets. */
+	/* For an option with an argument: the argument's name in the help, the function
+	 * that reads the argument, and the offset in struct options of the member that
+	 * the function sets. */
 	const char *argument;
 	void (*read)(struct options *, const struct option_row *, char *word);
 	size_t offset;
@@ -113,7 +114,8 @@ struct member;
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses word, which is none of commands or, if topic is set, no topic of help. */
+/* Refuses word, which is not the name of a command or, if topic is set, not a topic of
+ * help. A name of NULL ends commands. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 

@@ -74,7 +74,8 @@ static const struct option_row *find_letter_option(const struct command *c,
 	return r;
 }
 
-/* Sets an option by value or, if value is NULL, by the word **next, and moves *next. */
+/* Sets an option. The option's argument is value or, if value is NULL, the word **next;
+ * then *next moves past the word. */
 static void set_option(const struct command *c, const struct option_row *r,
     char *value, char ***next, struct options *o)
 {

@@ -16,8 +16,9 @@ static struct {
 	int fd; /* -1: all of PARAMS is read */
 	struct text text;
 	long number; /* of the document, from 1 */
-	/* Offsets in text: of the document, and of the next byte in the search for its
-	 * end, which counts quotes and brackets only, as the JSON may be invalid. */
+	/* Offsets in text: of the document, and of the next byte in the search for the
+	 * document's end. The search counts quotes and brackets only, so that it finds
+	 * the end of invalid JSON, too. */
 	size_t begin, end;
 	/* The lines and columns (in bytes) of begin and end, from 1. next_scene finds
 	 * all four before the readers of the document change the text. */

@@ -52,9 +52,10 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that stands for m, a member of the scene (m == object) or of object.
- * Prints the text in unknown, then the example of object if it shows m, else the topic
- * of help that describes m. reads: the members that the command reads, as bits. */
+/* Refuses a word that stands for m, a member of the scene (m == object) or a member of
+ * the scene's member object. Prints the text in unknown, then the example of object if
+ * it shows m, else the topic of help that describes m. reads: the members that the
+ * command reads, as bits of enum scene_member. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {

@@ -169,7 +169,7 @@ const char *json_scalar_end(const char *p, const char *end)
 {
 	static const char *const words[] = { "true", "false", "null" };
 
-	for (int i = 0; i < 3 && p<end && * p> '9'; i++) {
+	for (int i = 0; i < 3 && p < end && '9' < *p; i++) {
 		size_t n = strlen(words[i]);
 
 		if ((size_t)(end - p) >= n && memcmp(p, words[i], n) == 0)

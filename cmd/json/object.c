@@ -81,7 +81,11 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Refuses v, a member that the table lacks, unless any document may have it. */
+/* Refuses v, a member that the table lacks, unless any document may have it. The
+ * message says the first of these that is true: v->name is an alias in the table; a
+ * synonym has a remark about it; it is a name or else an alias in other objects of the
+ * scene; it names a member of the scene itself; it is near a name in the table. Else the
+ * message lists the table. */
 static void check_unknown(const struct value *v, const struct member *table,
     int kind)
 {
@@ -137,7 +141,8 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->flag) = true;
 }
 
-/* A list of struct ways for one kind of object. Bit i of a set is row i of table. */
+/* A list of ways (see struct ways) for one kind of object. In a set of the object's
+ * members bit i is row i of the table. */
 struct way_bits {
 	const char *const *list;
 	const struct member *table;

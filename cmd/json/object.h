@@ -111,7 +111,8 @@ enum { ANY_KIND = -1 }; /* searches all rows */
 const struct member *member_named(const struct member *, int kind,
     const char *name, bool alias);
 
-/* Returns the words for a member's type in the help, which may be written to out. */
+/* Returns the words for a member's type in the help, such as "3 numbers", "size", "left
+ * or right". The words may be written to out. */
 const char *member_type(const struct member *, char out[LIST_ROOM]);
 
 /* Returns, as bits, the members that the kind has of those in names, which is a way of

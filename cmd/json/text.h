@@ -76,7 +76,8 @@ bool json_check(struct json_check *);
 /* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
 const char *json_scalar_end(const char *p, const char *end);
 
-/* Moves *line and *column, in bytes from 1, from the place of text to that of at. */
+/* Moves *line and *column from the place of text to that of at. A column is a number of
+ * bytes, counted from 1. */
 void json_count_lines(const char *text, const char *at, long long *line,
     size_t *column);
 

@@ -64,7 +64,8 @@ extern const struct value_range range_any, range_positive;
 
 /* Parses a document and returns its value; refuses text that is not JSON. The values
  * are valid until the next call. If the pointer leads to an array, its elements are not
- * parsed, and *array becomes its text; otherwise array->s becomes NULL. */
+ * parsed, and *array becomes its text; otherwise array->s becomes NULL. A byte order
+ * mark in text becomes blanks. */
 struct value value_parse_document(struct source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
@@ -124,8 +125,9 @@ void value_numbers(const struct value *, const struct value_range *, size_t n,
 /* Returns the index of a string in words, which NULL ends; refuses other values. */
 int value_word(const struct value *, const char *const *words);
 
-/* Writes the words, which NULL ends, as a list such as "a", "b" or "c": quote is around
- * each word, last before the last. A list is cut at LIST_ROOM bytes. Returns out. */
+/* Writes the words, which NULL ends, as a list such as "a", "b" or "c". quote is put
+ * before and after each word, and last, such as " or ", before the last word. A list is
+ * cut at LIST_ROOM bytes. Returns out. */
 enum { LIST_ROOM = 512 };
 const char *list_words(char out[LIST_ROOM], const char *const *words,
     const char *last, const char *quote);

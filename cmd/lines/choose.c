@@ -99,6 +99,7 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 			    pointer && is_index(token, k);
 }
 
+/* A search for the first n elements of struct chosen. */
 struct search {
 	const struct layout *l;
 	int n;

@@ -112,6 +112,7 @@ static void next_of_csv(struct cursor *c, struct field *f)
 		    (struct span){ f->value.s + 1, f->value.end - 1 });
 }
 
+/* Sets *f to the next element of an array or member of an object. */
 static void next_of_json(struct cursor *c, struct field *f)
 {
 	const char *s = c->s;

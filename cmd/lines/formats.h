@@ -52,6 +52,7 @@ struct cursor {
 
 enum { REASON_MAX = 320 }; /* bytes that say what is wrong with a line */
 
+/* The properties of a format. */
 struct format_row {
 	enum format base;         /* FORMAT_CSV for tsv, else the format */
 	char separator;           /* 0: the user chooses it by --separator */
@@ -96,6 +97,7 @@ static inline bool is_binary(enum format f)
 	return format_rows[f].size > 0;
 }
 
+/* Returns the size of a binary point in bytes. */
 static inline size_t point_size(enum format f, int coordinates)
 {
 	return (size_t)coordinates * format_rows[f].size;

@@ -1,7 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads lines with a point each, and writes them with other numbers in the place of the
- * coordinates. All other bytes of a line stay. walk.c reads simple lines, many at once.
- * line_read in read.c reads any line, and alone decides which lines are legal. */
+ * coordinates. All other bytes of a line stay.
+ *
+ * A line is simple if walk.c can read it. Most lines are, and walk.c reads many of them
+ * at once. line_read in read.c reads any line, and alone decides which lines are legal:
+ * a cursor goes over the fields of the line, choose.c finds the coordinates among these
+ * fields, and say.c writes what is wrong. The first line of csv may be a header, which
+ * header.c reads. in_place.h writes a point if only numbers of its line change or are
+ * added, and splice.c writes all other lines. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -96,6 +102,7 @@ struct line {
 	bool has_bom;   /* the line begins with a byte order mark */
 };
 
+/* The part of a coordinate that is missing in a line. */
 static const struct part part_missing = { 1, 0 };
 
 static inline bool is_missing(struct part p)
@@ -116,6 +123,7 @@ struct numbers {
 	size_t stride, text_stride;
 };
 
+/* The word of --flags, such as left+near. */
 struct word {
 	char s[WORD_MAX];
 	size_t size;
@@ -126,6 +134,7 @@ static inline struct span line_text(const struct line *line)
 	return (struct span){ line->s, line->s + line->size };
 }
 
+/* Returns the text of coordinate i. */
 static inline struct span line_field(const struct line *line, int i)
 {
 	return (struct span){ line->s + line->at[i].from,
@@ -138,6 +147,7 @@ static inline struct part line_part(const struct line *line, struct span f)
 		(uint32_t)(f.end - line->s) };
 }
 
+/* Returns the size of a binary record in bytes. */
 static inline size_t record_size(const struct layout *l)
 {
 	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
@@ -167,6 +177,7 @@ static inline bool layout_has_names(const struct layout *l)
 	return false;
 }
 
+/* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {
 	static const char names[][2] = { "x", "y", "z", "w" };
@@ -213,6 +224,7 @@ struct cursor value_cursor(struct span value, const char *end);
 /* Reads the next field and moves the cursor past it; returns false if there is none. */
 bool cursor_next(struct cursor *, struct field *);
 
+/* Returns the number of fields after the cursor. */
 size_t cursor_count(struct cursor);
 
 /* The fields that choose finds: elements 0 to 3 of each array for the coordinates, and

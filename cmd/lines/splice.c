@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes lines that in_place.h does not write. The values of a point are its written
- * numbers and the word of --flags: value k < COORDINATES_MAX is number k, and value
- * FLAGS is the word. */
+/* Writes lines that in_place.h does not write. convert_point writes a point in another
+ * format, and convert any other such line. append copies the line and adds values.
+ * splice divides the line into fields, and copies, replaces or leaves out each field.
+ *
+ * The values of a point are its written numbers and the word of --flags: value k <
+ * COORDINATES_MAX is number k, and value FLAGS is the word. */
 #include <math.h>
 #include <string.h>
 
@@ -12,6 +15,7 @@
 
 enum { FLAGS = COORDINATES_MAX };
 
+/* A line that is being written. */
 struct splice {
 	const struct layout *l;
 	const struct line *line;
@@ -44,6 +48,7 @@ char *line_put_rare_number(const struct layout *l, int k, double v, char *out)
 			   number_write(out, v, l->style[k]);
 }
 
+/* Copies the line from done up to s. */
 static void copy_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {

@@ -93,11 +93,13 @@ struct walker {
 	int found;            /* the number of coordinates passed */
 };
 
+/* Returns whether the stop c is at the position. */
 INLINE bool stop_is(const struct walker *p, char c)
 {
 	return *p->stop == p->at && p->text[p->at] == c;
 }
 
+/* Passes the stop at the position. */
 INLINE void pass_stop(struct walker *p)
 {
 	p->at++;
@@ -440,6 +442,7 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 	    has_no_decimal_comma(p, d, f.n, f.commas > 0);
 }
 
+/* Passes an array or an object. */
 INLINE bool pass_brackets(struct walker *p, struct fields f,
     const struct target *t)
 {
@@ -458,6 +461,7 @@ INLINE bool pass_brackets(struct walker *p, struct fields f,
 	return true;
 }
 
+/* Passes an array or an object that is a field. */
 static bool pass_nested(struct walker *p, const struct target *t,
     const struct paths *paths, unsigned leads, int levels)
 {
@@ -545,6 +549,8 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
+/* Calls a copy of walk_batch for points of three coordinates that are the first fields,
+ * or a copy for all other points. */
 INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)

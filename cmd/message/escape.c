@@ -33,7 +33,8 @@ unsigned escape_find_invisible(const char *s)
 	return 0;
 }
 
-/* Writes the character at *s, escaped if necessary, and moves *s. Returns the bytes. */
+/* Writes the character at *s, escaped if necessary, and moves *s past it. Returns the
+ * number of bytes written. */
 static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s,
     const char *end, bool json)
 {

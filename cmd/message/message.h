@@ -16,7 +16,8 @@ struct scene_place {
 	long line;   /* the first line of the document, from 1 */
 };
 
-/* The place that a message is about; all members may be 0. */
+/* The place that a message is about; all members may be 0. A message is text or, by
+ * --errors json, a JSON object. */
 struct place {
 	const char *file;
 	long long line;      /* from 1; text omits it if pointer is set */

@@ -5,7 +5,9 @@
 #include <string.h>
 #include <strings.h>
 
-/* The names that other programs have for members are in the tables of members. */
+/* Words of other programs, with blanks between them, and the hint to give: an option
+ * "--jobs", a remark ": ...", or a call "project -m"; * stands for the word itself. The
+ * names that other programs have for members are in the tables of members. */
 static const struct {
 	const char *words, *hint;
 } synonyms[] = {

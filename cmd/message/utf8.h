@@ -38,11 +38,12 @@ const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 /* Returns the code of the first invisible character in a string with escapes, or 0. */
 unsigned escape_find_invisible(const char *);
 
-/* Returns the word of words, which NULL ends, that is last in the hint of a synonym, or
- * else is the fewest edits from word. An edit changes, adds or drops a letter, or
- * swaps two neighbours; a word of two to five letters may have one, of up to eight two,
- * a longer one three. If there is none, returns the first word of three letters or more
- * that begins the other, or NULL. Case does not count. */
+/* Returns the word of the list words, which NULL ends, that ends the hint of a synonym
+ * for word, or else is the fewest edits from word. An edit changes, adds or drops a
+ * letter, or swaps two neighbours. In a word of two to five letters one edit is allowed,
+ * in one of up to eight two, in a longer one three. If no word is so near, returns the
+ * first that begins with word or that word begins with; the shorter of the two must have
+ * three letters. If there is none, returns NULL. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);
 
 /* Returns whether word is one of words, which are in lower case with blanks between

@@ -19,8 +19,9 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 static const struct member scene_row = { .members = scene_members };
 
 /* Writes the point v, whose text begins at s, to *out as a line without blanks. Moves
- * *out to the end of the line, and returns the end of the point's text. A point is an
- * array of coordinates, each a number or null, and perhaps of other scalars. */
+ * *out to the end of the line, and returns the end of the point's text, which is known
+ * to be JSON. Refuses a value that is not a point: an array of coordinates, each a
+ * number or null, and perhaps of other elements that are no arrays or objects. */
 static const char *write_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
@@ -158,7 +159,8 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns, as bits, the members that v, a "convention", gives: all if v is a name. */
+/* Returns, as bits, the members that v, the value of "convention", gives: all if v is a
+ * name, none if v is missing. */
 static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))

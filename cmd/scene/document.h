@@ -48,14 +48,16 @@ struct document {
 	/* The name of the member, such as camera, that is the whole document; or NULL.
 	 * Pointers in messages leave the name out. */
 	const char *lone_member;
-	/* The member points as lines like those of document_points; or NULL. */
+	/* The member points, rewritten in the text of the document as lines like those
+	 * of document_points; or NULL. */
 	const char *points;
 	size_t points_size;
 };
 
 /* What a command needs of a document. */
 struct document_wants {
-	/* The member that may be the whole document, as lookat's camera; or 0. */
+	/* The member that may be the whole document, such as the camera for the
+	 * command lookat; or 0. */
 	enum scene_member lone_member;
 	/* The members that a document must have, as bits. */
 	unsigned needed;
@@ -64,7 +66,8 @@ struct document_wants {
 	unsigned used;
 	/* A document is flat, of two dimensions, if it has any of these members, as
 	 * bits, and no projection. The command then needs no other member, uses none
-	 * of SCENE_SPATIAL, and reads points of two coordinates. */
+	 * of SCENE_SPATIAL, and reads points of two coordinates. 0: the command takes
+	 * no flat documents. */
 	unsigned flat_members;
 	/* The document's source, of which the command sets the place of the text,
 	 * two_numbers_hint, and three members. implied_type: a projection has this type

@@ -240,7 +240,8 @@ const struct type type_affine = { "matrix", read_matrix, print_affine, 0 };
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-/* Refuses k if it can't be the matrix K of a camera. */
+/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which
+ * is not 0 under the diagonal. */
 static void check_k(const struct value *v, const double k[3][4])
 {
 	for (int i = 0; i < 3; i++)

@@ -10,7 +10,8 @@
 /* A number or, if the row has n, an array of n numbers; in the struct doubles. */
 extern const struct type type_numbers;
 
-/* true or false, or one of the row's two words; in the struct a bool. */
+/* true or false or, if the row has words, one of its two words; in the struct a bool,
+ * which is true for the second word. */
 extern const struct type type_flag;
 
 /* One of the row's words; in the struct an enum: row.word_0 plus the word's index. */
@@ -28,7 +29,8 @@ extern const char *const vector_names[];
  * for row vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
-/* Intrinsics of a camera: fx, fy, cx, cy, or K or P; in the struct a double[3][4]. */
+/* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
+ * P; in the struct P, a double[3][4]. */
 extern const struct type type_intrinsics;
 
 /* A number, or "infinity"; in the struct a double. put_distance prints it. */

@@ -59,6 +59,7 @@ void answer_begin_source(const struct job *j, const struct point_source *s)
 	progress.size = s->size;
 }
 
+/* Clears the terminal's line of progress before a message. */
 static void clear_progress(void)
 {
 	if (progress.on_screen)

@@ -48,6 +48,7 @@ static void copy_coordinates(const struct layout *l, char *records, char *rows,
 		copy_numbers(l, sizeof(double), records, rows, to_records, n);
 }
 
+/* Returns the number of points of the next block. */
 static size_t count_points(const struct job *j, const struct chunk *c)
 {
 	size_t n = (size_t)(c->end - c->text) / record_size(&j->layout);

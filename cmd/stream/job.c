@@ -140,6 +140,7 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
+/* Calls mark_nan for each point of the block, and counts the points without image. */
 static void block_mark_nan(const struct job *j, struct chunk *c)
 {
 	for (size_t i = 0, p = 0; i < c->block_lines; i++)
@@ -148,6 +149,7 @@ static void block_mark_nan(const struct job *j, struct chunk *c)
 			c->first_imageless = c->n_lines + i;
 }
 
+/* The state of block_write. */
 struct writer {
 	const struct job *job;
 	struct chunk *chunk;
@@ -178,6 +180,7 @@ static void make_texts(struct writer *w, size_t p)
 	w->first_of_batch = from;
 }
 
+/* Returns the numbers and texts of the image of point p. */
 static inline struct numbers image_of(const struct writer *w, size_t p)
 {
 	return (struct numbers){ &w->chunk->image[0][p],

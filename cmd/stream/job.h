@@ -105,12 +105,14 @@ bool binary_map_floats(const struct job *, struct chunk *);
  * the lines of the block are set. */
 bool binary_write(const struct job *, struct chunk *, const char *text);
 
+/* Returns the number of bytes that are written for each point. */
 size_t binary_size(const struct layout *);
 
 /* Writes a binary point for a line: the image of its point, which is point p of the
  * block, or nan if the line is bad. Returns the end of the binary point. */
 char *binary_put(const struct layout *, const struct chunk *,
     const struct line *, size_t p, char *at);
+/* stream.c does a job on sources of points, with several threads. */
 
 /* Calls run(data), in a new thread if the stack may be too small, and waits for it. */
 void call_with_stack(void *(*run)(void *), void *data);
@@ -119,10 +121,13 @@ void call_with_stack(void *(*run)(void *), void *data);
  * read before it waits for more. Prints errors and ends the program after them. Each
  * call must get the same struct job, whose contents may change between the calls. */
 void stream(struct job *, struct point_source);
+/* answer.c prints the output of chunks in the order of their source, reports bad lines
+ * and points without image, and shows progress on standard error. */
 
 /* Turns progress on, at the first call, if asked or if only stderr is a terminal. */
 void answer_start_progress(bool asked);
 
+/* Begins a source, whose lines are counted from 1. */
 void answer_begin_source(const struct job *, const struct point_source *);
 
 /* Prints the output of the next chunk, then reports its bad lines, which end the

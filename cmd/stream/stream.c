@@ -153,6 +153,7 @@ static struct chunk *begin_chunk(void)
 	return c;
 }
 
+/* Answers the next chunks up to the first that is not done. */
 static void answer_done_chunks(void)
 {
 	struct chunk *c;
@@ -174,6 +175,7 @@ static void answer_done_chunks(void)
 	pool.answering = false;
 }
 
+/* Does chunks, forever or until the source is finished. */
 static void run_chunks(bool forever)
 {
 	int looks = 0;
