@@ -55,7 +55,7 @@ const char *extents_widen(struct extents *, int n);
 const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
 
 /* Finds the extents of a hull along the columns of fit_axes, and widens zero extents.
- * Returns NULL, or the member and the reason. */
+ * Returns NULL, or the member at fault and why. */
 const char *hull_extents(const struct hull *, const struct scene *,
     struct extents *);
 
@@ -130,7 +130,7 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions along which fit_scene measures. The farthest points along them
- * make the same scene as all points. Returns NULL, or the member and the reason. */
+ * make the same scene as all points. Returns NULL, or the member at fault and why. */
 const char *fit_directions(const struct scene *, bool has_eye,
     struct directions *);
 
@@ -139,7 +139,7 @@ const char *fit_directions(const struct scene *, bool has_eye,
  * and height are the least doubles for which frustum_outside finds the bounds inside
  * the window without its margin. Then the shorter side is widened to the device's
  * shape, if there is a device. A zero extent along one axis counts as 2^-20 of the
- * other. Returns NULL, or the member and the reason. */
+ * other. Returns NULL, or the member at fault and why. */
 const char *fit_window(struct scene *, const struct bounds *);
 
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */

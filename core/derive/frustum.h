@@ -37,7 +37,7 @@ const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
 /* Makes the edges of the ndc square, which fills the device, as functions of a point in
- * the 2D space from. Returns NULL, or the member and the reason. */
+ * the 2D space from. Returns NULL, or the member at fault and why. */
 const char *flat_frustum_of(const struct scene *, enum flat_space from,
     struct frustum *);
 
@@ -61,14 +61,14 @@ struct volume {
 	struct sum eye_z[2]; /* clip z of the eye is eye_z[0] / eye_z[1] */
 };
 
-/* Makes the volume of a scene. Returns NULL, or the member and the reason. */
+/* Makes the volume of a scene. Returns NULL, or the member at fault and why. */
 const char *volume_of(const struct scene *, struct volume *);
 
 /* Writes, by enum precision, an upper bound of the error of each coordinate of the
  * image of any model point in the view volume. The unit is that of the device or,
  * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if w
  * could be less than its own error, or if 1/w is beyond the range of the precision.
- * Returns NULL, or the member and the reason. */
+ * Returns NULL, or the member at fault and why. */
 const char *error_bounds(const struct scene *, const struct volume *,
     double bound[3]);
 
@@ -79,7 +79,7 @@ struct ray_maker {
 	struct transform direction; /* from x y to a vector along the ray */
 };
 
-/* Makes the maps for rays_cast. Returns NULL, or the member and the reason. */
+/* Makes the maps for rays_cast. Returns NULL, or the member at fault and why. */
 const char *ray_maker_of(const struct scene *, struct ray_maker *);
 
 /* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes, in world
@@ -103,7 +103,7 @@ struct picker {
 	double at[2], radius;   /* on the device */
 };
 
-/* Sets all members but at and radius. Returns NULL, or the member and the reason. */
+/* Sets all members but at and radius. Returns NULL, or the member at fault and why. */
 const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 

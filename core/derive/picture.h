@@ -59,7 +59,7 @@ struct lens {
 	bool parallel, reversed; /* reversed: near has the larger ndc depth */
 };
 
-/* Makes the maps of a scene. Returns NULL, or the member and the reason. */
+/* Makes the maps of a scene. Returns NULL, or the member at fault and why. */
 const char *lens_of(const struct scene *, struct lens *);
 
 /* Writes the unit vector in world space along an axis given in view space. */
@@ -142,7 +142,7 @@ struct picture {
  * exist stay so. */
 void taxonomy_of(const struct lens *, struct picture *);
 
-/* Sets all members of the picture. Returns NULL, or the member and the reason. */
+/* Sets all members of the picture. Returns NULL, or the member at fault and why. */
 const char *picture_of(const struct scene *, struct picture *);
 
 #endif

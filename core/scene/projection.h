@@ -100,7 +100,7 @@ void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
 
 /* Computes the map from view to clip space, or its inverse, as projcalc(1), FORMULAS
- * says. Returns NULL, or the member and the reason. */
+ * says. Returns NULL, or the member at fault and why. */
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 

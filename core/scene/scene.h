@@ -74,12 +74,12 @@ struct window_extent {
 	double scale[2]; /* device units (no device: ndc) per window unit */
 };
 
-/* Computes what the window shows. Returns NULL, or the member and the reason. */
+/* Computes what the window shows. Returns NULL, or the member at fault and why. */
 const char *scene_window_extent(const struct scene *, struct window_extent *);
 
-/* Computes the map of scene_map, and its last factor from_view: the map from view space
- * to the space to. The space from is model, world or view space, and to comes after
- * view space. Elements of from_view may be beyond the range of doubles. */
+/* Computes the map of scene_map, and its last factor from_view, which maps view space to
+ * space `to`. `from` is SPACE_MODEL, SPACE_WORLD or SPACE_VIEW, and `to` a later space
+ * than SPACE_VIEW. Elements of from_view may be beyond the range of doubles. */
 const char *scene_map_by_view(const struct scene *, enum space from,
     enum space to, struct map *, struct map *from_view);
 

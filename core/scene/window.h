@@ -28,7 +28,7 @@ struct viewport {
 };
 
 /* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The
- * device may be NULL with ADAPT_STRETCH. Returns NULL, or the member and the reason. */
+ * device may be NULL with ADAPT_STRETCH. Returns NULL, or the member at fault and why. */
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 

@@ -340,9 +340,9 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 /* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. The first
  * quotient q is within 4 u |q| of n / w, so that the residual n - q w is at most 4 u
  * |n|. The correction of q, the residual over w, has an error of at most 24 u^2 |q| and
- * 3 u times the low parts, which are up to 9 times 2^-26 B. bound and w_bound are above
- * 2^-74 of n and w. The errors of the quotient and of both columns leave a sixth of the
- * bounds unused, even if the exact divisor is less than w, which is above w_bound. */
+ * 3 u times the low parts, which are up to 9 times 2^-26 B. bound is above 2^-74 |n|,
+ * and w_bound above 2^-74 w. The errors of the quotient and of both columns leave a sixth
+ * of the bounds unused, even if the exact divisor is less than w. w is above w_bound. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
