@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include <fenv.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "call/operands.h"

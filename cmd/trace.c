@@ -54,8 +54,7 @@ static char *trace_put_image(char *at, const struct job *j,
 	bool json = l->out.format == FORMAT_JSON;
 
 	for (int k = 0; m != NULL && k < n; k++)
-		finite += l->single ? isfinite((float)m->v[s][k][p]) != 0 :
-				      isfinite(m->v[s][k][p]) != 0;
+		finite += isfinite(m->v[s][k][p]) != 0;
 	if (json && finite == 0)
 		return stpcpy(at, "null");
 	if (json)

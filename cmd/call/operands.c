@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "../message/message.h"
-#include "../scene/types.h"
 
 /* Refuses word, an operand that is no file; why is the reason. The message ends with
  * hint or, if word is the name of an option, with that option. Before the name may be
@@ -23,7 +22,7 @@ static _Noreturn void refuse_no_file(const struct command *c, const char *word,
 	while (strncmp(name, "\xe2\x80", 2) == 0 && (name[2] & 0xf0) == 0x90)
 		name += 3;
 	r = option_named(name);
-	if (r != NULL && option_is_for(r, c))
+	if (option_is_for(r, c))
 		die_at(EXIT_USAGE, &place, "%s; did you mean --%s?", why, name);
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
@@ -232,8 +231,7 @@ static void prepare_job(struct job *j, const struct options *o)
 	j->layout.columns.by_default = o->columns.n == 0;
 	for (int k = 0; k < 4 && j->layout.columns.by_default; k++)
 		j->layout.columns.name[k] = coordinate_name(k);
-	for (int k = 0; k < COORDINATES_MAX; k++)
-		j->layout.style[k] = o->styles.style[k];
+	memcpy(j->layout.style, o->styles.style, sizeof o->styles.style);
 	name_numbers(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;

@@ -87,9 +87,7 @@ void options_read_first(char **words);
 /* Returns the option called name, which ends at NUL, = or a blank; or NULL. */
 const struct option_row *option_named(const char *name);
 
-/* Writes to list, and returns, the commands that take an option: "fit and trace". */
-const char *option_takers(const struct option_row *, char list[LIST_ROOM]);
-
+/* Returns whether the command takes the option. Either may be NULL. */
 bool option_is_for(const struct option_row *, const struct command *);
 
 /* Reads the options and operands behind a command's name, up to --help or --version. */

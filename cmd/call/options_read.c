@@ -163,11 +163,9 @@ void options_read(const struct command *c, char **words, struct options *o)
 	}
 	if ((c->kind & (TRACE | INSPECT | FIT)) != 0)
 		choose_output(c, o);
-	o->n_points = (int)(operand - o->points) - 1;
-	if (o->n_points < 0)
-		o->n_points = 0;
-	else
+	if (operand > o->points)
 		o->params = *o->points++;
+	o->n_points = (int)(operand - o->points);
 	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
 		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
 	if (o->out_record > 0 &&

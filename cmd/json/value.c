@@ -10,8 +10,6 @@
 
 #include "../../core/scene/scene.h"
 #include "../number/number.h"
-#include "../message/message.h"
-#include "text.h"
 
 const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
 	.wanted = "numbers go up to 1e150" };
@@ -205,7 +203,6 @@ void value_refuse_type(const struct value *v, const char *wanted)
 {
 	static const char *const names[] = { "false", "true", "null",
 		"a number", "a string", "an array", "an object" };
-
 	int type = JSON_FALSE;
 
 	while (!value_is(v, (enum json_type)type))
