@@ -233,7 +233,7 @@ static void hits_set_circle(const struct document *d, const struct options *o,
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 
-void run_pick(const struct command *c, const struct options *o)
+void run_pick(const struct options *o)
 {
 	struct document d;
 	static struct hits hits;
@@ -245,7 +245,7 @@ void run_pick(const struct command *c, const struct options *o)
 	hits.json = o->has_out && o->out == FORMAT_JSON;
 	hits.style = options_style(o);
 	hits.n = hits.size = 0;
-	read_document(c, o, &d);
+	read_document(o, &d);
 	hits_set_circle(&d, o, &hits);
 	document_refuse_if(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,

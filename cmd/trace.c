@@ -140,7 +140,7 @@ static void trace_collect_chunk(const struct job *j, const struct chunk *c)
 	trace->printed = true;
 }
 
-void run_trace(const struct command *c, const struct options *o)
+void run_trace(const struct options *o)
 {
 	static struct trace trace;
 	static struct job j = { .take_block = trace_take_block,
@@ -148,7 +148,7 @@ void run_trace(const struct command *c, const struct options *o)
 		.data = &trace };
 	struct document d;
 
-	read_document(c, o, &d);
+	read_document(o, &d);
 	trace = (struct trace){ .n_spaces = SPACES };
 	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
 		trace.n_spaces--;

@@ -37,8 +37,9 @@ static void check_file(const struct command *c, const char *name,
 		refuse_no_file(c, name, strerror(errno), hint);
 }
 
-void operands_check(const struct command *c, const struct options *o)
+void operands_check(const struct options *o)
 {
+	const struct command *c = o->command;
 	bool from_stdin = is_stdin(o->params);
 	char hint[160];
 
@@ -58,7 +59,7 @@ void operands_check(const struct command *c, const struct options *o)
 	if (o->columns.n != 1)
 		snprintf(hint, sizeof hint,
 		    "POINTS are a file, - or '[%.*s]'%s",
-		    2 * coordinates_of(c, o) + 1, "1.5,2,3,4",
+		    2 * coordinates_of(o) + 1, "1.5,2,3,4",
 		    c->kind == PICK ? POSITION_HINT : "");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
@@ -73,8 +74,7 @@ void operands_check(const struct command *c, const struct options *o)
 	}
 }
 
-bool has_points(const struct command *c, const struct options *o,
-    const struct document *d)
+bool has_points(const struct options *o, const struct document *d)
 {
 	bool none = o->n_points == 0 && d->points == NULL;
 
@@ -82,7 +82,7 @@ bool has_points(const struct command *c, const struct options *o,
 		die_at(EXIT_USAGE, &(struct place){ .of_scene = true },
 		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
-		    c->name, o->points_option);
+		    o->command->name, o->points_option);
 	return !none;
 }
 

@@ -327,9 +327,9 @@ void options_read_first(char **words)
 	}
 }
 
-int coordinates_of(const struct command *c, const struct options *o)
+int coordinates_of(const struct options *o)
 {
-	if (c->kind == MATRIX_2D || o->ray || o->plane.n > 0)
+	if (o->command->kind == MATRIX_2D || o->ray || o->plane.n > 0)
 		return 2;
 	if (o->from == SPACE_CLIP ||
 	    (o->from == SPACE_DEVICE && o->homogeneous))

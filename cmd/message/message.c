@@ -266,7 +266,7 @@ static struct {
 	size_t n;
 } printed;
 
-int print(const char *format, ...)
+void print(const char *format, ...)
 {
 	va_list args, again;
 
@@ -279,7 +279,6 @@ int print(const char *format, ...)
 	printed.n += n;
 	va_end(again);
 	va_end(args);
-	return (int)n;
 }
 
 void output_close(void)
