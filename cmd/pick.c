@@ -142,8 +142,8 @@ static bool hit_is_header(const struct hit *hit)
 	return hit->distance < -DBL_MAX;
 }
 
-/* The picker for hit_compare, as qsort passes only the two hits to compare. NULL:
- * hit_compare takes hits with the same nearest double of the distance for equal. */
+/* The picker for hit_compare, as qsort passes only the two hits to compare. NULL: exact
+ * distances are not compared. */
 static const struct picker *hit_picker;
 
 /* Compares hits for qsort: by the nearest double of the distance, then by the exact

@@ -64,17 +64,15 @@ struct value value_parse_document(struct source *source, const char *pointer,
 		    size);
 		source->end = source->text + size;
 	}
-	const bool good = json_check(&c);
-
-	cJSON_Delete(parsed);
-	parsed = good ? cJSON_ParseWithLength(copy, (size_t)(c.copy - copy)) :
-			NULL;
-	free(copy);
-	if (!good) {
+	if (!json_check(&c)) {
 		const struct place place = source_place_at(source, text, c.at);
 
+		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
+	cJSON_Delete(parsed);
+	parsed = cJSON_ParseWithLength(copy, (size_t)(c.copy - copy));
+	free(copy);
 	/* cJSON takes every text that json_check accepts, unless memory runs out */
 	if (parsed == NULL)
 		die(EXIT_SYSTEM, "out of memory");

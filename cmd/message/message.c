@@ -89,9 +89,8 @@ static void add_text(int status, const struct place *p,
 	add_escaped(message);
 }
 
-/* Cuts a message before its hint, which the first "; " outside of quotes begins, and
- * returns the hint or NULL. An opening quote, unlike an apostrophe, is first or follows
- * a blank. */
+/* Cuts a message at the first "; " outside of quotes. Returns the hint behind it or
+ * NULL. An opening quote, unlike an apostrophe, is first or follows a blank. */
 static const char *cut_hint(char *message)
 {
 	char quote = '\0';
