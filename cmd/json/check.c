@@ -185,7 +185,7 @@ static void copy_number(struct json_check *s, const char *end)
 	char text[NUMBER_MAX] = "1e999", *text_end = text + 5;
 	double v;
 
-	if (s->copy == NULL || end - s->at <= CJSON_NUMBER_MAX) {
+	if (end - s->at <= CJSON_NUMBER_MAX) {
 		append_copy(s, s->at, (size_t)(end - s->at));
 		return;
 	}
@@ -208,7 +208,8 @@ static bool check_scalar(struct json_check *s)
 			       "quotes";
 		return refuse(s, "a value", hint);
 	}
-	copy_number(s, end);
+	if (s->copy != NULL)
+		copy_number(s, end);
 	s->at = end;
 	return true;
 }
