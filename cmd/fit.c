@@ -82,12 +82,12 @@ static _Noreturn void refuse_fit(const struct options *o,
 	die_at(EXIT_INPUT, &place, "%s", why + n);
 }
 
-void run_fit(const struct command *c, const struct options *o)
+void run_fit(const struct options *o)
 {
 	struct document d;
 
-	read_document(c, o, &d);
-	bool points = has_points(c, o, &d);
+	read_document(o, &d);
+	bool points = has_points(o, &d);
 
 	if (d.scene.answer != NULL)
 		document_refuse(&d,

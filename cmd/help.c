@@ -85,10 +85,8 @@ static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;
 
-	for (int i = 0; scene_members[i].name != NULL; i++) {
-		const struct member *row = &scene_members[i];
-
-		if (w->lone_member >> i & 1 ||
+	for (const struct member *row = scene_members; row->name != NULL; row++)
+		if (w->lone_member >> (row - scene_members) & 1 ||
 		    strcmp(row->name, c->name) == 0) {
 			print("\n");
 			put_heading(row->name);
@@ -96,7 +94,6 @@ static void print_params(const struct command *c)
 			print_members(row->members,
 			    (int)w->source.implied_type - 1, ALL_MEMBERS);
 		}
-	}
 	put_heading("\nscene:\n");
 	print_members(scene_members, ANY_KIND, document_used_members(w));
 	print("projcalc help NAME describes a member that is an object.\n");

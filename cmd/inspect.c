@@ -212,7 +212,7 @@ static void put_projection(struct printer *p, const struct document *d,
 	put_close(p, "]");
 }
 
-void run_inspect(const struct command *c, const struct options *o)
+void run_inspect(const struct options *o)
 {
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
@@ -221,7 +221,7 @@ void run_inspect(const struct command *c, const struct options *o)
 		.separator = "" };
 	struct document d;
 
-	read_document(c, o, &d);
+	read_document(o, &d);
 	if (d.flat && (o->tolerance > 0 || o->distances.n > 0))
 		document_refuse(&d,
 		    "/projection: missing; -t and --distances are about the "

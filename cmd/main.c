@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include <fenv.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "call/operands.h"
@@ -120,15 +119,9 @@ static void help(const struct options *o)
 		synonym_refuse_word(commands, true, what);
 }
 
-struct run {
-	const struct command *command;
-	struct options options;
-};
-
 static void *run_scenes(void *data)
 {
-	struct run *run = data;
-	const struct options *o = &run->options;
+	const struct options *o = data;
 	jmp_buf refused;
 
 	if (o->scenes && o->keep_going && !is_binary(options_output(o)))
@@ -136,7 +129,7 @@ static void *run_scenes(void *data)
 	if (setjmp(refused) != 0)
 		answer_refused_scene(options_output(o));
 	while (params_next(o)) {
-		run->command->run(run->command, o);
+		o->command->run(o);
 		if (ex_has_overflowed())
 			die_at(EXIT_INPUT, &(struct place){ .of_scene = true },
 			    "what is printed is not exact: " SCENE_TOO_WIDE);
@@ -146,8 +139,7 @@ static void *run_scenes(void *data)
 
 int main(int argc, char **argv)
 {
-	struct run run = { .options = { .params = "-", .separator = ',' } };
-	struct options *o = &run.options;
+	struct options o = { .params = "-", .separator = ',' };
 
 	/* -ffast-math at link time adds startup code that flushes subnormals. */
 	fesetenv(FE_DFL_ENV);
@@ -156,23 +148,23 @@ int main(int argc, char **argv)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = run.command = find_command(commands, argv[1]);
+	const struct command *c = o.command = find_command(commands, argv[1]);
 
-	o->version = strcmp(argv[1], "--version") == 0 ||
+	o.version = strcmp(argv[1], "--version") == 0 ||
 	    strcmp(argv[1], "-V") == 0;
-	if (c == NULL && !o->version)
+	if (c == NULL && !o.version)
 		synonym_refuse_word(commands, false, argv[1]);
 	if (c != NULL)
-		options_read(c, argv + 2, o);
-	if (o->version) {
+		options_read(&o, argv + 2);
+	if (o.version) {
 		print("projcalc " VERSION "\n");
-	} else if (o->help) {
+	} else if (o.help) {
 		help_command(c);
 	} else if (c->kind == HELP) {
-		help(o);
+		help(&o);
 	} else {
-		operands_check(c, o);
-		call_with_stack(run_scenes, &run);
+		operands_check(&o);
+		call_with_stack(run_scenes, &o);
 	}
 	return answer_end();
 }

@@ -93,9 +93,10 @@ void print_matrix(const struct options *o, const struct document *d,
 /* In the order of enum flat_space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
-static void matrix_prepare(const struct command *c, const struct options *o,
-    const struct document *d, int to, struct job *j)
+static void matrix_prepare(const struct options *o, const struct document *d,
+    int to, struct job *j)
 {
+	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
 	bool planes = o->flags || o->visible;
 
@@ -110,16 +111,17 @@ static void matrix_prepare(const struct command *c, const struct options *o,
 	j->count_imageless = !planes;
 }
 
-void run_matrix(const struct command *c, const struct options *o)
+void run_matrix(const struct options *o)
 {
+	const struct command *c = o->command;
 	struct document d;
 	static struct job j;
 
-	read_document(c, o, &d);
+	read_document(o, &d);
 
-	bool points = !o->matrix && has_points(c, o, &d);
+	bool points = !o->matrix && has_points(o, &d);
 
-	matrix_prepare(c, o, &d, points ? c->points_to : c->to, &j);
+	matrix_prepare(o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		print_matrix(o, &d, &j.transform);
 		return;

@@ -86,7 +86,6 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
 		const struct line *line = &c->line[i];
-		size_t at = p, number = c->n_lines + i;
 
 		if (line->kind == LINE_HEADER && !h->json)
 			hits_append(j, c,
@@ -94,11 +93,11 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 			    NULL);
 		if (line->kind != LINE_POINT)
 			continue;
-		p++;
+		const size_t at = p++;
 		const double to[3] = { v[0][at], v[1][at], v[2][at] };
 		struct hit hit = { .point = { in[0][at], in[1][at], in[2][at],
 				       1 },
-			.line = (long long)number };
+			.line = (long long)(c->n_lines + i) };
 
 		if (isnan(to[0]) || isnan(to[1]) ||
 		    !pick_is_within(&h->picker, hit.point, to))
@@ -143,45 +142,39 @@ static bool hit_is_header(const struct hit *hit)
 	return hit->distance < -DBL_MAX;
 }
 
-/* The picker for hit_compare_exact, as qsort passes only the two hits to compare. */
+/* The picker for hit_compare, as qsort passes only the two hits to compare. NULL: exact
+ * distances are not compared. */
 static const struct picker *hit_picker;
 
-/* Compare hits for qsort: by the nearest double of the distance, or by the exact
- * distance; then by address, as hits are stored in the order of the input. */
+/* Compares hits for qsort: by the nearest double of the distance, then by the exact
+ * distance, then by address, as hits are stored in the order of the input. */
 static int hit_compare(const void *a, const void *b)
 {
 	const struct hit *p = *(struct hit *const *)a;
 	const struct hit *q = *(struct hit *const *)b;
 	int order = (p->distance > q->distance) - (p->distance < q->distance);
 
-	return order != 0 ? order : (p > q) - (p < q);
-}
-
-static int hit_compare_exact(const void *a, const void *b)
-{
-	const struct hit *p = *(struct hit *const *)a;
-	const struct hit *q = *(struct hit *const *)b;
-	int order = hit_is_header(p) ?
-	    0 :
-	    pick_compare(hit_picker, p->point, q->point);
-
+	if (order == 0 && hit_picker != NULL && !hit_is_header(p))
+		order = pick_compare(hit_picker, p->point, q->point);
 	return order != 0 ? order : (p > q) - (p < q);
 }
 
 /* Sorts hits, the nearest first. Exact distances are compared only where the nearest
  * doubles are equal, and first only of neighbours, as most such hits are in order. */
-static void hits_sort(struct hit **hit, size_t n)
+static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 {
+	hit_picker = NULL;
 	qsort(hit, n, sizeof *hit, hit_compare);
+	hit_picker = picker;
 	for (size_t i = 0, end; i < n; i = end) {
 		bool sorted = true;
 
 		for (end = i + 1;
 		     end < n && hit[end]->distance == hit[i]->distance; end++)
 			sorted = sorted &&
-			    hit_compare_exact(&hit[end - 1], &hit[end]) < 0;
+			    hit_compare(&hit[end - 1], &hit[end]) < 0;
 		if (!sorted)
-			qsort(hit + i, end - i, sizeof *hit, hit_compare_exact);
+			qsort(hit + i, end - i, sizeof *hit, hit_compare);
 	}
 }
 
@@ -209,8 +202,7 @@ static void print_hits(const struct job *j)
 	for (size_t i = 0, size = 0; i < h->n;
 	     size += hit_stride(hit[i++]->size))
 		hit[i] = hit_at(h->buffer, size);
-	hit_picker = &h->picker;
-	hits_sort(hit, h->n);
+	hits_sort(&h->picker, hit, h->n);
 	for (size_t i = hits_first_printed(hit, h->n); i < h->n; i++) {
 		if (h->json)
 			at += sprintf(at, "{\"line\":%lld,", hit[i]->line);
@@ -241,7 +233,7 @@ static void hits_set_circle(const struct document *d, const struct options *o,
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 
-void run_pick(const struct command *c, const struct options *o)
+void run_pick(const struct options *o)
 {
 	struct document d;
 	static struct hits hits;
@@ -253,7 +245,7 @@ void run_pick(const struct command *c, const struct options *o)
 	hits.json = o->has_out && o->out == FORMAT_JSON;
 	hits.style = options_style(o);
 	hits.n = hits.size = 0;
-	read_document(c, o, &d);
+	read_document(o, &d);
 	hits_set_circle(&d, o, &hits);
 	document_refuse_if(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,

@@ -64,7 +64,7 @@ static void project_check_alone(const struct options *o, enum space from,
 				   "");
 }
 
-void run_project(const struct command *c, const struct options *o)
+void run_project(const struct options *o)
 {
 	const bool plane = o->plane.n > 0;
 	const enum space from = o->has_from ? o->from :
@@ -74,7 +74,7 @@ void run_project(const struct command *c, const struct options *o)
 	static struct job j;
 
 	project_check(o);
-	read_document(c, o, &d);
+	read_document(o, &d);
 
 	const enum space to = o->has_to ? o->to :
 	    o->ray || plane             ? SPACE_WORLD :

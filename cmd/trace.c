@@ -54,8 +54,7 @@ static char *trace_put_image(char *at, const struct job *j,
 	bool json = l->out.format == FORMAT_JSON;
 
 	for (int k = 0; m != NULL && k < n; k++)
-		finite += l->single ? isfinite((float)m->v[s][k][p]) != 0 :
-				      isfinite(m->v[s][k][p]) != 0;
+		finite += isfinite(m->v[s][k][p]) != 0;
 	if (json && finite == 0)
 		return stpcpy(at, "null");
 	if (json)
@@ -141,7 +140,7 @@ static void trace_collect_chunk(const struct job *j, const struct chunk *c)
 	trace->printed = true;
 }
 
-void run_trace(const struct command *c, const struct options *o)
+void run_trace(const struct options *o)
 {
 	static struct trace trace;
 	static struct job j = { .take_block = trace_take_block,
@@ -149,7 +148,7 @@ void run_trace(const struct command *c, const struct options *o)
 		.data = &trace };
 	struct document d;
 
-	read_document(c, o, &d);
+	read_document(o, &d);
 	trace = (struct trace){ .n_spaces = SPACES };
 	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
 		trace.n_spaces--;

@@ -28,7 +28,7 @@ struct command {
 	const char *about; /* one line of help */
 	enum command_kind kind;
 	/* Reads the current scene and prints the answer. Does not return after errors. */
-	void (*run)(const struct command *, const struct options *);
+	void (*run)(const struct options *);
 	/* What the command needs of a document. read_document adds what depends on the
 	 * options and on the place of the text. */
 	struct document_wants wants;
@@ -40,12 +40,12 @@ struct command {
 	const char *example;
 };
 
-void run_matrix(const struct command *, const struct options *);
-void run_project(const struct command *, const struct options *);
-void run_trace(const struct command *, const struct options *);
-void run_pick(const struct command *, const struct options *);
-void run_fit(const struct command *, const struct options *);
-void run_inspect(const struct command *, const struct options *);
+void run_matrix(const struct options *);
+void run_project(const struct options *);
+void run_trace(const struct options *);
+void run_pick(const struct options *);
+void run_fit(const struct options *);
+void run_inspect(const struct options *);
 
 /* Prints the matrix of a transform in the format and precision of the options, for the
  * row or column vectors of the answer's convention. The matrix has no row or column for

@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include "../message/message.h"
-#include "../scene/types.h"
 
 /* Refuses word, an operand that is no file; why is the reason. The message ends with
  * hint or, if word is the name of an option, with that option. Before the name may be
@@ -23,7 +22,7 @@ static _Noreturn void refuse_no_file(const struct command *c, const char *word,
 	while (strncmp(name, "\xe2\x80", 2) == 0 && (name[2] & 0xf0) == 0x90)
 		name += 3;
 	r = option_named(name);
-	if (r != NULL && option_is_for(r, c))
+	if (option_is_for(r, c))
 		die_at(EXIT_USAGE, &place, "%s; did you mean --%s?", why, name);
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
@@ -38,8 +37,9 @@ static void check_file(const struct command *c, const char *name,
 		refuse_no_file(c, name, strerror(errno), hint);
 }
 
-void operands_check(const struct command *c, const struct options *o)
+void operands_check(const struct options *o)
 {
+	const struct command *c = o->command;
 	bool from_stdin = is_stdin(o->params);
 	char hint[160];
 
@@ -59,7 +59,7 @@ void operands_check(const struct command *c, const struct options *o)
 	if (o->columns.n != 1)
 		snprintf(hint, sizeof hint,
 		    "POINTS are a file, - or '[%.*s]'%s",
-		    2 * coordinates_of(c, o) + 1, "1.5,2,3,4",
+		    2 * coordinates_of(o) + 1, "1.5,2,3,4",
 		    c->kind == PICK ? POSITION_HINT : "");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
@@ -74,8 +74,7 @@ void operands_check(const struct command *c, const struct options *o)
 	}
 }
 
-bool has_points(const struct command *c, const struct options *o,
-    const struct document *d)
+bool has_points(const struct options *o, const struct document *d)
 {
 	bool none = o->n_points == 0 && d->points == NULL;
 
@@ -83,7 +82,7 @@ bool has_points(const struct command *c, const struct options *o,
 		die_at(EXIT_USAGE, &(struct place){ .of_scene = true },
 		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
-		    c->name, o->points_option);
+		    o->command->name, o->points_option);
 	return !none;
 }
 
@@ -232,8 +231,7 @@ static void prepare_job(struct job *j, const struct options *o)
 	j->layout.columns.by_default = o->columns.n == 0;
 	for (int k = 0; k < 4 && j->layout.columns.by_default; k++)
 		j->layout.columns.name[k] = coordinate_name(k);
-	for (int k = 0; k < COORDINATES_MAX; k++)
-		j->layout.style[k] = o->styles.style[k];
+	memcpy(j->layout.style, o->styles.style, sizeof o->styles.style);
 	name_numbers(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;

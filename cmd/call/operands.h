@@ -11,7 +11,7 @@
 
 /* Refuses operands that the command does not take or that can't be opened. Runs before
  * anything is printed. */
-void operands_check(const struct command *, const struct options *);
+void operands_check(const struct options *);
 
 /* Moves to the next document of PARAMS and returns whether there is one. Without
  * --scenes there is one; with --scenes, messages begin with the document's number. */
@@ -19,13 +19,11 @@ bool params_next(const struct options *);
 
 /* Reads the current document for the command and the options. The points stay in the
  * text of PARAMS until the next call of params_next. */
-void read_document(const struct command *, const struct options *,
-    struct document *);
+void read_document(const struct options *, struct document *);
 
 /* Returns whether there are points, as operands or in the document. If there are none,
  * refuses options that are about points alone. */
-bool has_points(const struct command *, const struct options *,
-    const struct document *);
+bool has_points(const struct options *, const struct document *);
 
 /* Completes the job by the options, and does it on all points: those of the operands,
  * else of the document, else of standard input. The caller has set the job's transform

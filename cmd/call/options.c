@@ -308,24 +308,9 @@ const struct option_row *option_named(const char *name)
 	return NULL;
 }
 
-const char *option_takers(const struct option_row *r, char list[LIST_ROOM])
-{
-	/* in the order of the bits of enum command_kind */
-	static const char *const names[] = { "the 3D matrix commands",
-		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
-		"help" };
-	const char *takers[sizeof names / sizeof *names + 1] = { NULL };
-	int n = 0;
-
-	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
-		if (r->kinds >> i & 1)
-			takers[n++] = names[i];
-	return list_words(list, takers, " and ", "");
-}
-
 bool option_is_for(const struct option_row *r, const struct command *c)
 {
-	return (r->kinds & c->kind) != 0;
+	return r != NULL && c != NULL && (r->kinds & c->kind) != 0;
 }
 
 void options_read_first(char **words)
@@ -342,9 +327,9 @@ void options_read_first(char **words)
 	}
 }
 
-int coordinates_of(const struct command *c, const struct options *o)
+int coordinates_of(const struct options *o)
 {
-	if (c->kind == MATRIX_2D || o->ray || o->plane.n > 0)
+	if (o->command->kind == MATRIX_2D || o->ray || o->plane.n > 0)
 		return 2;
 	if (o->from == SPACE_CLIP ||
 	    (o->from == SPACE_DEVICE && o->homogeneous))

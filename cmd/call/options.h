@@ -24,8 +24,9 @@ struct number_list {
 };
 
 struct options {
-	unsigned convention; /* index in conventions[], by -c */
-	bool has_convention; /* -c was given */
+	const struct command *command; /* whose options these are */
+	unsigned convention;           /* index in conventions[], by -c */
+	bool has_convention;           /* -c was given */
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers in a record; 0: no records */
@@ -87,17 +88,15 @@ void options_read_first(char **words);
 /* Returns the option called name, which ends at NUL, = or a blank; or NULL. */
 const struct option_row *option_named(const char *name);
 
-/* Writes to list, and returns, the commands that take an option: "fit and trace". */
-const char *option_takers(const struct option_row *, char list[LIST_ROOM]);
-
+/* Returns whether the command takes the option. Either may be NULL. */
 bool option_is_for(const struct option_row *, const struct command *);
 
 /* Reads the options and operands behind a command's name, up to --help or --version. */
-void options_read(const struct command *, char **words, struct options *);
+void options_read(struct options *, char **words);
 
 /* Returns the number of coordinates that the command reads of a point, by the options.
  * In a document of two dimensions, points have two coordinates instead. */
-int coordinates_of(const struct command *, const struct options *);
+int coordinates_of(const struct options *);
 
 /* Returns the format of printed points: by -o, else that of the input. */
 enum format options_output(const struct options *);

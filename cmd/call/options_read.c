@@ -76,14 +76,15 @@ static const struct option_row *find_letter_option(const struct command *c,
 
 /* Sets an option. The option's argument is value or, if value is NULL, the word **next;
  * then *next moves past the word. */
-static void set_option(const struct command *c, const struct option_row *r,
-    char *value, char ***next, struct options *o)
+static void set_option(struct options *o, const struct option_row *r,
+    char *value, char ***next)
 {
 	if (r->argument == NULL && value != NULL)
-		die(EXIT_USAGE, "%s: --%s takes no argument", c->name, r->name);
+		die(EXIT_USAGE, "%s: --%s takes no argument", o->command->name,
+		    r->name);
 	if (r->argument != NULL && value == NULL && **next == NULL)
-		die(EXIT_USAGE, "%s: --%s needs an argument: %s", c->name,
-		    r->name, r->argument);
+		die(EXIT_USAGE, "%s: --%s needs an argument: %s",
+		    o->command->name, r->name, r->argument);
 	if (r->argument != NULL)
 		r->read(o, r, value != NULL ? value : *(*next)++);
 	if (r->points_only)
@@ -94,17 +95,17 @@ static void set_option(const struct command *c, const struct option_row *r,
 
 /* Sets the options of a word such as "--name=value", or "-md3" for -m -d 3. Refuses the
  * name of an option or member behind one dash: "-to" would mean -t with argument o. */
-static void set_options_of_word(const struct command *c, char *word,
-    char ***next, struct options *o)
+static void set_options_of_word(struct options *o, char *word, char ***next)
 {
+	const struct command *c = o->command;
 	const struct option_row *r;
 	char *equals = strchr(word, '=');
 
 	if (equals != NULL)
 		*equals = '\0';
 	if (word[1] == '-') {
-		set_option(c, find_long_option(c, word),
-		    equals != NULL ? equals + 1 : NULL, next, o);
+		set_option(o, find_long_option(c, word),
+		    equals != NULL ? equals + 1 : NULL, next);
 		return;
 	}
 	if (word[1] != '\0' && word[2] != '\0')
@@ -113,9 +114,9 @@ static void set_options_of_word(const struct command *c, char *word,
 		*equals = '=';
 	do {
 		r = find_letter_option(c, *++word);
-		set_option(c, r,
+		set_option(o, r,
 		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL,
-		    next, o);
+		    next);
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
@@ -128,21 +129,22 @@ static bool is_operand(const char *word)
 
 /* Sets the format of the output of trace, inspect and fit: text or JSON. The default is
  * JSON if trace reads points in JSON, else text. */
-static void choose_output(const struct command *c, struct options *o)
+static void choose_output(struct options *o)
 {
 	if (!o->has_out)
-		o->out = c->kind == TRACE && o->in == FORMAT_JSON ?
+		o->out = o->command->kind == TRACE && o->in == FORMAT_JSON ?
 		    FORMAT_JSON :
 		    FORMAT_TEXT;
 	o->has_out = true;
 	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
 		die(EXIT_USAGE,
-		    "%s prints text or json; use -o text or -o json", c->name);
+		    "%s prints text or json; use -o text or -o json",
+		    o->command->name);
 }
 
 /* Moves the operands to the beginning of words. Options may stand between operands,
  * unless POSIXLY_CORRECT is set. */
-void options_read(const struct command *c, char **words, struct options *o)
+void options_read(struct options *o, char **words)
 {
 	char **operand = o->points = words;
 	bool mixed = getenv("POSIXLY_CORRECT") == NULL, options = true;
@@ -153,7 +155,7 @@ void options_read(const struct command *c, char **words, struct options *o)
 		if (options && strcmp(word, "--") == 0) {
 			options = false;
 		} else if (options && !is_operand(word)) {
-			set_options_of_word(c, word, &words, o);
+			set_options_of_word(o, word, &words);
 		} else {
 			*operand++ = word;
 			options = options && mixed;
@@ -161,13 +163,11 @@ void options_read(const struct command *c, char **words, struct options *o)
 		if (o->help || o->version)
 			return;
 	}
-	if ((c->kind & (TRACE | INSPECT | FIT)) != 0)
-		choose_output(c, o);
-	o->n_points = (int)(operand - o->points) - 1;
-	if (o->n_points < 0)
-		o->n_points = 0;
-	else
+	if ((o->command->kind & (TRACE | INSPECT | FIT)) != 0)
+		choose_output(o);
+	if (operand > o->points)
 		o->params = *o->points++;
+	o->n_points = (int)(operand - o->points);
 	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
 		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
 	if (o->out_record > 0 &&

@@ -143,7 +143,7 @@ bool params_next(const struct options *o)
 /* Refuses PARAMS that holds points, with EXIT_USAGE: the call is wrong, not the file.
  * PARAMS holds points if it begins with a number, after blank lines and comments. If
  * POINTS are given, [ or, for binary input, any byte but { also begins points. */
-static void check_not_points(const struct command *c, const struct options *o)
+static void check_not_points(const struct options *o)
 {
 	const struct place place = { .file = params.name };
 	const char *s = params.text.s + params.begin;
@@ -154,7 +154,7 @@ static void check_not_points(const struct command *c, const struct options *o)
 	    !(o->n_points > 0 && params.begin < params.end &&
 		(*s == '[' || (is_binary(o->in) && *s != '{'))))
 		return;
-	if (!command_reads_points(c))
+	if (!command_reads_points(o->command))
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
 	    "holds points; a scene is wanted first, as in: scene.json %s",
@@ -163,22 +163,20 @@ static void check_not_points(const struct command *c, const struct options *o)
 
 /* Returns a hint for messages about points of two numbers, or NULL. These points may be
  * meant as positions on the device, for which pick and project have options. */
-static const char *find_two_numbers_hint(const struct command *c,
-    const struct options *o)
+static const char *find_two_numbers_hint(const struct options *o)
 {
-	if (c->kind == PICK)
+	if (o->command->kind == PICK)
 		return POSITION_HINT;
-	if (c->kind != PROJECT || o->from != SPACE_DEVICE || o->homogeneous ||
-	    (o->has_to && o->to != SPACE_WORLD))
+	if (o->command->kind != PROJECT || o->from != SPACE_DEVICE ||
+	    o->homogeneous || (o->has_to && o->to != SPACE_WORLD))
 		return NULL;
 	return "; for points x y, --ray prints their rays, and --plane A,B,C,D "
 	       "where the rays meet a plane";
 }
 
-void read_document(const struct command *c, const struct options *o,
-    struct document *d)
+void read_document(const struct options *o, struct document *d)
 {
-	struct document_wants wants = c->wants;
+	struct document_wants wants = o->command->wants;
 
 	while (!o->scenes && params_more())
 		continue;
@@ -186,17 +184,17 @@ void read_document(const struct command *c, const struct options *o,
 		params_skip_blanks();
 		params.end = params.text.size;
 		params.text.s[params.end] = '\0';
-		check_not_points(c, o);
+		check_not_points(o);
 	}
 	wants.source.lines_before = (long)params.line - 1;
 	wants.source.bytes_before = params.column - 1;
-	wants.source.two_numbers_hint = find_two_numbers_hint(c, o);
+	wants.source.two_numbers_hint = find_two_numbers_hint(o);
 	wants.source.for_plane = o->plane.n > 0;
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
 	/* the document's points are not read if operands replace them */
-	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
-		wants.coordinates = coordinates_of(c, o);
+	if (command_reads_points(o->command) && !o->matrix && o->n_points == 0)
+		wants.coordinates = coordinates_of(o);
 	document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &wants);
 	if (!o->scenes && d->points == NULL)

@@ -24,15 +24,13 @@ static const struct member *find_member(unsigned objects, int kind,
 {
 	for (int alias = 0; alias <= aliases; alias++)
 		for (int k = 31; k >= 0; k--) {
-			const struct member *s = *object = &scene_members[k];
-			const struct member *m = NULL;
-
 			if ((objects >> k & 1) == 0)
 				continue;
-			if (member_named(scene_members, ANY_KIND, name,
-				alias) == s)
-				return s;
-			if (s->members != NULL)
+			const struct member *s = *object = &scene_members[k];
+			const struct member *m = member_named(scene_members,
+			    ANY_KIND, name, alias);
+
+			if (m != s)
 				m = member_named(s->members, kind, name, alias);
 			if (m != NULL)
 				return m;
@@ -76,6 +74,23 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
+/* Writes to list, and returns, the commands that take an option: "fit and trace". */
+static const char *option_takers(const struct option_row *r,
+    char list[LIST_ROOM])
+{
+	/* in the order of the bits of enum command_kind */
+	static const char *const names[] = { "the 3D matrix commands",
+		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
+		"help" };
+	const char *takers[sizeof names / sizeof *names + 1] = { NULL };
+	int n = 0;
+
+	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
+		if (r->kinds >> i & 1)
+			takers[n++] = names[i];
+	return list_words(list, takers, " and ", "");
+}
+
 /* Refuses name by the text unknown and a hint of synonym_of. If c is NULL or lacks the
  * option that the hint is, names the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
@@ -93,7 +108,7 @@ static _Noreturn void refuse_synonym(const struct command *c,
 		    call);
 	const struct option_row *r = option_named(call + 2);
 
-	if (c != NULL && option_is_for(r, c))
+	if (option_is_for(r, c))
 		die(EXIT_USAGE, "%s; did you mean %s?", unknown, call);
 	die(EXIT_USAGE, "%s; %s is an option of %s", unknown, call,
 	    option_takers(r, list));
@@ -118,11 +133,10 @@ static void check_word(const struct command *c, const char *unknown,
 	const struct member *m, *object;
 	const char *hint;
 
-	if (c != NULL && r != NULL && option_is_for(r, c))
+	if (option_is_for(r, c))
 		refuse_synonym(c, unknown, r->name, "--*");
 	hint = synonym_of(name, '-');
-	if (c != NULL && hint != NULL &&
-	    option_is_for(option_named(hint + 2), c))
+	if (hint != NULL && option_is_for(option_named(hint + 2), c))
 		refuse_synonym(c, unknown, name, hint);
 	/* searches aliases, too, unless an option has the name */
 	for (int i = 0; i < 2; i++) {

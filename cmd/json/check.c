@@ -77,8 +77,8 @@ static bool after_comma(const struct json_check *s)
 	return p > s->text && p[-1] == ',';
 }
 
-/* Returns a hint for the wrong character at s->at, or NULL if there is none. */
-static const char *hint_of(const struct json_check *s)
+/* Returns the hint for the wrong character at s->at; if there is none, returns hint. */
+static const char *hint_of(const struct json_check *s, const char *hint)
 {
 	const char *p = s->at;
 	char next = s->end - p > 1 ? p[1] : '\0';
@@ -94,21 +94,20 @@ static const char *hint_of(const struct json_check *s)
 		return "JSON is UTF-8 text";
 	if ((*p == ']' || *p == '}') && after_comma(s))
 		return "remove the comma before it";
-	return NULL;
+	return hint;
 }
 
 /* Returns false. Writes to s->reason what is wanted, what is at s->at instead, and the
- * hint of hint_of or, if that is NULL, the parameter hint, which may be NULL, too. */
+ * hint for the character there or, if it has none, the parameter hint unless NULL. */
 static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
-	const char *other = ends ? NULL : hint_of(s);
 	char what[ESCAPED_MAX] = "";
 
-	if (other != NULL)
-		hint = other;
-	if (!ends)
+	if (!ends) {
+		hint = hint_of(s, hint);
 		escaped(what, s->at, (size_t)(token_end(s) - s->at));
+	}
 	snprintf(s->reason, sizeof s->reason, "expected %s,%s%s%s%s%s", wanted,
 	    ends ? " but the text ends" : " not '", what, ends ? "" : "'",
 	    hint != NULL ? "; " : "", hint != NULL ? hint : "");

@@ -18,7 +18,7 @@ static bool has_kind(unsigned kinds, int kind)
 const struct member *member_named(const struct member *row, int kind,
     const char *name, bool alias)
 {
-	for (; row->name != NULL; row++)
+	for (; row != NULL && row->name != NULL; row++)
 		if (has_kind(row->kinds, kind) &&
 		    (strcmp(row->name, name) == 0 ||
 			(alias &&
@@ -106,7 +106,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 		value_refuse(v, "unknown member; %s", hint + 2);
 	for (int alias = 0; alias < 2 && n == 0; alias++)
 		for (const struct member *s = scene; s->name != NULL; s++)
-			if (s->members != NULL && s->members != table &&
+			if (s->members != table &&
 			    member_named(s->members, ANY_KIND, v->name,
 				alias) != NULL)
 				names[n++] = s->name;

@@ -106,7 +106,8 @@ void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
 /* Returns the first row that objects of the kind have and that is called name or, if
- * alias is set, has the alias name or differs in case, _ and - alone; or NULL. */
+ * alias is set, has the alias name or differs in case, _ and - alone; or NULL, as for a
+ * table of NULL. */
 enum { ANY_KIND = -1 }; /* searches all rows */
 const struct member *member_named(const struct member *, int kind,
     const char *name, bool alias);

@@ -10,8 +10,6 @@
 
 #include "../../core/scene/scene.h"
 #include "../number/number.h"
-#include "../message/message.h"
-#include "text.h"
 
 const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
 	.wanted = "numbers go up to 1e150" };
@@ -66,17 +64,15 @@ struct value value_parse_document(struct source *source, const char *pointer,
 		    size);
 		source->end = source->text + size;
 	}
-	const bool good = json_check(&c);
-
-	cJSON_Delete(parsed);
-	parsed = good ? cJSON_ParseWithLength(copy, (size_t)(c.copy - copy)) :
-			NULL;
-	free(copy);
-	if (!good) {
+	if (!json_check(&c)) {
 		const struct place place = source_place_at(source, text, c.at);
 
+		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
+	cJSON_Delete(parsed);
+	parsed = cJSON_ParseWithLength(copy, (size_t)(c.copy - copy));
+	free(copy);
 	/* cJSON takes every text that json_check accepts, unless memory runs out */
 	if (parsed == NULL)
 		die(EXIT_SYSTEM, "out of memory");
@@ -205,7 +201,6 @@ void value_refuse_type(const struct value *v, const char *wanted)
 {
 	static const char *const names[] = { "false", "true", "null",
 		"a number", "a string", "an array", "an object" };
-
 	int type = JSON_FALSE;
 
 	while (!value_is(v, (enum json_type)type))

@@ -52,10 +52,10 @@ static void __attribute__((format(printf, 1, 2))) addf(const char *format, ...)
 	va_end(args);
 }
 
-static void add_escaped(const char *s, size_t n)
+static void add_escaped(const char *s)
 {
 	line.n += escape_copy(line.s + line.n, LINE_ROOM - line.n, s,
-	    n < MESSAGE_MAX ? n : MESSAGE_MAX, message_state.json, "");
+	    strnlen(s, MESSAGE_MAX), message_state.json, "");
 }
 
 /* Adds the message as text. The place is first or, if p->before_place is set, last. */
@@ -69,13 +69,13 @@ static void add_text(int status, const struct place *p,
 	addf("%sprojcalc:%s ", colored ? colors[status > 0] : "",
 	    colored ? "\033[0m" : "");
 	if (p->before_place != NULL) {
-		add_escaped(message, strlen(message));
+		add_escaped(message);
 		addf("%s", p->before_place);
 	}
 	if (scene.number > 0)
 		addf("scene %ld, line %ld: ", scene.number, scene.line);
 	if (p->file != NULL)
-		add_escaped(p->file, strlen(p->file));
+		add_escaped(p->file);
 	if (p->line > 0 && !pointer)
 		addf(p->of_points ? ": point %lld" : ":%lld", p->line);
 	if (p->before_place != NULL)
@@ -83,58 +83,59 @@ static void add_text(int status, const struct place *p,
 	if (p->file != NULL)
 		addf(": ");
 	if (pointer) {
-		add_escaped(p->pointer, strlen(p->pointer));
+		add_escaped(p->pointer);
 		addf(": ");
 	}
-	add_escaped(message, strlen(message));
+	add_escaped(message);
 }
 
-/* Returns the length of a message before its hint: up to the first "; " outside of
- * quotes. An opening quote, unlike an apostrophe, is first or follows a blank. */
-static size_t reason_length(const char *message)
+/* Cuts a message at the first "; " outside of quotes. Returns the hint behind it or
+ * NULL. An opening quote, unlike an apostrophe, is first or follows a blank. */
+static const char *cut_hint(char *message)
 {
-	const char *s;
 	char quote = '\0';
 
-	for (s = message; *s != '\0'; s++)
-		if (quote != '\0')
+	for (char *s = message; *s != '\0'; s++)
+		if (quote != '\0') {
 			quote = *s == quote ? '\0' : quote;
-		else if (strchr("'\"", *s) && (s == message || s[-1] == ' '))
+		} else if (strchr("'\"", *s) &&
+		    (s == message || s[-1] == ' ')) {
 			quote = *s;
-		else if (strncmp(s, "; ", 2) == 0)
-			break;
-	return (size_t)(s - message);
+		} else if (strncmp(s, "; ", 2) == 0) {
+			*s = '\0';
+			return s + 2;
+		}
+	return NULL;
 }
 
-static void add_member(const char *name, const char *s, size_t n)
+static void add_member(const char *name, const char *s)
 {
 	addf("%s\"%s\":\"", line.n > 1 ? "," : "", name);
-	add_escaped(s, n);
+	add_escaped(s);
 	addf("\"");
 }
 
 /* Adds the message as a JSON object, up to the quote that ends its reason or hint. */
 static void add_json(const struct place *p, struct scene_place scene,
-    const char *message)
+    char *message)
 {
-	const size_t reason = reason_length(message);
+	const char *hint = cut_hint(message);
 
 	addf("{");
 	if (scene.number > 0)
 		addf("\"scene\":%ld,\"scene_line\":%ld", scene.number,
 		    scene.line);
 	if (p->file != NULL)
-		add_member("file", p->file, strlen(p->file));
+		add_member("file", p->file);
 	if (p->line > 0)
 		addf(",\"%s\":%lld", p->of_points ? "point" : "line", p->line);
 	if (p->column > 0)
 		addf(",\"column\":%zu", p->column);
 	if (p->pointer != NULL && *p->pointer != '\0')
-		add_member("pointer", p->pointer, strlen(p->pointer));
-	add_member("reason", message, reason);
-	if (message[reason] != '\0')
-		add_member("hint", message + reason + 2,
-		    strlen(message + reason + 2));
+		add_member("pointer", p->pointer);
+	add_member("reason", message);
+	if (hint != NULL)
+		add_member("hint", hint);
 }
 
 static void print_line(int status, const struct place *place,
@@ -264,7 +265,7 @@ static struct {
 	size_t n;
 } printed;
 
-int print(const char *format, ...)
+void print(const char *format, ...)
 {
 	va_list args, again;
 
@@ -277,7 +278,6 @@ int print(const char *format, ...)
 	printed.n += n;
 	va_end(again);
 	va_end(args);
-	return (int)n;
 }
 
 void output_close(void)

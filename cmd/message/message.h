@@ -77,7 +77,7 @@ void output_write(const char *s, size_t size);
 
 /* Appends text, in the format of printf, to a buffer that output_close writes. stdio
  * would lose, without an error, what a full pipe does not take. */
-int print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes the buffer of print, and closes standard output. Exits with 3 if the system
  * reports an error of an earlier write only then. */

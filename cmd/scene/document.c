@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "../json/text.h"
-#include "../number/number.h"
 #include "types.h"
 #include "../message/message.h"
 
@@ -243,11 +241,10 @@ void document_read(struct document *d, const char *name, char *text,
 	check_needed(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
-	if (seen & SCENE_POINTS)
-		size = write_points(&m[ROW_OF(POINTS)], &points, w.coordinates);
-	if (seen & SCENE_POINTS && w.coordinates > 0) {
-		d->points = points.s;
-		d->points_size = size;
+	if (seen & SCENE_POINTS) {
+		d->points_size = write_points(&m[ROW_OF(POINTS)], &points,
+		    w.coordinates);
+		d->points = w.coordinates > 0 ? points.s : NULL;
 	}
 }
 

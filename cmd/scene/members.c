@@ -3,7 +3,7 @@
 
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scale_names[] = { "fill", "uniform", NULL };
-const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
+static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,

@@ -2,9 +2,6 @@
 #include "types.h"
 
 #include <math.h>
-#include <string.h>
-
-#include "../message/utf8.h"
 
 /* A range of angles from least to most degrees, and its words in messages. */
 #define ANGLE_RANGE(label, least, most, degrees, radians, ...)              \
@@ -308,20 +305,18 @@ static void set_image_size(const struct value *v,
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
-	if (viewport == NULL) {
+	if (viewport == NULL)
 		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
-	} else if (viewport->scale != SCALE_FILL) {
+	if (viewport->scale != SCALE_FILL)
 		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	} else {
-		require_convention(v, "intrinsics");
-		p->width = viewport->width;
-		p->height = viewport->height;
-	}
+	require_convention(v, "intrinsics");
+	p->width = viewport->width;
+	p->height = viewport->height;
 }
 
 /* Returns whether the projection depends on an aspect. In the command fit a parallel
@@ -351,12 +346,11 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
 		return;
-	if (viewport == NULL) {
+	if (viewport == NULL)
 		value_refuse(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
-	} else if (viewport->scale == SCALE_UNIFORM) {
-		p->aspect[0] = 1;
-	} else {
+	p->aspect[0] = 1;
+	if (viewport->scale != SCALE_UNIFORM) {
 		p->aspect[0] = viewport->width;
 		p->aspect[1] = viewport->height;
 	}

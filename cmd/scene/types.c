@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "../../core/scene/scene.h"
-#include "../message/utf8.h"
 
 const char *const angle_units[] = { "degrees", "radians", NULL };
 
