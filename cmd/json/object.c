@@ -59,7 +59,10 @@ const char *member_type(const struct member *row, char out[LIST_ROOM])
 		return list_words(out, row->words, " or ", "");
 	if (row->type->number_size == sizeof(bool))
 		return "true or false";
-	const char *one = row->range == &range_positive            ? "size" :
+	const bool size = row->range != NULL &&
+	    row->range->min == range_positive.min &&
+	    row->range->max == range_positive.max;
+	const char *one = size                                     ? "size" :
 	    row->unit != NULL && strcmp(row->unit, "degrees") == 0 ? "angle" :
 								     "number";
 
