@@ -80,15 +80,14 @@ static inline char added_separator(const struct layout *l,
 					   l->out.separator;
 }
 
-/* Copies the line from done up to next. Copies the first byte without a branch, even if
- * the gap is empty, because most gaps have one byte. */
-static inline char *put_gap(const struct line *line, uint32_t done,
-    uint32_t next, char *out)
+/* Copies the gap, n bytes at s. Copies the first byte without a branch, even if the gap
+ * is empty, because most gaps have one byte. */
+static inline char *put_gap(const char *s, size_t n, char *out)
 {
-	*out = line->s[done];
-	if (next - done > 1)
-		memcpy(out, line->s + done, next - done);
-	return out + (next - done);
+	*out = *s;
+	if (n > 1)
+		memcpy(out, s, n);
+	return out + n;
 }
 
 /* Writes a point. Replaces the coordinates, which are on the line in the given order
@@ -105,13 +104,13 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 	for (int i = 0; i < written; i++) {
 		int k = order != NULL ? order[i] : i;
 
-		out = put_gap(line, done, line->at[k].from, out);
+		out = put_gap(line->s + done, line->at[k].from - done, out);
 		out = put_coordinate(l, n, k, out);
 		done = line->at[k].to;
 	}
 	if (append) {
 		done = line->size - (*format_of(l->out)->close != '\0');
-		out = put_gap(line, 0, done, out);
+		out = put_gap(line->s, done, out);
 	}
 	for (int k = written; k < l->writes; k++) {
 		*out++ = added_separator(l, line);
@@ -121,7 +120,7 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 		*out++ = added_separator(l, line);
 		out = put_word(l, flags, out);
 	}
-	out = put_gap(line, done, line->size, out);
+	out = put_gap(line->s + done, line->size - done, out);
 	*out = '\n';
 	return out + line->newline;
 }

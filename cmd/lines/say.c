@@ -293,14 +293,14 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, i > 0 ? "," : "");
 			all &= found[i] >= 0;
-			if (numbers == NULL) {
+			if (numbers != NULL) {
+				say_more(reason, "%d", found[i] + 1);
+				*numbers |= 1u << found[i];
+			} else {
 				say_more(reason, "%s",
 				    found[i] < 0 ? "NAME" :
 						   names->list[found[i]]);
-				continue;
 			}
-			say_more(reason, "%d", found[i] + 1);
-			*numbers |= 1u << found[i];
 		}
 	}
 	if (!all)
@@ -432,9 +432,7 @@ void say_note_columns(struct layout *l, struct span text)
 	const size_t n = 2 * (size_t)l->reads - 1;
 	struct names names;
 
-	text.s = (const char *)memchr(text.s, '#',
-		     (size_t)(text.end - text.s)) +
-	    1;
+	text.s = skip_blanks(l->in, text.s, text.end) + 1; /* after # */
 	for (const char *s = text.s; s < text.end; s++)
 		if (*s != table.separator &&
 		    strchr(s == text.s ? "#%!;:=" : ":=", *s) != NULL)
