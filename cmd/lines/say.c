@@ -120,11 +120,10 @@ static const char *json_remedy(const struct field *f)
 	const char first = *f->value.s;
 	double v;
 
-	if (number_read(f->value.s, f->value.end, &v) != NULL)
-		return ", as JSON writes it";
-	if (first != '[' && first != '{')
-		return "";
-	return f->name.s == NULL ? "; one array or object a line: jq -c '.[]'" :
+	return number_read(f->value.s, f->value.end, &v) != NULL ?
+	    ", as JSON writes it" :
+	    first != '[' && first != '{' ? "" :
+	    f->name.s == NULL ? "; one array or object a line: jq -c '.[]'" :
 	    first == '[' ? "; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
 			   "; --columns takes pointers, such as /x/value";
 }
@@ -211,8 +210,8 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the index in names of the name that is the first n bytes of a and then word,
- * whose letters may be capitals; -1 if there is none. */
+/* Returns the index in names of the name that is the first n bytes of a and then word
+ * in upper or lower case, or -1 if there is none. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -234,9 +233,10 @@ static bool can_be_typed(const char *name)
 
 /* Finds columns that may be coordinates: their names begin alike and end in the names
  * of axes, such as gps_lon and gps_lat. Sets found[i] to the column of coordinate i, or
- * to -1 if there is none. *k counts the tries: the next call finds other columns.
- * Returns false if there are no more. Skips quaternions, such as qx, qy, qz and qw, and
- * skips names such as px if x is a name. */
+ * to -1 if there is none. A point has reads coordinates. *k, 0 before the first call,
+ * counts the tries: the next call finds other columns. Returns false if there are no
+ * more. Skips quaternions, such as qx, qy, qz and qw, and names such as px if x is a
+ * name. */
 static bool guess_columns(const struct names *names, int reads, int *k,
     int found[4])
 {

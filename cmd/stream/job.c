@@ -180,13 +180,6 @@ static void make_texts(struct writer *w, size_t p)
 	w->first_of_batch = from;
 }
 
-/* Returns the numbers and texts of the image of point p. */
-static inline struct numbers image_of(const struct writer *w, size_t p)
-{
-	return (struct numbers){ &w->chunk->image[0][p],
-		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
-}
-
 /* Writes the line of point p with the point's image. Returns the end of the line. */
 static char *put_image(struct writer *w, const struct line *line, size_t p,
     char *at)
@@ -196,9 +189,11 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	    chunk_flags(w->chunk, w->outside[p]) :
 	    NULL;
 
-	make_texts(w, p);
-	const struct numbers n = image_of(w, p);
+	/* the numbers and texts of the image of point p */
+	const struct numbers n = { &w->chunk->image[0][p],
+		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 
+	make_texts(w, p);
 	if (w->in_place && is_in_order(line, l->reads) &&
 	    (!w->adds_values || can_add_in_place(l, line, l->reads)))
 		return l->append ?
@@ -278,7 +273,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 				    "it UTF-8";
 	static const char *const others[][2] = {
 		{ "\xff\xfe", utf16 },
-		{ "\xfe\xff", utf16 }, /* with the high byte first */
+		{ "\xfe\xff", utf16 }, /* high bytes come first */
 		{ "\x1f\x8b", "is gzip; zcat makes it text" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
