@@ -53,13 +53,13 @@ static inline void find_order(const struct line *line, int n, int order[4])
 		}
 }
 
-/* Returns whether added values can be written directly after the last of n coordinates:
- * they have no names, no quote follows the coordinate, and in text the separator before
- * it is one byte. By --append, the line must not end in blanks. */
+/* Returns whether added values can be written directly after the last coordinate: they
+ * have no names, no quote follows the coordinate, and in text the separator before it
+ * is one byte. By --append, the line must not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
-    const struct line *line, int n)
+    const struct line *line)
 {
-	uint32_t last = line->at[n - 1].to;
+	const struct part *last = &line->at[l->reads - 1];
 	const char *end = line->s + line->size;
 
 	if (l->append &&
@@ -67,10 +67,10 @@ static inline bool can_add_in_place(const struct layout *l,
 		is_blank(end[-1 - (*format_of(l->out)->close != '\0')])))
 		return false;
 	if (format_of(l->out)->blanks)
-		return line->at[n - 1].from - line->at[n - 2].to == 1;
+		return last->from - line->at[l->reads - 2].to == 1;
 	return !line->object &&
-	    (!format_of(l->out)->header || last == line->size ||
-		line->s[last] != '"');
+	    (!format_of(l->out)->header || last->to == line->size ||
+		line->s[last->to] != '"');
 }
 
 static inline char added_separator(const struct layout *l,

@@ -28,9 +28,9 @@ static const char *find_byte(struct span f, char c)
  * within fields: they count only if f has them for no other reason. */
 static const char rare[] = ";|\t", frequent[] = ";|\t, ";
 
-/* Adds to the reason how to mend f, a line or a field: by the mark of another format at
- * its beginning (a mark of letters is all of f), or by a byte of f, not its last, that is
- * the first of the separators found. Returns false if nothing is added. */
+/* Adds to the reason how to mend f, a line or a field: by the mark of another format
+ * at its beginning (a mark of letters is all of f), or by the first of the separators
+ * that is a byte of f, but not its last. Returns false if nothing is added. */
 static bool say_mend(const struct layout *l, struct span f,
     const char *separators, char reason[REASON_MAX])
 {
@@ -80,7 +80,7 @@ static bool say_mend(const struct layout *l, struct span f,
 	return true;
 }
 
-/* Adds to the reason how to mend the field f of text or csv, which is no number. Returns
+/* Adds to the reason how to mend f, a field of text or csv that is no number. Returns
  * false if nothing shows how. */
 static bool say_remedy(const struct layout *l, struct span f,
     char reason[REASON_MAX])
@@ -310,8 +310,8 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 	return reason[was] != '\0';
 }
 
-/* Adds to the reason what typed, the name in --columns that no column or member has, may
- * be meant to be: "; did you mean 'x'?" */
+/* Adds to the reason what to say instead of typed, a name in --columns that no column
+ * or member has: "; did you mean 'x'?" */
 static void say_near(const struct layout *l, struct cursor c,
     const struct names *names, const char *typed, char reason[REASON_MAX])
 {
@@ -338,8 +338,8 @@ static void say_near(const struct layout *l, struct cursor c,
 }
 
 /* Adds to the reason the names of the columns or members after the cursor: "; it has x,
- * y, z". Adds first what say_near adds about typed or, if typed is NULL, a guess, "; say
- * --columns lon,lat,h". Adds no names if another separator or format is likely. */
+ * y, z". Adds first what say_near adds or, if typed is NULL, a guess, "; say --columns
+ * lon,lat,h". Adds no names if the line has the mark of another format or separator. */
 static void say_names(const struct layout *l, struct cursor c,
     const char *typed, char reason[REASON_MAX])
 {

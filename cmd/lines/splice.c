@@ -314,11 +314,10 @@ static void put_other_fields(struct splice *w)
 	 * keep their places in the array */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
-	char *out = w->out;
 	struct field f;
 
 	if (is_binary(l->in.format)) {
-		w->out = put_other_numbers(l, line, out);
+		w->out = put_other_numbers(l, line, w->out);
 		return;
 	}
 	if (line->kind == LINE_LOST || line->object)
@@ -342,11 +341,10 @@ static void put_other_fields(struct splice *w)
 		    (!l->append &&
 			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
 			continue;
-		*out = l->out.separator;
-		out += w->fields++ > 0;
-		out = format_convert(l->in, l->out, f.whole, out);
+		*w->out = l->out.separator;
+		w->out += w->fields++ > 0;
+		w->out = format_convert(l->in, l->out, f.whole, w->out);
 	}
-	w->out = out;
 }
 
 char *line_put_rest(const struct layout *l, const struct line *line, char *out)

@@ -195,7 +195,7 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 
 	make_texts(w, p);
 	if (w->in_place && is_in_order(line, l->reads) &&
-	    (!w->adds_values || can_add_in_place(l, line, l->reads)))
+	    (!w->adds_values || can_add_in_place(l, line)))
 		return l->append ?
 		    write_in_place(l, line, true, NULL, n, flags, at) :
 		    write_in_place(l, line, false, NULL, n, flags, at);
