@@ -97,9 +97,7 @@ static void next_of_csv(struct cursor *c, struct field *f)
 			f->unclosed = false;
 			break;
 		}
-	if (s == end || *s != c->in.separator)
-		s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) :
-			      NULL;
+	s = memchr(s, c->in.separator, (size_t)(end - s));
 	f->next = s != NULL ? s + 1 : NULL;
 	f->whole.end = s != NULL ? s : end;
 	if (s == NULL && end > c->s && end[-1] == '\r')
@@ -206,7 +204,6 @@ const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
 static char *put_control(const struct format_row *out, char c, char *at)
 {
 	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";
-	static const char hex[] = "0123456789abcdef";
 	const char *simple = memchr(from, c, 5);
 
 	if (out->escape != '\\') {
@@ -214,14 +211,10 @@ static char *put_control(const struct format_row *out, char c, char *at)
 		return at;
 	}
 	*at++ = '\\';
-	if (simple != NULL) {
-		*at++ = to[simple - from];
-		return at;
-	}
-	memcpy(at, "u00", 3);
-	at[3] = hex[c >> 4];
-	at[4] = hex[c & 15];
-	return at + 5;
+	if (simple == NULL)
+		return at + sprintf(at, "u%04x", (unsigned)c);
+	*at++ = to[simple - from];
+	return at;
 }
 
 /* Decodes the character at *s of a field to c, and moves *s past the character. escape
@@ -282,11 +275,10 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 	bool quoted = from->quote != 0 && inner.end - inner.s >= 2 &&
 	    *inner.s == '"' && inner.end[-1] == '"';
 
-	if (quoted) {
-		inner.s++;
-		inner.end--;
-		return put_quoted(to, inner, from->escape, at);
-	}
+	if (quoted)
+		return put_quoted(to,
+		    (struct span){ inner.s + 1, inner.end - 1 }, from->escape,
+		    at);
 	if (!can_copy(out, f))
 		return put_quoted(to, f, 0, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));

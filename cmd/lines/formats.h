@@ -158,12 +158,11 @@ static inline const char *skip_bom(const char *s, const char *end)
 /* Returns the end of the separator at s in text: blanks with at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
-	while (s < end && is_blank(*s))
-		s++;
+	const struct dialect text = { FORMAT_TEXT, ' ' };
+
+	s = skip_blanks(text, s, end);
 	s += s < end && *s == ',';
-	while (s < end && is_blank(*s))
-		s++;
-	return s;
+	return skip_blanks(text, s, end);
 }
 
 #endif

@@ -7,19 +7,16 @@
  * blank, # is never a field alone: "# x y z" has three names. */
 struct cursor header_cursor(struct dialect d, struct span text)
 {
-	const char *s = text.s, *after = skip_blanks(d, s, text.end);
-	const bool mark = after < text.end && *after == '#';
+	const bool blanks = d.separator == ' ';
+	const char *s = skip_blanks(d, text.s, text.end);
 
-	after += mark;
-	while (
-	    mark && d.separator == ' ' && after < text.end && is_blank(*after))
-		after++;
-	const char *next = skip_blanks(d, after, text.end);
-
-	if (mark &&
-	    (d.separator == ' ' || next == text.end || *next != d.separator))
-		s = after;
-	struct cursor c = line_cursor(d, (struct span){ s, text.end });
+	if (s < text.end && *s == '#') {
+		s = skip_blanks(blanks ? dialect_of(FORMAT_TEXT, ' ') : d,
+		    s + 1, text.end);
+		if (blanks || s == text.end || *s != d.separator)
+			text.s = s;
+	}
+	struct cursor c = line_cursor(d, text);
 
 	c.names = true;
 	return c;

@@ -53,13 +53,13 @@ static inline void find_order(const struct line *line, int n, int order[4])
 		}
 }
 
-/* Returns whether added values can be written directly after the last of n coordinates:
- * they have no names, no quote follows the coordinate, and in text the separator before
- * it is one byte. By --append, the line must not end in blanks. */
+/* Returns whether added values can be written directly after the last coordinate: they
+ * have no names, no quote follows the coordinate, and in text the separator before it
+ * is one byte. By --append, the line must not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
-    const struct line *line, int n)
+    const struct line *line)
 {
-	uint32_t last = line->at[n - 1].to;
+	const struct part *last = &line->at[l->reads - 1];
 	const char *end = line->s + line->size;
 
 	if (l->append &&
@@ -67,10 +67,10 @@ static inline bool can_add_in_place(const struct layout *l,
 		is_blank(end[-1 - (*format_of(l->out)->close != '\0')])))
 		return false;
 	if (format_of(l->out)->blanks)
-		return line->at[n - 1].from - line->at[n - 2].to == 1;
+		return last->from - line->at[l->reads - 2].to == 1;
 	return !line->object &&
-	    (!format_of(l->out)->header || last == line->size ||
-		line->s[last] != '"');
+	    (!format_of(l->out)->header || last->to == line->size ||
+		line->s[last->to] != '"');
 }
 
 static inline char added_separator(const struct layout *l,
@@ -80,15 +80,14 @@ static inline char added_separator(const struct layout *l,
 					   l->out.separator;
 }
 
-/* Copies the line from done up to next. Copies the first byte without a branch, even if
- * the gap is empty, because most gaps have one byte. */
-static inline char *put_gap(const struct line *line, uint32_t done,
-    uint32_t next, char *out)
+/* Copies the gap, n bytes at s. Copies the first byte without a branch, even if the gap
+ * is empty, because most gaps have one byte. */
+static inline char *put_gap(const char *s, size_t n, char *out)
 {
-	*out = line->s[done];
-	if (next - done > 1)
-		memcpy(out, line->s + done, next - done);
-	return out + (next - done);
+	*out = *s;
+	if (n > 1)
+		memcpy(out, s, n);
+	return out + n;
 }
 
 /* Writes a point. Replaces the coordinates, which are on the line in the given order
@@ -105,13 +104,13 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 	for (int i = 0; i < written; i++) {
 		int k = order != NULL ? order[i] : i;
 
-		out = put_gap(line, done, line->at[k].from, out);
+		out = put_gap(line->s + done, line->at[k].from - done, out);
 		out = put_coordinate(l, n, k, out);
 		done = line->at[k].to;
 	}
 	if (append) {
 		done = line->size - (*format_of(l->out)->close != '\0');
-		out = put_gap(line, 0, done, out);
+		out = put_gap(line->s, done, out);
 	}
 	for (int k = written; k < l->writes; k++) {
 		*out++ = added_separator(l, line);
@@ -121,7 +120,7 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 		*out++ = added_separator(l, line);
 		out = put_word(l, flags, out);
 	}
-	out = put_gap(line, done, line->size, out);
+	out = put_gap(line->s + done, line->size - done, out);
 	*out = '\n';
 	return out + line->newline;
 }

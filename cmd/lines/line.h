@@ -45,7 +45,9 @@ enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 /* HEADER_FIRST by --header, HEADER_NONE by --no-header, else HEADER_MAYBE. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
-/* The formats of points, and the numbers that are read and written. */
+/* How points are read and written: the formats of their lines or records, the fields of
+ * their coordinates, the numbers of their images, and what the source has said so far:
+ * its header, its first row and its comments. */
 struct layout {
 	struct dialect in, out;
 	enum header header;

@@ -82,14 +82,12 @@ static bool columns_fit(const struct layout *l, bool members,
 static bool is_legal(const struct layout *l, struct cursor c,
     const struct chosen *found, char reason[REASON_MAX])
 {
-	size_t fields = l->append && l->header_fields > 0 ? cursor_count(c) :
-							    l->header_fields;
-
-	if (fields != l->header_fields)
+	if (l->append && l->header_fields > 0 &&
+	    cursor_count(c) != l->header_fields)
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the "
 		    "image below other names",
-		    fields, l->header_fields);
+		    cursor_count(c), l->header_fields);
 	else if (c.bracket != NULL && chosen_overlap(l, found) > 0)
 		strcpy(reason,
 		    "has a coordinate in another; --columns names values "

@@ -24,12 +24,15 @@ static const char *find_byte(struct span f, char c)
 	return f.s < f.end ? memchr(f.s, c, (size_t)(f.end - f.s)) : NULL;
 }
 
-/* Adds to the reason how to mend f, a line or a field: by the mark at its beginning (a
- * mark of letters is all of f), or by a byte of f, not its last, that may be the
- * separator. Commas and blanks are frequent within fields: they count if alone is set.
- * Returns the separator, ';' for a mark, or 0 if nothing is added. */
-static char say_mend(const struct layout *l, struct span f, bool alone,
-    char reason[REASON_MAX])
+/* Bytes that may be separators, the likeliest first. Commas and blanks are frequent
+ * within fields: they count only if f has them for no other reason. */
+static const char rare[] = ";|\t", frequent[] = ";|\t, ";
+
+/* Adds to the reason how to mend f, a line or a field: by the mark of another format
+ * at its beginning (a mark of letters is all of f), or by the first of the separators
+ * that is a byte of f, but not its last. Returns false if nothing is added. */
+static bool say_mend(const struct layout *l, struct span f,
+    const char *separators, char reason[REASON_MAX])
 {
 	static const char *const marks[][2] = {
 		{ "---", "; leave out such lines by grep -v -e ---" },
@@ -47,7 +50,7 @@ static char say_mend(const struct layout *l, struct span f, bool alone,
 		{ "v", "; in OBJ, grep '^v ' and --columns 2,3,4 find points" },
 	};
 	const char own = format_of(l->in)->header ? l->in.separator : '\0';
-	const char *c = alone ? ";|\t, " : ";|\t";
+	const char *c = separators;
 	const size_t size = (size_t)(f.end - f.s);
 
 	for (size_t k = 0; k < sizeof marks / sizeof *marks; k++) {
@@ -56,14 +59,14 @@ static char say_mend(const struct layout *l, struct span f, bool alone,
 		if (size >= n && memcmp(f.s, *marks[k], n) == 0 &&
 		    (size == n || (*f.s | 32) < 'a' || (*f.s | 32) > 'z')) {
 			say_more(reason, "%s", marks[k][1]);
-			return *c;
+			return true;
 		}
 	}
 	f.end -= size > 0;
 	while (*c != '\0' && (*c == own || find_byte(f, *c) == NULL))
 		c++;
 	if (*c == '\0')
-		return *c;
+		return false;
 	say_more(reason,
 	    *c == '\t' ? "; is a tab the separator? " :
 			 "; is '%c' the separator? ",
@@ -74,64 +77,75 @@ static char say_mend(const struct layout *l, struct span f, bool alone,
 		*c == '\t' ? "say -i tsv" :
 			     "say -i csv --separator '%c'",
 	    *c);
-	return *c;
+	return true;
+}
+
+/* Adds to the reason how to mend f, a field of text or csv that is no number. Returns
+ * false if nothing shows how. */
+static bool say_remedy(const struct layout *l, struct span f,
+    char reason[REASON_MAX])
+{
+	const char *comma = find_byte(f, ','), *open = find_byte(f, '(');
+	double v;
+	const char *after = number_read(f.s, f.end, &v);
+	const bool two_numbers = format_of(l->in)->header && after != NULL &&
+	    number_read(skip_separator(after, f.end), f.end, &v) != NULL;
+
+	if (comma == NULL && l->in.separator == ';')
+		comma = find_byte(f, ' ');
+	if (after != NULL && comma != NULL &&
+	    number_read(comma + 1, f.end, &v) == f.end)
+		say_more(reason,
+		    "; write 1.5 for 1,5, and 1000 for 1,000 or 1 000");
+	else if (open != NULL && f.end[-1] != ')')
+		say_more(reason, "; make brackets blanks: tr '()' '  '");
+	else if (f.s < f.end && f.end[-1] == ';')
+		say_more(reason, "; leave out each ; by tr -d ';'");
+	else if (open == NULL &&
+	    say_mend(l, f, two_numbers ? frequent : rare, reason))
+		return true;
+	else if (find_byte(f, '=') != NULL)
+		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
+	else if (after != NULL && !choose_is_name(f))
+		say_more(reason,
+		    "; a number is wanted, and nothing else in the field");
+	else
+		return false;
+	return true;
+}
+
+/* Returns how to mend a value of JSON that is no number, or "" if nothing shows how. */
+static const char *json_remedy(const struct field *f)
+{
+	const char first = *f->value.s;
+	double v;
+
+	return number_read(f->value.s, f->value.end, &v) != NULL ?
+	    ", as JSON writes it" :
+	    first != '[' && first != '{' ? "" :
+	    f->name.s == NULL ? "; one array or object a line: jq -c '.[]'" :
+	    first == '[' ? "; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
+			   "; --columns takes pointers, such as /x/value";
 }
 
 void say_field(const struct layout *l, int i, const struct field *field,
     char reason[REASON_MAX])
 {
-	const bool json = *format_of(l->in)->open != '\0';
-	const bool csv = format_of(l->in)->header;
-	const struct span f = field->value;
+	const struct format_row *in = format_of(l->in);
 	/* the message shows the quotes of csv */
-	const struct span shown = csv ? field->whole : f;
-	const char *gap = find_byte(f, ','), *open = find_byte(f, '(');
-	const char *s = f.s, *after;
+	const struct span f = in->header ? field->whole : field->value;
 	char word[ESCAPED_MAX];
-	double v;
 
 	*reason = '\0';
 	say_more(reason, "%s is '%s'", coordinate_name(i),
-	    escaped(word, shown.s, (size_t)(shown.end - shown.s)));
-	while (json && is_blank(*--s))
-		;
-	const bool member = json && *s == ':';
-
-	after = number_read(f.s, f.end, &v);
-	const bool two = csv && after != NULL &&
-	    number_read(skip_separator(after, f.end), f.end, &v) != NULL;
-
-	if (gap == NULL && l->in.separator == ';')
-		gap = find_byte(f, ' ');
-	if (!json && after != NULL && gap != NULL &&
-	    number_read(gap + 1, f.end, &v) == f.end)
-		say_more(reason,
-		    "; write 1.5 for 1,5, and 1000 for 1,000 or 1 000");
-	else if (!json && open != NULL && f.end[-1] != ')')
-		say_more(reason, "; make brackets blanks: tr '()' '  '");
-	else if (!json && f.s < f.end && f.end[-1] == ';')
-		say_more(reason, "; leave out each ; by tr -d ';'");
-	else if (!json && open == NULL && say_mend(l, f, two, reason) != '\0')
-		return;
-	else if (!json && find_byte(f, '=') != NULL)
-		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
-	else
+	    escaped(word, f.s, (size_t)(f.end - f.s)));
+	if (*in->open != '\0')
+		say_more(reason, "; a number is wanted%s", json_remedy(field));
+	else if (!say_remedy(l, field->value, reason))
 		say_more(reason, "; a number is wanted%s",
-		    !json && after != NULL && !choose_is_name(f) ?
-			", and nothing else in the field" :
-			!json && l->columns.n == 0 && i == 0 ?
+		    l->columns.n == 0 && i == 0 ?
 			"; --columns says which fields the coordinates are" :
-			!json ?
-			", or NA" :
-			after != NULL ?
-			", as JSON writes it" :
-			member && *f.s == '[' ?
-			"; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
-			member && *f.s == '{' ?
-			"; --columns takes pointers, such as /x/value" :
-			*f.s == '[' || *f.s == '{' ?
-			"; one array or object a line: jq -c '.[]'" :
-			"");
+			", or NA");
 }
 
 bool say_empty_field(const struct layout *l, struct span f,
@@ -196,7 +210,8 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the number of the name that is n bytes of a, then word in any case, or -1. */
+/* Returns the index in names of the name that is the first n bytes of a and then word
+ * in upper or lower case, or -1 if there is none. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -218,9 +233,10 @@ static bool can_be_typed(const char *name)
 
 /* Finds columns that may be coordinates: their names begin alike and end in the names
  * of axes, such as gps_lon and gps_lat. Sets found[i] to the column of coordinate i, or
- * to -1 if there is none. *k counts the tries: the next call finds other columns.
- * Returns false if there are no more. Skips quaternions, such as qx, qy, qz and qw, and
- * skips names such as px if x is a name. */
+ * to -1 if there is none. A point has reads coordinates. *k, 0 before the first call,
+ * counts the tries: the next call finds other columns. Returns false if there are no
+ * more. Skips quaternions, such as qx, qy, qz and qw, and names such as px if x is a
+ * name. */
 static bool guess_columns(const struct names *names, int reads, int *k,
     int found[4])
 {
@@ -277,14 +293,14 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, i > 0 ? "," : "");
 			all &= found[i] >= 0;
-			if (numbers == NULL) {
+			if (numbers != NULL) {
+				say_more(reason, "%d", found[i] + 1);
+				*numbers |= 1u << found[i];
+			} else {
 				say_more(reason, "%s",
 				    found[i] < 0 ? "NAME" :
 						   names->list[found[i]]);
-				continue;
 			}
-			say_more(reason, "%d", found[i] + 1);
-			*numbers |= 1u << found[i];
 		}
 	}
 	if (!all)
@@ -294,9 +310,36 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 	return reason[was] != '\0';
 }
 
+/* Adds to the reason what to say instead of typed, a name in --columns that no column
+ * or member has: "; did you mean 'x'?" */
+static void say_near(const struct layout *l, struct cursor c,
+    const struct names *names, const char *typed, char reason[REASON_MAX])
+{
+	const char *near = nearest_word(typed, names->list), *s;
+	const size_t head = strcspn(typed, ".[");
+	char shown[ESCAPED_MAX];
+
+	if (c.members && typed[head] != '\0' &&
+	    find_name(names, typed, head, "") >= 0) {
+		say_more(reason, "; say /");
+		for (s = escaped(shown, typed, strlen(typed)); *s != '\0'; s++)
+			if (*s != ']')
+				say_more(reason, "%c",
+				    strchr(".[", *s) != NULL ? '/' : *s);
+	} else if (c.names && l->header == HEADER_MAYBE &&
+	    !choose_is_name((struct span){ c.s, c.end })) {
+		say_more(reason,
+		    "; if there is no header, say --columns by "
+		    "number, such as 3,4,5");
+	} else if (near != NULL) {
+		say_more(reason, "; did you mean '%s'?",
+		    escaped(shown, near, strlen(near)));
+	}
+}
+
 /* Adds to the reason the names of the columns or members after the cursor: "; it has x,
- * y, z". If one is near typed, the name in --columns, adds first "; did you mean 'x'?"
- * Without --columns typed is NULL: adds first a guess, "; say --columns lon,lat,h". */
+ * y, z". Adds first what say_near adds or, if typed is NULL, a guess, "; say --columns
+ * lon,lat,h". Adds no names if the line has the mark of another format or separator. */
 static void say_names(const struct layout *l, struct cursor c,
     const char *typed, char reason[REASON_MAX])
 {
@@ -307,40 +350,21 @@ static void say_names(const struct layout *l, struct cursor c,
 	int i = 0;
 
 	copy_names(c, &names);
-	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
-	const size_t head = typed != NULL ? strcspn(typed, ".[") : 0;
+	if (typed != NULL) {
+		say_near(l, c, &names, typed, reason);
+	} else if (!say_guess(&names, l->reads, NULL, reason)) {
+		if (say_mend(l, header, names.n == 1 ? ";|\t," : rare, reason))
+			return;
+		const bool blank = names.n == 1 &&
+		    say_mend(l, header, " ", reason);
 
-	if (c.members && typed[head] != '\0' &&
-	    find_name(&names, typed, head, "") >= 0) {
-		const char *s = escaped(shown, typed, strlen(typed));
-
-		say_more(reason, "; say /");
-		for (; *s != '\0'; s++)
-			if (*s != ']')
-				say_more(reason, "%c",
-				    strchr(".[", *s) != NULL ? '/' : *s);
-	} else if (typed != NULL && c.names && l->header == HEADER_MAYBE &&
-	    !choose_is_name(header)) {
-		say_more(reason,
-		    "; if there is no header, say --columns by "
-		    "number, such as 3,4,5");
-	} else if (typed != NULL && near != NULL) {
-		say_more(reason, "; did you mean '%s'?",
-		    escaped(shown, near, strlen(near)));
-	} else if (typed == NULL &&
-	    !say_guess(&names, l->reads, NULL, reason)) {
-		const char other = say_mend(l, header, names.n == 1, reason);
-
-		if (other == '\0')
+		if (!blank)
 			say_more(reason,
 			    "; say with --columns which the coordinates are");
-		if (other == ' ' ||
-		    (other == '\0' &&
-			(names.n < l->reads ||
-			    *names.list[names.n - 1] == '\0')))
+		if (names.n < l->reads || *names.list[names.n - 1] == '\0')
 			say_more(reason, "; leave out a title line by sed %zud",
 			    l->first_line);
-		if (other != '\0')
+		if (blank)
 			return;
 	}
 	if (names.n > 0 || names.omitted)
@@ -373,7 +397,7 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 			    coordinate_name(i), l->columns.field[i] + 1);
 		if (one)
 			say_mend(l, trimmed(c.in, (struct span){ c.s, c.end }),
-			    true, reason);
+			    frequent, reason);
 		return;
 	}
 	escaped(shown, name, strlen(name));
@@ -408,9 +432,7 @@ void say_note_columns(struct layout *l, struct span text)
 	const size_t n = 2 * (size_t)l->reads - 1;
 	struct names names;
 
-	text.s = (const char *)memchr(text.s, '#',
-		     (size_t)(text.end - text.s)) +
-	    1;
+	text.s = skip_blanks(l->in, text.s, text.end) + 1; /* after # */
 	for (const char *s = text.s; s < text.end; s++)
 		if (*s != table.separator &&
 		    strchr(s == text.s ? "#%!;:=" : ":=", *s) != NULL)
@@ -470,11 +492,18 @@ bool say_needs_header(const struct layout *l, struct span row, bool lost,
 void say_text_header(const struct layout *l, struct span line,
     char reason[REASON_MAX])
 {
-	if (strstr(reason, "; --columns says") == NULL ||
-	    find_byte(line, '=') != NULL)
+	struct cursor c = line_cursor(l->in, line);
+	char remedy[REASON_MAX] = "";
+	struct field f;
+	double v;
+
+	/* after a missing value, the reason is about another field */
+	if (find_byte(line, '=') != NULL || !cursor_next(&c, &f) ||
+	    format_number(l->in, f.value.s, f.value.end, &v) == f.value.end ||
+	    say_remedy(l, f.value, remedy))
 		return;
 	strcpy(reason, "looks like a header");
-	say_mend(l, line, true, reason);
+	say_mend(l, line, frequent, reason);
 	say_more(reason,
 	    ", or leave it out by sed %zud, with --columns if x is not first",
 	    l->first_line);

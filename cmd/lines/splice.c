@@ -94,17 +94,12 @@ static void put_values(struct splice *w, int k, bool members)
 	w->due -= due;
 	for (; due != 0; due &= due - 1) {
 		k = __builtin_ctz(due);
-		if (w->fields++ > 0) {
-			*out = *w->separator.s;
-			if (gap > 1)
-				memcpy(out, w->separator.s, gap);
-			out += gap;
-		}
+		if (w->fields++ > 0)
+			out = put_gap(w->separator.s, gap, out);
 		if (members) {
 			*out++ = '"';
 			out = stpcpy(out, value_name(w, k));
-			*out++ = '"';
-			*out++ = ':';
+			out = stpcpy(out, "\":");
 		}
 		out = put_value(w, k, out);
 	}
@@ -319,11 +314,10 @@ static void put_other_fields(struct splice *w)
 	 * keep their places in the array */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
-	char *out = w->out;
 	struct field f;
 
 	if (is_binary(l->in.format)) {
-		w->out = put_other_numbers(l, line, out);
+		w->out = put_other_numbers(l, line, w->out);
 		return;
 	}
 	if (line->kind == LINE_LOST || line->object)
@@ -347,11 +341,10 @@ static void put_other_fields(struct splice *w)
 		    (!l->append &&
 			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
 			continue;
-		*out = l->out.separator;
-		out += w->fields++ > 0;
-		out = format_convert(l->in, l->out, f.whole, out);
+		*w->out = l->out.separator;
+		w->out += w->fields++ > 0;
+		w->out = format_convert(l->in, l->out, f.whole, w->out);
 	}
-	w->out = out;
 }
 
 char *line_put_rest(const struct layout *l, const struct line *line, char *out)
@@ -367,18 +360,16 @@ char *line_put_rest(const struct layout *l, const struct line *line, char *out)
 static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;
-	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
+	const struct format_row *to = format_of(l->out);
 	bool members = w->line->object && l->out.format == l->in.format;
 
-	*w->out = members ? '{' : open;
-	w->out += open != '\0';
+	w->out = stpcpy(w->out, members ? "{" : to->open);
 	if (l->append)
 		put_other_fields(w);
 	put_values(w, 0, members);
 	if (!l->append)
 		put_other_fields(w);
-	*w->out = members ? '}' : close;
-	w->out += close != '\0';
+	w->out = stpcpy(w->out, members ? "}" : to->close);
 }
 
 /* Writes a point as convert does without --append, but faster. */

@@ -329,9 +329,9 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 	return NO_COORDINATE;
 }
 
-/* Returns whether the separator after the n coordinates of text shows that no comma is
- * a decimal comma, as in 1 2 3,5 or, if n is 2, in 1,5 2. comma says whether commas are
- * between the coordinates. */
+/* Returns false if the separator after the n coordinates of text shows that a comma may
+ * be decimal: 1 2 3,5 may be the point 1, 2, 3.5 and, if n is 2, 1,5 2 may be 1.5, 2.
+ * comma says whether commas are between the coordinates. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
 {
@@ -362,8 +362,8 @@ struct fields {
 	const struct paths *paths;
 	int levels;      /* the most levels of brackets in a field */
 	unsigned passed; /* bit i: a field on path i has been passed */
-	int separators,
-	    commas; /* of text: all separators; those with a comma */
+	/* of text: all separators; those with a comma */
+	int separators, commas;
 };
 
 /* Passes the name of field k, if it has one. Returns the coordinate that the field is,

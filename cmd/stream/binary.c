@@ -23,18 +23,18 @@ size_t binary_size(const struct layout *l)
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool to_records, size_t n)
 {
-	size_t record = record_size(l), row = size * (size_t)l->reads;
-	size_t from_size = to_records ? row : record,
-	       to_size = to_records ? record : row;
+	const size_t record = record_size(l), row = size * (size_t)l->reads;
 
 	for (int k = 0; k < l->reads; k++) {
 		char *in_record = records + size * (size_t)layout_field(l, k);
 		char *in_row = rows + size * (size_t)k;
-		const char *from = to_records ? in_row : in_record;
-		char *to = to_records ? in_record : in_row;
 
-		for (size_t i = 0; i < n; i++)
-			memcpy(to + i * to_size, from + i * from_size, size);
+		for (size_t i = 0; i < n; i++) {
+			memcpy(to_records ? in_record : in_row,
+			    to_records ? in_row : in_record, size);
+			in_record += record;
+			in_row += row;
+		}
 	}
 }
 

@@ -12,19 +12,18 @@ struct chunk *chunk_new(void)
 	const size_t alignment = _Alignof(struct chunk);
 	char *memory = calloc(1, sizeof(struct chunk) + alignment);
 
-	if (memory != NULL) {
-		struct chunk *c = (void *)(memory + alignment -
-		    (uintptr_t)memory % alignment);
+	if (memory == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	struct chunk *c = (void *)(memory + alignment -
+	    (uintptr_t)memory % alignment);
 
-		piece_resize(&c->piece, PIECE_ROOM);
-		/* Most output fits. If a thread allocates more, the C library maps an
-		 * arena for the thread, which costs more than this room. */
-		c->room = 16 * PIECE_ROOM;
-		c->out = xrealloc(NULL, c->room);
-		/* cppcheck-suppress memleak; c is within memory */
-		return c;
-	}
-	die(EXIT_SYSTEM, "out of memory");
+	piece_resize(&c->piece, PIECE_ROOM);
+	/* Most output fits. If a thread allocates more, the C library maps an arena
+	 * for the thread, which costs more than this room. */
+	c->room = 16 * PIECE_ROOM;
+	c->out = xrealloc(NULL, c->room);
+	/* cppcheck-suppress memleak; c is within memory */
+	return c;
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)

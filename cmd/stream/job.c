@@ -180,13 +180,6 @@ static void make_texts(struct writer *w, size_t p)
 	w->first_of_batch = from;
 }
 
-/* Returns the numbers and texts of the image of point p. */
-static inline struct numbers image_of(const struct writer *w, size_t p)
-{
-	return (struct numbers){ &w->chunk->image[0][p],
-		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
-}
-
 /* Writes the line of point p with the point's image. Returns the end of the line. */
 static char *put_image(struct writer *w, const struct line *line, size_t p,
     char *at)
@@ -196,21 +189,20 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	    chunk_flags(w->chunk, w->outside[p]) :
 	    NULL;
 
+	/* the numbers and texts of the image of point p */
+	const struct numbers n = { &w->chunk->image[0][p],
+		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
+
 	make_texts(w, p);
 	if (w->in_place && is_in_order(line, l->reads) &&
-	    (!w->adds_values || can_add_in_place(l, line, l->reads)))
-		return l->append ? write_in_place(l, line, true, NULL,
-				       image_of(w, p), flags, at) :
-				   write_in_place(l, line, false, NULL,
-				       image_of(w, p), flags, at);
-	if (!w->in_place || w->adds_values) {
-		const struct numbers n = image_of(w, p);
-
+	    (!w->adds_values || can_add_in_place(l, line)))
+		return l->append ?
+		    write_in_place(l, line, true, NULL, n, flags, at) :
+		    write_in_place(l, line, false, NULL, n, flags, at);
+	if (!w->in_place || w->adds_values)
 		return line_write(l, line, &n, flags, at);
-	}
 	find_order(line, l->reads, w->order);
-	return write_in_place(l, line, false, w->order, image_of(w, p), flags,
-	    at);
+	return write_in_place(l, line, false, w->order, n, flags, at);
 }
 
 /* Writes a line with the image of its point, which is point p of the block, or writes a
@@ -277,7 +269,11 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
  * refused only if they are .npy, or UTF-16 with three ASCII characters. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
+	static const char utf16[] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
+				    "it UTF-8";
 	static const char *const others[][2] = {
+		{ "\xff\xfe", utf16 },
+		{ "\xfe\xff", utf16 }, /* high bytes come first */
 		{ "\x1f\x8b", "is gzip; zcat makes it text" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
@@ -289,15 +285,16 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = (size_t)(c->end - c->text);
 	const bool binary = is_binary(j->layout.in.format);
-	const int big = n > 0 && s[0] == 0xfe;
-	char reason[REASON_MAX] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
-				  "it UTF-8";
 	const size_t count = sizeof others / sizeof *others;
-	size_t k = binary || n < 4 ? count : 0;
+	char reason[REASON_MAX];
+	size_t k = 0;
 
-	while (k < count && memcmp(s, others[k][0], strlen(others[k][0])) != 0)
+	while (k < count &&
+	    (n < strlen(others[k][0]) ||
+		memcmp(s, others[k][0], strlen(others[k][0])) != 0))
 		k++;
-	if (k < count)
+	if (binary ? k < 2 && n >= 8 && (s[3 - k] | s[5 - k] | s[7 - k]) == 0 :
+		     k < count)
 		strcpy(reason, others[k][1]);
 	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
 		/* the header's size has two bytes in version 1, four in others */
@@ -306,13 +303,10 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "
 		    "False",
 		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
-	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0) {
-		if (binary || memchr(s, '\0', n < 64 ? n : 64) == NULL)
-			return;
+	else if (!binary && memchr(s, '\0', n < 64 ? n : 64) != NULL)
 		strcpy(reason,
 		    "is binary; if it is numbers alone, say -i f64 or -i f32");
-	} else if (binary &&
-	    (n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0))
+	else
 		return;
 	c->refused = true;
 	chunk_complain(j, c, reason);
