@@ -67,7 +67,7 @@ void map_set_origin(struct map *r, const double origin[3])
 		p[k] = sum_of_double(r->origin[k]);
 	}
 	for (int j = 0; j < 4; j++)
-		map_image(r, j, p, &r->m[4][j]);
+		sum_dot(4, p, &r->m[0][j], 4, &r->m[4][j]);
 }
 
 static void divide_element(struct sum *a, const struct sum *d)
@@ -140,7 +140,16 @@ bool map_is_finite(const struct map *a)
 
 void map_image(const struct map *m, int j, const struct sum p[4], struct sum *r)
 {
-	sum_dot(4, p, &m->m[0][j], 4, r);
+	if (m->m[3][j].error <= m->m[4][j].error) {
+		sum_dot(4, p, &m->m[0][j], 4, r);
+		return;
+	}
+	struct sum q[5] = { [4] = p[3] }; /* p's difference from the origin */
+
+	for (int k = 0; k < 3; k++)
+		q[k] = sum_minor(p[k], sum_of_double(1), p[3],
+		    sum_of_double(m->origin[k]));
+	sum_dot(5, q, &m->m[0][j], 4, r);
 }
 
 void map_multiply(struct map *r, const struct map *factor, bool before)

@@ -22,7 +22,8 @@ bool vec3_is_zero(const struct sum a[3]);
  *
  * The origin is the eye or a window's centre. Images of points near it need many
  * digits: transform.h first subtracts the origin from points. Row 4 is the origin's
- * image: if the eye is far, the error of row 3 can exceed row 4. */
+ * image: if the eye is far, the error of row 3 can exceed row 4. So map_image, and with
+ * it map_multiply, use row 4 where its error is smaller. */
 struct map {
 	struct sum m[5][4], divisor;
 	double origin[3];

@@ -19,7 +19,7 @@ static int ceil_log2(const ex *a)
 	return ex_exponent(a) - (a->n == 1 && (lowest & (lowest - 1)) == 0);
 }
 
-/* Returns the bound of a sum of n <= 12 errors; all are exponents as in struct sum.
+/* Returns the bound of a sum of n <= 15 errors; all are exponents as in struct sum.
  * Errors below 2^-40 of the largest are neglected; sum.h leaves room for 2^-19. */
 static int sum_bound(int n, const int error[])
 {
@@ -89,14 +89,14 @@ bool sum_is_exact_zero(const struct sum *a)
 	return a->value.n == 0 && sum_is_exact(a);
 }
 
-/* Computes the sum of the n <= 4 products *a[k] *b[k]. The error of a product is |a|
+/* Computes the sum of the n <= 5 products *a[k] *b[k]. The error of a product is |a|
  * times the error of b, plus |b| times the error of a, plus the product of both errors.
  * Words below 2^-20 of the error are dropped. */
 static void dot_of_pointers(int n, const struct sum *const a[],
     const struct sum *const b[], struct sum *r)
 {
-	const ex *x[4], *y[4];
-	int error[3 * 4], terms = 0;
+	const ex *x[5], *y[5];
+	int error[3 * 5], terms = 0;
 
 	for (int k = 0; k < n; k++) {
 		x[k] = &a[k]->value;
@@ -116,7 +116,7 @@ static void dot_of_pointers(int n, const struct sum *const a[],
 void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
     struct sum *r)
 {
-	const struct sum *x[4], *y[4];
+	const struct sum *x[5], *y[5];
 
 	for (int k = 0; k < n; k++) {
 		x[k] = &a[k];

@@ -50,7 +50,7 @@ struct sum sum_quotient(struct sum, struct sum);
 /* Returns the minor a b - c d. */
 struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d);
 
-/* Computes the sum of the n <= 4 products a[k] b[k stride]. */
+/* Computes the sum of the n <= 5 products a[k] b[k stride]. */
 void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
     struct sum *);
 
