@@ -336,5 +336,9 @@ bool json_check(struct json_check *s)
 	if (!check_value(s, s->pointer))
 		return false;
 	skip_space(s);
-	return s->at == s->end || refuse(s, "the end of the text", NULL);
+	return s->at == s->end ||
+	    refuse(s, "the end of the text",
+		s->kind == JSON_DOCUMENT && *s->at == '{' ?
+		    "--scenes reads several scenes" :
+		    NULL);
 }

@@ -243,12 +243,16 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 	static const char *const axes[][2] = { { "x", "y" },
 		{ "longitude", "latitude" }, { "lon", "lat" },
 		{ "long", "lat" }, { "lng", "lat" }, { "easting", "northing" },
-		{ "east", "north" }, { "e", "n" }, { "u", "v" } };
+		{ "east", "north" }, { "rechtswert", "hochwert" }, { "e", "n" },
+		{ "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
-		"elevation", "elev", "ele", "height", "h", "up", "w" };
-	const int usable = reads < 4 ? 10 : 9; /* without w, a coordinate */
+		"elevation", "elev", "ele", "height", "hoehe", "h", "up", "w" };
+	/* w is the last, and not a height if it is a coordinate */
+	const int usable = (int)(sizeof heights / sizeof *heights) -
+	    (reads > 3);
+	const int pairs = sizeof axes / sizeof *axes;
 
-	while (*k < 9 * names->n) {
+	while (*k < pairs * names->n) {
 		const char *const *axis = axes[*k / names->n];
 		const char *a = names->list[*k % names->n];
 		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;

@@ -129,8 +129,10 @@ static void check_needed(const struct value *root,
 
 	value_refuse(VALUE_MISSING(root, row->name),
 	    "missing; add \"%s\": %s%s", row->name, row->example,
-	    w->flat_members == 0 ? "" :
-				   ", or for two dimensions \"window\": {}");
+	    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" :
+		missing == SCENE_DEVICE && (seen & SCENE_VIEWPORT) != 0 ?
+				   "; \"viewport\" is for three dimensions" :
+				   "");
 }
 
 /* Refuses a document of two dimensions if the command takes only three dimensions. */

@@ -352,9 +352,9 @@ static const char *projection_matrix_map(const struct projection *p,
 {
 	map_of_doubles(p->matrix, r);
 	if (is_transposed(p->matrix))
-		return "/projection/matrix: is transposed; in memory order w "
-		       "is made by numbers 4, 8, 12 and 16, and rows stand as "
-		       "\"vectors\" says";
+		return "/projection/matrix: is transposed; of 16 numbers w is "
+		       "made by 4, 8, 12 and 16; of rows, by the last column "
+		       "in d3d and by the last row in other conventions";
 	if (inverse && !map_inverse(p->matrix, r))
 		return "/projection/matrix: singular; it can't be inverted";
 	map_set_origin(r, NULL);
