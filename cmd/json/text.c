@@ -93,7 +93,7 @@ static const char *unescape_unicode(const char *s, const char *end,
 	unsigned second;
 
 	s = json_hex4(s, end, code);
-	if (*code >> 10 == FIRST_HALF && s < end && s[0] == '\\' &&
+	if (*code >> 10 == FIRST_HALF && end - s > 1 && s[0] == '\\' &&
 	    s[1] == 'u') {
 		after = json_hex4(s + 2, end, &second);
 		if (second >> 10 == SECOND_HALF) {
