@@ -122,7 +122,7 @@ uint64_t member_bits(const struct member *, int kind, const char *names,
     bool required);
 
 /* Returns the index of the object's way. given has the object's members as bits.
- * Refuses an object that lacks members of each way, or has members of several. */
+ * Refuses an object that fits no way: a member is missing, or is not of the way. */
 int object_way(const struct value *, const struct member *, int kind,
     uint64_t given, const struct ways *);
 

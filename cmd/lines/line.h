@@ -63,10 +63,10 @@ struct layout {
 	size_t max_fields;
 	bool reordered;    /* in the last header field i is not coordinate i */
 	size_t first_line; /* the number of FIRST_LINE in its source, from 1 */
-	/* The number of columns that a comment names; 0: none, or coordinates
-	 * come first. A first row of as many fields is refused for
-	 * comment_reason if field i is a number for each bit i of
-	 * comment_numbers. */
+	/* The number of columns that a # comment above the first row names; 0:
+	 * none, or coordinates come first. If the row has as many fields, and
+	 * field i is a number for each bit i of comment_numbers, the row is
+	 * refused for comment_reason. */
 	size_t comment_names;
 	uint32_t comment_numbers;
 	char comment_reason[REASON_MAX];

@@ -206,7 +206,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 
 	for (int i = 0; projection_types[i] != NULL; i++) {
 		struct value m = value_child(v);
-		int count = 0; /* a name counts more than an alias */
+		int count = 0; /* of members; a name counts 2, an alias 1 */
 
 		for (; m.item != NULL; value_next(&m))
 			for (int alias = 0; alias < 2; alias++)

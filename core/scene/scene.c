@@ -135,8 +135,8 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-/* Returns NULL, or the reason why the map r is refused: why, the reason of the function
- * that made r, or a number out of range. If flat, r maps a 2D window. */
+/* Returns why the map r is refused, or NULL: the argument why, if it is not NULL, or a
+ * message if an element of r is out of range. If flat, r maps a 2D window. */
 static const char *check_range(const char *why, const struct map *r, bool flat)
 {
 	if (why != NULL)
