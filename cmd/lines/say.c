@@ -108,7 +108,8 @@ static bool say_remedy(const struct layout *l, struct span f,
 		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
 	else if (after != NULL && !choose_is_name(f))
 		say_more(reason,
-		    "; a number is wanted, and nothing else in the field");
+		    "; a number is wanted, and nothing else in the field; "
+		    "--columns chooses other fields");
 	else
 		return false;
 	return true;
@@ -413,8 +414,12 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 			"" :
 			"; --columns names the coordinates, such as lon "
 			"or /pos/x");
-		say_names(l, c, c.names && l->columns.by_default ? NULL : name,
-		    reason);
+		if (c.names && i == 2 && l->two_hint != NULL)
+			say_more(reason, "%s", l->two_hint);
+		else
+			say_names(l, c,
+			    c.names && l->columns.by_default ? NULL : name,
+			    reason);
 	} else if (c.names) {
 		say_more(reason,
 		    "the header has two columns for %s, %ld and %ld; say "

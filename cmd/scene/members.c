@@ -73,8 +73,9 @@ static const struct ways camera_ways[] = {
 	    __VA_ARGS__)
 
 static const struct value_range height_range = { SIZE_MIN, MAGNITUDE_MAX,
-	.wanted = "a number from 1e-150 to 1e150 is wanted; what turns y is "
-		  "\"convention\", of Vulkan's flipped viewport \"webgpu\"" };
+	.wanted = "a number from 1e-150 to 1e150 is wanted; for a flipped "
+		  "viewport of Vulkan write \"webgpu\", y + height for y, and "
+		  "-height for height" };
 
 #define RECTANGLE(object)                                               \
 	ROW(object, "x", type_numbers, x, .aliases = "left",            \

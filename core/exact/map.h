@@ -69,9 +69,9 @@ bool map_is_affine(const struct map *);
 
 /* The reason why a matrix that must be affine is refused. */
 #define NOT_AFFINE                                                             \
-	"its last column, as column vectors its last row, is not 0 0 0 1; of " \
-	"16 numbers the translation is 13, 14 and 15; write rows as [[...], "  \
-	"[...], [...], [...]]"
+	"its last column, as column vectors its last row, is not exactly 0 0 " \
+	"0 1; of 16 numbers the translation is 13, 14 and 15; write rows as "  \
+	"[[...], [...], [...], [...]]"
 
 /* Returns whether each element / divisor is in the range of doubles. */
 bool map_is_finite(const struct map *);
