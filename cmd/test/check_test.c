@@ -120,7 +120,9 @@ static const struct text refused[] = {
 	    "1: expected ':' after the member's name, but the text ends"),
 	TEXT("{\"a\":", "1: expected a value, but the text ends"),
 	TEXT("[", "1: expected a value, but the text ends"),
-	TEXT("{}\n{}", "2: expected the end of the text, not '{'"),
+	TEXT("{}\n{}",
+	    "2: expected the end of the text, not '{'; --scenes reads several "
+	    "scenes"),
 	TEXT("0 0 0\n", "1: expected the end of the text, not '0'"),
 	TEXT("{}]", "1: expected the end of the text, not ']'"),
 	TEXT("{} //",
