@@ -133,16 +133,6 @@ static void widen_sides(double *width, double *height, const double shape[2])
 		*height = fmax(*height, high);
 }
 
-/* Returns the largest step t of the eye along the gaze after which near is at least
- * ratio times far: low - t >= ratio (high - t), with the bounds' depth from low to
- * high. */
-static struct sum step_to_near_ratio(const struct extents *r, double ratio)
-{
-	struct sum far = sum_scale(r->high[2], ratio);
-
-	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
-}
-
 /* Finds the side planes in view space, and the slope of each: how much the plane's
  * function falls at a fixed point while the eye moves by 1 along the gaze. */
 static const char *find_plane_slopes(const struct scene *s, struct map *sides,
@@ -203,7 +193,12 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 		why = view_planes(s, SPACE_MODEL, &model, &ends);
 	if (why != NULL)
 		return why;
-	struct sum t = step_to_near_ratio(&r, s->projection.near_ratio);
+	/* t is the largest step of the eye along the gaze after which near is at least
+	 * ratio times far: low - t >= ratio (high - t), with the bounds' depth from low
+	 * to high */
+	const double ratio = s->projection.near_ratio;
+	struct sum far = sum_scale(r.high[2], ratio);
+	struct sum t = sum_quotient(sum_sub(r.low[2], far), sum_diff(1, ratio));
 
 	for (int k = 0; k < 4; k++)
 		lowest[k] = hull_lowest(h, &model, k, false);
