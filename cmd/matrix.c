@@ -46,8 +46,8 @@ static void put_matrix(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* Returns the elements of the matrix of t, for column vectors if column is set: the
- * nearest doubles or, if floats is set, floats. Refuses elements beyond that type. */
+/* Returns the elements of the matrix of t, for column vectors if column is set: as the
+ * nearest doubles or, if floats is set, floats. Refuses elements out of range. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {
