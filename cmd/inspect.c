@@ -8,7 +8,7 @@
 #include "scene/types.h"
 #include "message/message.h"
 
-/* In the order of enum taxon, enum kind and enum buffer. */
+/* Names in the order of enum taxon, enum kind and enum buffer. */
 static const char *const taxa[] = { "orthographic", "oblique", "perspective",
 	"reverse perspective" };
 static const char *const kinds[] = { "multiview", "isometric", "dimetric",

@@ -11,7 +11,7 @@
 #include "message/message.h"
 
 /* A point within the radius, with the text that is printed for it. A csv header is a
- * hit, too. Its distance is -infinity, so that it becomes the first hit. */
+ * hit, too, with a distance of -infinity, which makes it the first hit. */
 struct hit {
 	double distance, point[4];
 	long long line;

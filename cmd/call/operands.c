@@ -211,7 +211,7 @@ static void name_numbers(struct layout *l, const char *space)
 
 static void prepare_job(struct job *j, const struct options *o)
 {
-	/* for a ray, x y are read, and a point and a direction are written */
+	/* a ray is made of x y, and is written as a point and a direction */
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
 		.out = dialect_of(options_output(o), o->separator),

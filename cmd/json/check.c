@@ -12,7 +12,7 @@
 
 enum {
 	LEVELS_MAX = 100,
-	/* The characters of the longest number that cJSON reads. */
+	/* The length of the longest number that cJSON reads. */
 	CJSON_NUMBER_MAX = 63,
 };
 

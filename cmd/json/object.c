@@ -9,7 +9,7 @@
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether kinds has bit kind; true if kinds is 0 (all) or kind is ANY_KIND. */
+/* Returns whether kinds has the bit 1 << kind, or is 0 (all), or kind is ANY_KIND. */
 static bool has_kind(unsigned kinds, int kind)
 {
 	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;

@@ -125,9 +125,9 @@ void value_numbers(const struct value *, const struct value_range *, size_t n,
 /* Returns the index of a string in words, which NULL ends; refuses other values. */
 int value_word(const struct value *, const char *const *words);
 
-/* Writes the words, which NULL ends, as a list such as "a", "b" or "c". quote is put
- * before and after each word, and last, such as " or ", before the last word. A list is
- * cut at LIST_ROOM bytes. Returns out. */
+/* Writes the words, which NULL ends, as a list such as "a", "b" or "c". `quote` is put
+ * before and after each word, and `last`, such as " or ", before the last word. A list
+ * is cut at LIST_ROOM bytes. Returns out. */
 enum { LIST_ROOM = 512 };
 const char *list_words(char out[LIST_ROOM], const char *const *words,
     const char *last, const char *quote);

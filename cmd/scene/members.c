@@ -53,7 +53,7 @@ static const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
-/* in the order of the enum of kind in struct camera */
+/* in the order of the enum of the member kind of struct camera */
 static const struct ways camera_ways[] = {
 	{ .way = { "eye at up? roll?", "eye gaze up? roll?",
 	      "eye orientation roll?", "eye rvec roll?",
