@@ -63,23 +63,23 @@ static void fit_read_points(const struct options *o, struct document *d)
 		document_refuse(d, "/bounds: missing, and there are no points");
 }
 
-/* Refuses a scene; why is the reason that core/ returned. If the bounds were computed
- * from points, the message for a reason about /bounds names the points instead. */
+/* Refuses a scene for the reason that core/ returned. If the bounds were computed from
+ * points, the message for a reason about /bounds names the points instead. */
 static _Noreturn void refuse_fit(const struct options *o,
-    const struct document *d, const char *why)
+    const struct document *d, const char *reason)
 {
 	const char bounds[] = "/bounds: ";
 	const size_t n = strlen(bounds);
 	struct place place = source_place(&d->source, "/points");
 
-	if (d->has_bounds || strncmp(why, bounds, n) != 0)
-		document_refuse(d, why);
+	if (d->has_bounds || strncmp(reason, bounds, n) != 0)
+		document_refuse(d, reason);
 	if (o->n_points == 1 && first_nonblank(o->points[0]) != '[')
 		place = (struct place){ .file = o->points[0] };
 	else if (o->n_points > 0)
 		place = (struct place){ .file = "POINTS" };
 	place.of_scene = true;
-	die_at(EXIT_INPUT, &place, "%s", why + n);
+	die_at(EXIT_INPUT, &place, "%s", reason + n);
 }
 
 void run_fit(const struct options *o)

@@ -17,8 +17,8 @@ static void put_heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
-/* Prints a member's name, type, unit, meaning and default. types, which may be NULL,
- * has the types of the member's object; prints which of these have the member. */
+/* Prints a member's name, type, unit, meaning and default. types may be NULL; if not,
+ * it has the names of the object's types: prints the types that have the member. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LIST_ROOM], type[2 * LIST_ROOM];

@@ -8,7 +8,7 @@
 #include "scene/types.h"
 #include "message/message.h"
 
-/* In the order of enum taxon, enum kind and enum buffer. */
+/* Names in the order of enum taxon, enum kind and enum buffer. */
 static const char *const taxa[] = { "orthographic", "oblique", "perspective",
 	"reverse perspective" };
 static const char *const kinds[] = { "multiview", "isometric", "dimetric",
@@ -78,7 +78,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-/* Puts an object with a number for each side or, if n > 0, an array of n numbers. */
+/* Puts an object with one number or, if n > 0, an array of n numbers for each side. */
 static void put_sides(struct printer *p, const char *name, int sides,
     const double *v, int n)
 {

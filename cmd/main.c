@@ -141,7 +141,7 @@ int main(int argc, char **argv)
 {
 	struct options o = { .params = "-", .separator = ',' };
 
-	/* -ffast-math at link time adds startup code that flushes subnormals. */
+	/* if linked with -ffast-math, startup code flushes subnormals: undoes this */
 	fesetenv(FE_DFL_ENV);
 	options_read_first(argv + 1);
 	if (argc < 2)

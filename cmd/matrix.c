@@ -7,7 +7,7 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* kept_axes[n - 3]: the axes of a map that a matrix with n rows, or n columns, has. */
+/* kept_axes[n - 3]: the n of the 4 rows, or columns, of a map that its matrix keeps. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -46,8 +46,8 @@ static void put_matrix(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* Returns the elements of the matrix of t, for column vectors if column is set: the
- * nearest doubles or, if floats is set, floats. Refuses elements beyond that type. */
+/* Returns the elements of the matrix of t, for column vectors if column is set, as the
+ * nearest doubles. If floats is set, as floats, and refuses those beyond floats. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {
@@ -90,7 +90,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	output_write(text, (size_t)(p.at - text));
 }
 
-/* In the order of enum flat_space. */
+/* Names in the order of enum flat_space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
 static void matrix_prepare(const struct options *o, const struct document *d,

@@ -11,7 +11,7 @@
 #include "message/message.h"
 
 /* A point within the radius, with the text that is printed for it. A csv header is a
- * hit, too. Its distance is -infinity, so that it becomes the first hit. */
+ * hit, too, with a distance of -infinity, which makes it the first hit. */
 struct hit {
 	double distance, point[4];
 	long long line;
@@ -42,7 +42,7 @@ static struct hit *hit_at(char *buffer, size_t at)
 	return (void *)(buffer + at);
 }
 
-/* Appends a hit and its text: line or, for JSON, members of an object after "line". */
+/* Appends a hit with its text: the line of input or, for JSON, what follows "line". */
 static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
@@ -159,8 +159,8 @@ static int hit_compare(const void *a, const void *b)
 	return order != 0 ? order : (p > q) - (p < q);
 }
 
-/* Sorts hits, the nearest first. Exact distances are compared only where the nearest
- * doubles are equal, and first only of neighbours, as most such hits are in order. */
+/* Sorts hits, the nearest first: by the doubles of their distances, then hits of equal
+ * doubles by exact distances, unless those are in order already. */
 static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 {
 	hit_picker = NULL;

@@ -45,7 +45,7 @@ static void images_transform(struct images *m, const struct job *j,
 
 /* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
  * number beyond the range of doubles (with -p single, of floats) is nan or, in JSON,
- * null. If m is NULL, all numbers are. In JSON, an image without any number is null. */
+ * null. If m is NULL, so are all. In JSON, null replaces an array of nulls only. */
 static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {

@@ -29,8 +29,8 @@ struct command {
 	enum command_kind kind;
 	/* Reads the current scene and prints the answer. Does not return after errors. */
 	void (*run)(const struct options *);
-	/* What the command needs of a document. read_document adds what depends on the
-	 * options and on the place of the text. */
+	/* What the command needs of a document. read_document sets the members that
+	 * depend on the options and on the text's place in the file. */
 	struct document_wants wants;
 	/* For matrix commands: the spaces from and to which the matrix maps, and the
 	 * space of the images of points. Values are of enum flat_space for MATRIX_2D,

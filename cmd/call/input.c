@@ -26,8 +26,8 @@ char first_nonblank(const char *s)
 	return *s;
 }
 
-/* Opens a file and returns its descriptor, or -1. If open returns the descriptor of a
- * standard stream, which was closed, returns a higher one instead. */
+/* Opens a file and returns its descriptor, or -1. The descriptor is not that of a
+ * standard stream, even if a standard stream is closed. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;

@@ -9,8 +9,8 @@
 
 #include "../message/message.h"
 
-/* Refuses word, an operand that is no file; why is the reason. The message ends with
- * hint or, if word is the name of an option, with that option. Before the name may be
+/* Refuses word, an operand that is no file, for the reason `why`. The message ends with
+ * `hint` or, if word is the name of an option, with that option. The name may follow
  * characters from U+2010 to U+201F, such as the dash that editors make of "--". */
 static _Noreturn void refuse_no_file(const struct command *c, const char *word,
     const char *why, const char *hint)
@@ -27,7 +27,7 @@ static _Noreturn void refuse_no_file(const struct command *c, const char *word,
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 
-/* Refuses a file that can't be read; hint is as in refuse_no_file. */
+/* Refuses a file that can't be read; the message ends as that of refuse_no_file. */
 static void check_file(const struct command *c, const char *name,
     const char *hint)
 {
@@ -135,8 +135,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses options that exclude each other. printed: the job prints images of points,
- * which have to fit into the binary records, if there are any. */
+/* Refuses options that exclude each other. If printed is set, the job prints images of
+ * points: if there are binary records, the images have to fit into them. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
@@ -211,7 +211,7 @@ static void name_numbers(struct layout *l, const char *space)
 
 static void prepare_job(struct job *j, const struct options *o)
 {
-	/* for a ray, x y are read, and a point and a direction are written */
+	/* a ray is made of x y, and is written as a point and a direction */
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
 		.out = dialect_of(options_output(o), o->separator),
@@ -243,8 +243,8 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Does the job on text, lines of JSON that document_points or document_read made. The
- * format of --input is only for files. name is for messages. */
+/* Does the job on the points of a text that document_points or document_read made:
+ * lines of JSON, whatever --input says. Messages call the text name. */
 static void run_json_points(const struct options *o, struct job *j,
     const char *name, const char *text, size_t size)
 {

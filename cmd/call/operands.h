@@ -22,7 +22,7 @@ bool params_next(const struct options *);
 void read_document(const struct options *, struct document *);
 
 /* Returns whether there are points, as operands or in the document. If there are none,
- * refuses options that are about points alone. */
+ * refuses options that are only for points. */
 bool has_points(const struct options *, const struct document *);
 
 /* Completes the job by the options, and does it on all points: those of the operands,

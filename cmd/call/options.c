@@ -16,7 +16,7 @@ const char *const precision_names[] = { "exact", "double", "single", NULL };
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
-/* Reads one of r->words, and sets the row's member or global to the word's index. */
+/* Reads one of r->words, and sets *r->global or the option's member to its index. */
 static void option_read_word(struct options *o, const struct option_row *r,
     char *word)
 {

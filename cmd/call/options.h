@@ -48,7 +48,7 @@ struct options {
 	/* the name of a given option that is for points only; or NULL */
 	const char *points_option;
 	bool scenes;        /* params has any number of documents */
-	bool json;          /* of help */
+	bool json;          /* help prints JSON */
 	const char *params; /* the operand PARAMS; "-" by default */
 	int n_points;
 	char **points; /* the operands POINTS */
@@ -81,8 +81,8 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Reads --errors and --color, whose rows have a global, at any place in words. They are
- * read first because they hold for messages about other words, too. */
+/* Reads --errors and --color wherever they stand in words. They are read before all
+ * other words, as they decide how messages about those words look. */
 void options_read_first(char **words);
 
 /* Returns the option called name, which ends at NUL, = or a blank; or NULL. */
@@ -113,13 +113,13 @@ struct member;
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses word, which is not the name of a command or, if topic is set, not a topic of
- * help. A name of NULL ends commands. */
+/* Refuses word, an unknown command or, if topic is set, an unknown topic of help. A
+ * name of NULL ends the table commands. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses option, such as "--eye" or "-eye", if name is a synonym or names an option or
- * a member; else returns. name is option without dashes, or a letter's long name. */
+/* Refuses option, such as "--eye" or "-eye", if name names an option or a member, or if
+ * synonym_of has a hint. name is option without dashes, or a letter's long name. */
 void synonym_check_option(const struct command *, const char *option,
     const char *name);
 

@@ -41,7 +41,7 @@ static _Noreturn void refuse_option(const struct command *c, const char *word,
 	    c->name, word, c->name);
 }
 
-/* Returns the option of c for word: "--name", or a beginning of only one "--name". */
+/* Returns c's option for word: "--" and the name, or a unique beginning of the name. */
 static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {
@@ -120,7 +120,7 @@ static void set_options_of_word(struct options *o, char *word, char ***next)
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
-/* Returns whether a word is no option. "-" and negative numbers are operands. */
+/* Returns whether a word is an operand: no option, or "-", or a negative number. */
 static bool is_operand(const char *word)
 {
 	return *word != '-' || word[1] == '\0' || word[1] == '.' ||

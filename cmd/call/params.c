@@ -140,9 +140,9 @@ bool params_next(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses PARAMS that holds points, with EXIT_USAGE: the call is wrong, not the file.
- * PARAMS holds points if it begins with a number, after blank lines and comments. If
- * POINTS are given, [ or, for binary input, any byte but { also begins points. */
+/* Refuses PARAMS if it holds points, with EXIT_USAGE: the call is wrong, not the file.
+ * A number at its beginning, after blank lines and comments, shows points. If the
+ * operands POINTS are given, so does [ or, with binary input, any byte but {. */
 static void check_not_points(const struct options *o)
 {
 	const struct place place = { .file = params.name };

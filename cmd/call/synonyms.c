@@ -16,9 +16,9 @@ enum {
 	SHOWN_ROOM = 64,    /* for the name of a member or option */
 };
 
-/* Returns the member called name or else, if aliases is set, with the alias; or NULL.
- * Searches the members of the scene whose bits are set in objects, the last first, and
- * the members of these objects that the kind has. Sets *object as synonym_find does. */
+/* Returns the member called name or else, if aliases is set, a member with that alias;
+ * or NULL. Searches the members of the scene whose bits are set in objects, the last
+ * first, and in each those that the kind has. Sets *object as synonym_find does. */
 static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool aliases, const struct member **object)
 {
@@ -50,10 +50,10 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that stands for m, a member of the scene (m == object) or a member of
- * the scene's member object. Prints the text in unknown, then the example of object if
- * it shows m, else the topic of help that describes m. reads: the members that the
- * command reads, as bits of enum scene_member. */
+/* Refuses a word that names m: a member of the scene if m is object, else a member of
+ * object. The message is `unknown` ("unknown topic 'eye'"), then the example of object
+ * if the example shows m, else the topic of help about m. reads has the members of the
+ * scene that the command reads, as bits. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -91,8 +91,8 @@ static const char *option_takers(const struct option_row *r,
 	return list_words(list, takers, " and ", "");
 }
 
-/* Refuses name by the text unknown and a hint of synonym_of. If c is NULL or lacks the
- * option that the hint is, names the commands that take the option. */
+/* Refuses name. The message is `unknown`, then the hint from synonym_of. If the hint is
+ * an option that c lacks, or c is NULL, lists the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *name, const char *hint)
 {
@@ -114,8 +114,8 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	    option_takers(r, list));
 }
 
-/* Refuses name if it is a synonym or the name of an option or a member; else returns.
- * name was typed as an option of c or, if c is NULL, as a command or a topic. */
+/* Refuses name if it names an option or a member, or if synonym_of has a hint. The user
+ * typed name as an option of c or, if c is NULL, as a command or a topic. */
 static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {
@@ -123,8 +123,8 @@ static void check_word(const struct command *c, const char *unknown,
 	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
 	const unsigned reads = c != NULL ? document_used_members(w) : 0;
 	const struct option_row *r = option_named(name);
-	/* an option of another command is likelier meant than a spatial member of the
-	 * same name: in project --at, pick's option is likelier than camera.at */
+	/* if an option has the name, leaves out spatial members: --at of project is
+	 * more likely meant as the option of pick than as camera.at */
 	const unsigned objects[] = { w->lone_member,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
 	/* for a command with any type of projection, searches the members of persp */

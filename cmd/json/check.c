@@ -12,7 +12,7 @@
 
 enum {
 	LEVELS_MAX = 100,
-	/* The characters of the longest number that cJSON reads. */
+	/* The length of the longest number that cJSON reads. */
 	CJSON_NUMBER_MAX = 63,
 };
 
@@ -77,8 +77,8 @@ static bool after_comma(const struct json_check *s)
 	return p > s->text && p[-1] == ',';
 }
 
-/* Returns the hint for the wrong character at s->at; if there is none, returns hint. */
-static const char *hint_of(const struct json_check *s, const char *hint)
+/* Returns a hint about the wrong character at s->at, or fallback if there is none. */
+static const char *hint_of(const struct json_check *s, const char *fallback)
 {
 	const char *p = s->at;
 	char next = s->end - p > 1 ? p[1] : '\0';
@@ -94,11 +94,11 @@ static const char *hint_of(const struct json_check *s, const char *hint)
 		return "JSON is UTF-8 text";
 	if ((*p == ']' || *p == '}') && after_comma(s))
 		return "remove the comma before it";
-	return hint;
+	return fallback;
 }
 
-/* Returns false. Writes to s->reason what is wanted, what is at s->at instead, and the
- * hint for the character there or, if it has none, the parameter hint unless NULL. */
+/* Returns false. Writes to s->reason what is wanted, what is at s->at instead, and a
+ * hint: that of hint_of or else, unless it is NULL, the given hint. */
 static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;

@@ -9,7 +9,7 @@
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether kinds has bit kind; true if kinds is 0 (all) or kind is ANY_KIND. */
+/* Returns whether kinds has the bit 1 << kind, or is 0 (all), or kind is ANY_KIND. */
 static bool has_kind(unsigned kinds, int kind)
 {
 	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
@@ -72,7 +72,7 @@ const char *member_type(const struct member *row, char out[LIST_ROOM])
 	return out;
 }
 
-/* Lists in names, which NULL ends, the members in bits that have the kind. */
+/* Sets names, which NULL ends, to the members in bits that objects of the kind have. */
 static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
@@ -85,9 +85,9 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 }
 
 /* Refuses v, a member that the table lacks, unless any document may have it. The
- * message says the first of these that is true: v->name is an alias in the table; a
- * synonym has a remark about it; it is a name or else an alias in other objects of the
- * scene; it names a member of the scene itself; it is near a name in the table. Else the
+ * message says the first of these that is true: the table has v->name as an alias;
+ * synonym_of has a remark; other objects of the scene have a member v->name or else an
+ * alias v->name; the scene has a member v->name; a name in the table is near. Else the
  * message lists the table. */
 static void check_unknown(const struct value *v, const struct member *table,
     int kind)
@@ -144,8 +144,8 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->flag) = true;
 }
 
-/* A list of ways (see struct ways) for one kind of object. In a set of the object's
- * members bit i is row i of the table. */
+/* A list of ways (see struct ways) for one kind of object. In a set of members, bit i
+ * is row i of the table. */
 struct way_bits {
 	const char *const *list;
 	const struct member *table;
@@ -153,11 +153,11 @@ struct way_bits {
 	size_t n;
 	uint64_t all_members;        /* of all ways */
 	uint64_t members[WAYS_MAX];  /* of each way */
-	uint64_t required[WAYS_MAX]; /* less optional members */
+	uint64_t required[WAYS_MAX]; /* of each way, without optional ones */
 };
 
-/* Returns the bits of a list of ways for a kind. Keeps them for the next call: kept has
- * room for more pairs of a list and a kind than the tables have. */
+/* Returns the bits of a list of ways for a kind, and keeps them for the next call. The
+ * tables have fewer pairs of a list and a kind than kept has elements. */
 static const struct way_bits *find_way_bits(const struct member *table,
     int kind, const char *const *list)
 {
@@ -187,7 +187,7 @@ static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
 	return list_words(out, names, " and ", "\"");
 }
 
-/* Writes all ways as "give A and B, or C". Leaves out optional members not given. */
+/* Writes all ways: "give A and B, or C". Omits optional members that are not given. */
 static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
     uint64_t given)
 {
@@ -202,9 +202,9 @@ static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
 	}
 }
 
-/* Refuses v because of the first of members, m. If way is 0, m is missing. If way is
- * not 0, its bits are the given members of a way that is complete, and m does not
- * belong to that way. */
+/* Refuses v because of m, the first member whose bit is set in members. If way is 0, m
+ * is missing. If not, way has, as bits, the given members of a way that is complete,
+ * and m does not belong to that way. */
 static _Noreturn void refuse_way(const struct value *v,
     const struct way_bits *b, uint64_t given, uint64_t members, uint64_t way)
 {

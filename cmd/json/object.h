@@ -44,7 +44,7 @@ struct member {
 	const char *fallback;
 	bool shown;
 	const char
-	    *default_from; /* for the help: "-c's", before fallback; or NULL */
+	    *default_from; /* "-c's": help shows it before fallback; or NULL */
 	/* Names of the member in other programs, in lower case without _ and -, with
 	 * blanks between the names; or NULL. */
 	const char *aliases;
@@ -61,7 +61,7 @@ struct member {
 	bool in_any_document;
 };
 
-/* The row of the member label, which is read to a field of struct object. */
+/* A row: the member with the name label is read to `field` of `struct object`. */
 #define ROW(object, label, value_type, field, ...)                    \
 	{                                                             \
 		.name = label, .type = &(value_type),                 \
@@ -105,9 +105,9 @@ void object_read_member(const struct value *, const struct member *,
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
-/* Returns the first row that objects of the kind have and that is called name or, if
- * alias is set, has the alias name or differs in case, _ and - alone; or NULL, as for a
- * table of NULL. */
+/* Returns the first row that objects of the kind have and that is called name, or NULL.
+ * If alias is set, the row may also have the alias name, or differ from name in case, _
+ * and - only. The table may be NULL. */
 enum { ANY_KIND = -1 }; /* searches all rows */
 const struct member *member_named(const struct member *, int kind,
     const char *name, bool alias);
@@ -116,13 +116,13 @@ const struct member *member_named(const struct member *, int kind,
  * or right". The words may be written to out. */
 const char *member_type(const struct member *, char out[LIST_ROOM]);
 
-/* Returns, as bits, the members that the kind has of those in names, which is a way of
- * struct ways. If required is set, leaves out optional members. */
+/* Returns, as bits, the members in names, which is a way of struct ways, that objects
+ * of the kind have. If required is set, leaves out optional members. */
 uint64_t member_bits(const struct member *, int kind, const char *names,
     bool required);
 
 /* Returns the index of the object's way. given has the object's members as bits.
- * Refuses an object that fits no way: a member is missing, or is not of the way. */
+ * Refuses an object that fits no way: a member is missing, or is only in other ways. */
 int object_way(const struct value *, const struct member *, int kind,
     uint64_t given, const struct ways *);
 

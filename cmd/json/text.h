@@ -60,7 +60,7 @@ struct json_check {
 	 * pointer leads or, if that is missing, the last value on the path. */
 	const char *pointer;
 	struct span found;
-	/* NULL, or room for a copy, as much as the text has; json_check moves copy to
+	/* NULL, or room for a copy, as many bytes as text has; json_check moves copy to
 	 * the end of what it writes. cJSON parses the copy in less memory, as it has no
 	 * blanks, no members whose names begin with _, no elements of an array to which
 	 * the pointer leads, and no number that is too long for cJSON. */

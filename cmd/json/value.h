@@ -25,7 +25,7 @@ struct source {
 	bool for_plane;        /* near and far may be missing, for --plane */
 	bool flat;             /* the document is of two dimensions */
 	bool has_axes;         /* a convention gives the view axes */
-	bool is_operand;       /* POINTS, which --keep-going does not skip */
+	bool is_operand;       /* from POINTS: not skipped by --keep-going */
 	const char *two_numbers_hint; /* about points of two numbers; or NULL */
 	const struct member *scene_members; /* for hints in messages */
 };
@@ -46,7 +46,7 @@ struct value {
 	const struct value *parent; /* the array or object around it, or NULL */
 	const char *name;           /* of a member, or NULL */
 	size_t index;               /* of an element or member, from 0 */
-	/* The command does not use the member: its numbers may be out of range. */
+	/* The command does not use the value: its numbers may be out of range. */
 	bool unused;
 	const struct cJSON *item; /* NULL: the value is missing */
 };
@@ -125,9 +125,9 @@ void value_numbers(const struct value *, const struct value_range *, size_t n,
 /* Returns the index of a string in words, which NULL ends; refuses other values. */
 int value_word(const struct value *, const char *const *words);
 
-/* Writes the words, which NULL ends, as a list such as "a", "b" or "c". quote is put
- * before and after each word, and last, such as " or ", before the last word. A list is
- * cut at LIST_ROOM bytes. Returns out. */
+/* Writes the words, which NULL ends, as a list such as "a", "b" or "c". `quote` is put
+ * before and after each word, and `last`, such as " or ", before the last word. A list
+ * is cut at LIST_ROOM bytes. Returns out. */
 enum { LIST_ROOM = 512 };
 const char *list_words(char out[LIST_ROOM], const char *const *words,
     const char *last, const char *quote);

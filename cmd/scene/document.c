@@ -18,8 +18,8 @@ static const struct member scene_row = { .members = scene_members };
 
 /* Writes the point v, whose text begins at s, to *out as a line without blanks. Moves
  * *out to the end of the line, and returns the end of the point's text, which is known
- * to be JSON. Refuses a value that is not a point: an array of coordinates, each a
- * number or null, and perhaps of other elements that are no arrays or objects. */
+ * to be JSON. A point is an array: first the coordinates, each a number or null, then
+ * any values but arrays and objects. Refuses other values. */
 static const char *write_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
@@ -88,7 +88,7 @@ static size_t write_points(const struct value *v, const struct span *array,
 }
 
 /* Sets m[i] to the member with bit i, and returns the members of the document as bits.
- * A document that has none, or only angle_unit, is itself the member w->lone_member. */
+ * A document with none or only angle_unit is itself the member w->lone_member. */
 static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
@@ -159,8 +159,8 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns, as bits, the members that v, the value of "convention", gives: all if v is a
- * name, none if v is missing. */
+/* Returns, as bits, the rows of convention_members that v, the member convention of the
+ * document, gives: all if v is a name, none if v is missing. */
 static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))
@@ -168,8 +168,8 @@ static uint64_t given_by_convention(const struct value *v)
 	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL);
 }
 
-/* Sets what depends on several members. The default origin of a device is that of the
- * convention of -c or, without -c, the one that the document's convention gives. */
+/* Sets fields of *d that depend on several members. The default origin of a device is
+ * that of the convention of -c or, without -c, that in the document's convention. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
@@ -265,29 +265,29 @@ char *document_points(const char *name, char *text, size_t size,
 	return (char *)points.s;
 }
 
-void document_refuse(const struct document *d, const char *why)
+void document_refuse(const struct document *d, const char *reason)
 {
 	size_t lone = d->lone_member != NULL ? strlen(d->lone_member) : 0;
-	size_t n = *why == '/' ? strcspn(why, ":") : 0;
-	const char *what = n > 0 ? why + n + 2 : why;
+	size_t n = *reason == '/' ? strcspn(reason, ":") : 0;
+	const char *what = n > 0 ? reason + n + 2 : reason;
 	char pointer[64];
 
 	/* "/camera/up" becomes "/up" */
-	if (lone > 0 && strncmp(why + 1, d->lone_member, lone) == 0 &&
-	    (why[lone + 1] == '/' || why[lone + 1] == ':')) {
-		why += lone + 1;
+	if (lone > 0 && strncmp(reason + 1, d->lone_member, lone) == 0 &&
+	    (reason[lone + 1] == '/' || reason[lone + 1] == ':')) {
+		reason += lone + 1;
 		n -= lone + 1;
 	}
-	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
+	snprintf(pointer, sizeof pointer, "%.*s", (int)n, reason);
 	const struct place place = source_place(&d->source, pointer);
 
 	die_at(EXIT_INPUT, &place, "%s", what);
 }
 
-void document_refuse_if(const struct document *d, const char *why)
+void document_refuse_if(const struct document *d, const char *reason)
 {
-	if (why != NULL)
-		document_refuse(d, why);
+	if (reason != NULL)
+		document_refuse(d, reason);
 }
 
 /* Prints those members of a document whose bits are set. */

@@ -69,11 +69,11 @@ struct document_wants {
 	 * of SCENE_SPATIAL, and reads points of two coordinates. 0: the command takes
 	 * no flat documents. */
 	unsigned flat_members;
-	/* The document's source, of which the command sets the place of the text,
-	 * two_numbers_hint, and three members. implied_type: a projection has this type
-	 * alone, and may lack "type". for_fit: the eye, near, far, width and height of
-	 * a parallel projection, and all members of a flat document's window may be
-	 * missing. for_plane: near, if no size is given at it, and far may. */
+	/* The document's source. The command sets the place of the text,
+	 * two_numbers_hint and these. implied_type: a projection has only this type,
+	 * and may lack "type". for_fit: the eye, near, far, width and height of a
+	 * parallel projection, and all of a flat document's window may be missing.
+	 * for_plane: far may be missing, and near if no size is given at near. */
 	struct source source;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
@@ -95,12 +95,12 @@ void document_read(struct document *d, const char *name, char *text,
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *two_numbers_hint, size_t *points_size);
 
-/* Prints "projcalc: FILE: WHY" and exits with status 1. why is a reason that a function
- * of core/ returned, and may begin with a JSON pointer: "/camera/up: ...". */
-_Noreturn void document_refuse(const struct document *d, const char *why);
+/* Prints "projcalc: FILE: REASON" and exits with status 1. The reason comes from a
+ * function of core/, and may begin with a JSON pointer: "/camera/up: ...". */
+_Noreturn void document_refuse(const struct document *d, const char *reason);
 
-/* Calls document_refuse if why is not NULL. */
-void document_refuse_if(const struct document *d, const char *why);
+/* Calls document_refuse if the reason is not NULL. */
+void document_refuse_if(const struct document *d, const char *reason);
 
 /* Prints a document of the command fit, whose camera has a gaze and whose projection is
  * no matrix, with a line for each member or, if compact, in one line. The output reads

@@ -53,7 +53,7 @@ static const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
-/* in the order of the enum of kind in struct camera */
+/* in the order of the enum of the member kind of struct camera */
 static const struct ways camera_ways[] = {
 	{ .way = { "eye at up? roll?", "eye gaze up? roll?",
 	      "eye orientation roll?", "eye rvec roll?",
@@ -251,8 +251,8 @@ static const struct value_range margin_range = { .min = 0,
 	.wanted = "a number from 0 to below 0.5 is wanted",
 	.max_excluded = true };
 
-/* The row of a member that is an object. Struct scene has it in field, and in has_field
- * whether the document gave it. */
+/* The row of a member that is an object. It is read to `field` of struct scene, and
+ * sets the bool has_`field` there. */
 #define SCENE_OBJECT(label, field, table, sample, ...)                    \
 	ROW(document, label, type_object, scene.field, .example = sample, \
 	    .flag = offsetof(struct document, scene.has_##field),         \

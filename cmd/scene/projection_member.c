@@ -197,7 +197,7 @@ static bool is_given(const struct projection *p, uint64_t seen,
 	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
-/* Refuses a projection without a type; lists the types with most of its members. */
+/* Refuses a projection without a type; lists the types that fit its members best. */
 static _Noreturn void refuse_missing_type(const struct value *v)
 {
 	const char *names[6], *const add[] = { "add \"type\":", "it is" };
@@ -319,8 +319,8 @@ static void set_image_size(const struct value *v,
 	p->height = viewport->height;
 }
 
-/* Returns whether the projection depends on an aspect. In the command fit a parallel
- * projection does if it or the viewport has one, to which fit widens the projection. */
+/* Returns whether the projection depends on an aspect. In fit a parallel projection
+ * does if it or the viewport has one: fit widens the projection to that aspect. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
@@ -382,7 +382,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 			bits &= ~member_bits(row->members, kind,
 			    groups[i].names, false);
 	if (sized)
-		p.half_width *= 2; /* the size */
+		p.half_width *= 2; /* "size" is twice half_width */
 	object_print(printer, row, kind, bits, &p);
 }
 

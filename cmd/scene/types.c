@@ -304,7 +304,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		    "by more than one number");
 }
 
-/* Prints P as fx, fy, cx, cy if it has no more, as K if P is K and zeros, else as P. */
+/* Prints P by the fewest numbers that give it: fx, fy, cx, cy, or K, or P itself. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

@@ -93,8 +93,8 @@ extern const struct member convention_members[];
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
-/* Refuses the member of the object that is called name, if neither the document nor the
- * command line has a convention: the numbers of the member depend on the view axes. */
+/* Refuses the object's member called name if neither the document nor the command line
+ * has a convention: the numbers of the member depend on the view axes. */
 void require_convention(const struct value *object, const char *name);
 
 #endif
