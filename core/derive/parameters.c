@@ -101,8 +101,9 @@ static void set_elements(const struct lens *l, struct upright *u)
 	u->w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 
-/* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far (if
- * parallel) is against the gaze or, without a camera, the picture is upside down. */
+/* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far is
+ * against the gaze (if parallel), or the picture upside down (if no camera is
+ * given). */
 static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;
@@ -233,8 +234,8 @@ static void set_intrinsics(const struct lens *l, const struct upright *u,
 }
 
 /* Sets left, right, bottom and top: X or Y where the side plane x = -w, x = w, y = -w
- * or y = w meets a plane of constant D. In a perspective this is the far plane (if far)
- * or near, in a parallel projection the plane whose points the shear does not move. */
+ * or y = w meets a plane of constant D. In a perspective this plane is near or, if far
+ * is set, far. In a parallel projection the shear does not move its points. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
@@ -350,7 +351,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
-	/* the document wants the eye beyond far */
+	/* a volume with the eye beyond far is meant so */
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 

@@ -138,8 +138,8 @@ struct picture {
 	struct scene scene;
 };
 
-/* Sets the members from taxon to corner; all are nan before, and the ones that do not
- * exist stay so. */
+/* Sets the members from taxon to corner. All must be nan; those that do not exist stay
+ * so. */
 void taxonomy_of(const struct lens *, struct picture *);
 
 /* Sets all members of the picture. Returns NULL, or the member at fault and why. */

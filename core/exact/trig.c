@@ -15,7 +15,7 @@ static const struct sum HALF_PI = {
 	0
 };
 
-/* The words that a reduced angle, and each term of its series, is cut to. */
+/* The number of words of a reduced angle and of each term of its series. */
 enum { SINE_WORDS = 6 };
 
 /* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2

@@ -48,8 +48,8 @@ void transform_prepare(struct transform *t)
 
 /* Returns NULL, or a member and a reason if images would need more than EX_WORDS words.
  * Two products must be exact: a point's difference from the origin, a multiple of
- * 2^-1074, times a column; and the midpoint of two doubles times the divisor. room is
- * the number of words that the first factor leaves to the second. */
+ * 2^-1074, times a column; and the midpoint of two doubles times the divisor. The first
+ * factors leave `room` words to the column and to the divisor. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;
