@@ -78,7 +78,7 @@ struct depth {
 	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
 	bool reversed;    /* the near plane has the larger ndc depth */
 	bool open;        /* there are no near and far planes */
-	bool constant;    /* min_z equals max_z; low is then 0, and high 1 */
+	bool constant;    /* the viewport's min_z is max_z; low is 0, high 1 */
 };
 
 void depth_of(const struct lens *, struct depth *);

@@ -67,9 +67,9 @@ struct sum sum_add_error(struct sum a, struct sum e)
 	return a;
 }
 
-struct sum sum_negated_if(bool yes, struct sum a)
+struct sum sum_negated_if(bool negates, struct sum a)
 {
-	if (yes)
+	if (negates)
 		a.value.sign = -a.value.sign;
 	return a;
 }

@@ -12,7 +12,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 		struct sum a = map_element(&t->map, i < 3 ? i : 4, j);
 		dd e = sum_dd(a);
 
-		/* the smallest double, unless the element is 0 */
+		/* an element that underflows becomes the smallest double */
 		if (e.hi == 0)
 			e = (dd){ sum_sign(a) * 0x1p-1074, 0 };
 		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&

@@ -388,7 +388,7 @@ static const char *append_intrinsics(const struct projection *p,
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	/* The convention of f is d3d; but a volume's view space is that of c. */
+	/* f has the convention d3d, but the view space of a volume is that of c. */
 	bool volume = p->type == PROJECTION_VOLUME;
 	const struct convention given = {
 		.right_handed = volume && c->right_handed,
