@@ -28,7 +28,7 @@ struct corner {
 struct error_analysis {
 	const struct transform *transform;
 	struct corner corner[8];
-	double max[3], largest; /* upper bounds of images' |x|, |y|, |z|; the largest */
+	double max[3], largest; /* bounds of images' |x|, |y|, |z|; their max */
 };
 
 /* Sets c to corner i of the volume. to_model is the map from view space. */

@@ -309,7 +309,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	}
 	for (int i = 0; i < 9; i++)
 		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
-	/* if is_mirrored, X of K is -x of the view space of r->scene */
+	/* if is_mirrored, X of K and x of r->scene's view space are opposite */
 	p->intrinsics[0][0] = fabs(p->intrinsics[0][0]);
 	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
@@ -331,7 +331,7 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-/* Returns whether c is between 0 and size, and not within a hundredth of an end. */
+/* Returns whether c is between 1 % and 99 % of size. */
 static bool is_inside(double c, double size)
 {
 	return 0.01 * size < c && c < 0.99 * size;

@@ -83,7 +83,7 @@ struct kernel_range {
 	double largest;         /* the largest |d|, rounded up */
 	double power, inverse;  /* 2^e > largest, and 2^-e */
 	double rounder;         /* rounds to multiples of 2^(e-26) */
-	double whole, rest;     /* the origin, or its rest; the other is 0 */
+	double whole, rest;     /* the origin and 0, or 0 and its rest */
 	double rounder_and_cut; /* rounder + the origin's cut part */
 };
 
