@@ -350,7 +350,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
-	/* a volume with the eye beyond far is meant so */
+	/* a document gives a volume an eye beyond far only on purpose */
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 
