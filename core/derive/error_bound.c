@@ -28,7 +28,7 @@ struct corner {
 struct error_analysis {
 	const struct transform *transform;
 	struct corner corner[8];
-	double max[3], largest; /* upper bounds of |x|, |y|, |z|, and of all */
+	double max[3], largest; /* bounds of images' |x|, |y|, |z|; their max */
 };
 
 /* Sets c to corner i of the volume. to_model is the map from view space. */
@@ -73,9 +73,9 @@ static double column_bound(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* Returns the bound for the precision of a, or nan if w could be less than its error,
- * or 1/w or the image above a->limit. No bound is needed if another number overflows:
- * the image is then not finite, and the program computes it exactly. */
+/* Returns the bound for the arithmetic *a, or nan if w could be less than its error, or
+ * 1/w or the image above a->limit. No bound is needed if another number overflows: the
+ * image is then not finite, and the program computes it exactly. */
 static double precision_bound(const struct error_analysis *v,
     const struct arithmetic *a)
 {

@@ -9,8 +9,8 @@
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* Sets gaze and up and, if the camera is not given by an eye, the eye: from to_world,
- * the map from view to world space. A matrix is replaced by its nearest rotation. */
+/* Sets gaze and up from to_world, the map from view to world space; also the eye, if
+ * the camera is not given by its eye. A matrix is replaced by its nearest rotation. */
 static const char *gaze_from_axes(struct camera *c,
     const struct convention *convention, struct map *to_world)
 {
@@ -93,7 +93,7 @@ static double ratio_up(struct sum n, struct sum d)
 	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
 }
 
-/* Returns n / d rounded upward; to nearest if extents_widen has widened axis j. */
+/* Returns n / d rounded upward or, if extents_widen has widened axis j, to nearest. */
 static double extent_ratio(const struct extents *r, int j, struct sum n,
     struct sum d)
 {

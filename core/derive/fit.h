@@ -63,9 +63,9 @@ const char *hull_extents(const struct hull *, const struct scene *,
  * outside of, or all bits if the scene has no volume. */
 unsigned hull_outside(const struct hull *, const struct scene *);
 
-/* Directions in model space. scaled is the vector exact over its element of largest
- * magnitude, rounded, so that no sum of products of scaled with coordinates overflows.
- * An element of scaled is 0 if and only if the element of exact is 0. */
+/* Directions in model space. scaled[i] is exact[i] over its element of largest
+ * magnitude, rounded, so that no sum of products of scaled[i] with coordinates
+ * overflows. An element of scaled is 0 if and only if the element of exact is 0. */
 struct directions {
 	int n;
 	struct sum exact[BOUNDS_POINTS][3];
@@ -75,8 +75,8 @@ struct directions {
 /* Adds the direction along which column j of the map grows or, if minus, falls. */
 void directions_add(struct directions *, const struct map *, int j, bool minus);
 
-/* The farthest point along a direction, and its distance along the direction's scaled,
- * which has an error of at most error. known is false before the first point. */
+/* The farthest point along a direction. distance is measured along scaled of struct
+ * directions, and error bounds its error. known is false before the first point. */
 struct farthest {
 	bool known;
 	double point[3], distance, error;

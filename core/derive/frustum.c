@@ -65,7 +65,7 @@ const char *view_planes(const struct scene *s, enum space from,
 	if (why != NULL)
 		return why;
 	planes_of_clip(s, &m, sides, ends);
-	/* w of ndc and device points is 1; that of view space says which are behind */
+	/* w is 1 in ndc and device space; w in view space tells which are behind */
 	if (from == SPACE_NDC || from == SPACE_DEVICE) {
 		why = scene_map(s, from, SPACE_VIEW, &m);
 		for (int i = 0; i < 5; i++)

@@ -28,7 +28,7 @@ struct frustum {
  * <= half[0] and |y| scale[1] <= half[1]. The scene's margin makes half smaller. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
-/* Make the planes of the view volume, as functions of a point in the space from. They
+/* Make the planes of the view volume, as functions of a point in the space `from`. They
  * are linear, and not negative inside. The columns of sides are left, right, bottom and
  * top, those of ends near, far and w. Return NULL, or the member and the reason. */
 const char *view_planes(const struct scene *, enum space from,
@@ -37,7 +37,7 @@ const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
 /* Makes the edges of the ndc square, which fills the device, as functions of a point in
- * the 2D space from. Returns NULL, or the member at fault and why. */
+ * the 2D space `from`. Returns NULL, or the member at fault and why. */
 const char *flat_frustum_of(const struct scene *, enum flat_space from,
     struct frustum *);
 
@@ -90,9 +90,9 @@ const char *ray_maker_of(const struct scene *, struct ray_maker *);
 bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
     double *const point[3], double *const direction[3], size_t n);
 
-/* Makes the transform from x y in the space from (device or ndc) to the point where the
- * ray of x y meets the plane a x + b y + c z + d = 0 of the space to (model, world or
- * view). w is positive in front of the eye. Returns NULL or the reason. */
+/* Makes the transform from x y in the space `from` (device or ndc) to the point where
+ * the ray of x y meets the plane a x + b y + c z + d = 0 of the space `to` (model,
+ * world or view). w is positive in front of the eye. Returns NULL or the reason. */
 const char *ray_plane_transform(const struct scene *, enum space from,
     enum space to, const double plane[4], struct transform *);
 
@@ -103,11 +103,11 @@ struct picker {
 	double at[2], radius;   /* on the device */
 };
 
-/* Sets all members but at and radius. Returns NULL, or the member at fault and why. */
+/* Sets to_device and depth of a picker. Returns NULL, or the member and the reason. */
 const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 
-/* Returns whether the exact image of a point is within radius of at. device is the
+/* Returns whether the exact image of a point is in the picker's circle. device is the
  * nearest double of each coordinate of the image. */
 bool pick_is_within(const struct picker *, const double in[4],
     const double device[2]);

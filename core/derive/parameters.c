@@ -101,8 +101,8 @@ static void set_elements(const struct lens *l, struct upright *u)
 	u->w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 
-/* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far (if
- * parallel) is against the gaze or, without a camera, the picture is upside down. */
+/* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far is
+ * against the gaze (if parallel), or the picture upside down (without a camera). */
 static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;
@@ -233,8 +233,8 @@ static void set_intrinsics(const struct lens *l, const struct upright *u,
 }
 
 /* Sets left, right, bottom and top: X or Y where the side plane x = -w, x = w, y = -w
- * or y = w meets a plane of constant D. In a perspective this is the far plane (if far)
- * or near, in a parallel projection the plane whose points the shear does not move. */
+ * or y = w meets a plane of constant D. In a perspective this plane is near or, if far
+ * is set, far. In a parallel projection the shear does not move its points. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
@@ -309,7 +309,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	}
 	for (int i = 0; i < 9; i++)
 		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
-	/* if is_mirrored, X of K is -x of the view space of r->scene */
+	/* if is_mirrored, X of K and x of r->scene's view space are opposite */
 	p->intrinsics[0][0] = fabs(p->intrinsics[0][0]);
 	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
@@ -331,7 +331,7 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-/* Returns whether c is between 0 and size, and not within a hundredth of an end. */
+/* Returns whether c is between 1 % and 99 % of size. */
 static bool is_inside(double c, double size)
 {
 	return 0.01 * size < c && c < 0.99 * size;
@@ -350,7 +350,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
-	/* the document wants the eye beyond far */
+	/* a document gives a volume an eye beyond far only on purpose */
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 

@@ -78,7 +78,7 @@ struct depth {
 	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
 	bool reversed;    /* the near plane has the larger ndc depth */
 	bool open;        /* there are no near and far planes */
-	bool constant;    /* min_z equals max_z; low is then 0, and high 1 */
+	bool constant;    /* the viewport's min_z is max_z; low is 0, high 1 */
 };
 
 void depth_of(const struct lens *, struct depth *);
@@ -138,8 +138,8 @@ struct picture {
 	struct scene scene;
 };
 
-/* Sets the members from taxon to corner; all are nan before, and the ones that do not
- * exist stay so. */
+/* Sets the members from taxon to corner. All must be nan; those that do not exist stay
+ * so. */
 void taxonomy_of(const struct lens *, struct picture *);
 
 /* Sets all members of the picture. Returns NULL, or the member at fault and why. */

@@ -82,10 +82,10 @@ ex ex_power(int e)
 	return (ex){ 1, 1, ex_word_index(e), { (uint64_t)1 << (e & 63) } };
 }
 
-/* Adds a b to sum, a number of size words in two's complement. The lowest word of a b
- * goes to sum[at], where at may be negative; words below sum[0] are cut off. If a b is
- * negative, each word q of the shorter factor is multiplied by the n words w of the
- * longer one as -q w = q ~w + q - q 2^(64 n). */
+/* Adds the product a b to sum[0..size), a number in two's complement. The product's
+ * lowest word goes to sum[at]; if at is negative, words below sum[0] are cut off. If
+ * the product is negative, each word q of the shorter factor is multiplied by the n
+ * words w of the longer one as -q w = q ~w + q - q 2^(64 n). */
 static void add_product(uint64_t *sum, int size, int at, const ex *a,
     const ex *b)
 {

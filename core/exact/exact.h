@@ -64,7 +64,7 @@ enum { EX_MIN_WORDS = 7 };
  * the EX_MIN_WORDS highest words. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 
-/* Computes the highest count or count + 1 words of a / b. Returns whether they are
+/* Computes the highest words of a / b, count or count + 1. Returns whether they are
  * exact; if not, sets their last bit, so that they round as the exact quotient does. */
 bool ex_divide(const ex *a, const ex *b, int count, ex *);
 

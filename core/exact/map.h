@@ -34,7 +34,7 @@ void map_identity(struct map *);
 /* Makes the map of a matrix of given numbers, with origin 0. */
 void map_of_doubles(const double m[4][4], struct map *);
 
-/* Sets the origin, 0 if it is NULL, and row 4 from the other rows. */
+/* Sets the origin, 0 for NULL, and computes row 4 from the other rows. */
 void map_set_origin(struct map *, const double origin[3]);
 
 /* Divide the images of the map, or only their coordinate j, by d. map_divide needs an
@@ -44,12 +44,12 @@ void map_set_origin(struct map *, const double origin[3]);
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 
-/* Replaces r by r * factor, which maps points by r and then by factor, or, if before,
- * by factor * r. */
+/* Replaces r by r * factor, which maps points by r and then by factor. If before is
+ * set, replaces r by factor * r. */
 void map_multiply(struct map *r, const struct map *factor, bool before);
 
 /* Computes the inverse of a matrix of given numbers. Returns false if the matrix is
- * singular. The inverse's origin is the last row of an affine matrix, or 0. */
+ * singular. The origin is the last row if the matrix is affine, or else 0. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 
 /* Returns the determinant of the n rows and n columns of m whose bits in the masks are
@@ -57,7 +57,7 @@ bool map_inverse(const double m[4][4], struct map *inverse);
 struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
     unsigned skipped_columns);
 
-/* Return m[i][j] / divisor, or the double or, if single, the float nearest to it. */
+/* Return m[i][j] / divisor; map_nearest rounds it to double or, if single, to float. */
 struct sum map_element(const struct map *, int i, int j);
 double map_nearest(const struct map *, int i, int j, bool single);
 

@@ -53,7 +53,7 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 	return true;
 }
 
-/* Computes q, the eigenvector of K for the eigenvalue x, from k = K - x: it is the
+/* Computes q, the eigenvector of K for the eigenvalue x, from k = K - x I: q is the
  * largest column of the adjugate of k, which is a multiple of q q'. The error of x,
  * below 2^-260 gap (see largest_root), adds multiples of the other eigenvectors: each
  * is less than 2^-260 of the adjugate and 2^-259 of its largest column. */

@@ -4,8 +4,8 @@
 #include <limits.h>
 #include <string.h>
 
-/* How many words of a quotient decide its rounding. The first can be as small as 1; the
- * last bit of the second is set if the quotient is not exact. */
+/* The number of words of a quotient that decide its rounding. The first can be as small
+ * as 1; the last bit of the second is set if the quotient is not exact. */
 enum { ROUNDED_WORDS = 2 };
 
 static const struct sum one = { { 1, 1, 0, { 1 } }, 0 };
@@ -20,7 +20,7 @@ static int ceil_log2(const ex *a)
 }
 
 /* Returns the bound of a sum of n <= 15 errors; all are exponents as in struct sum.
- * Errors below 2^-40 of the largest are neglected; sum.h leaves room for 2^-19. */
+ * Errors below 2^-40 of the largest are covered by the factor 1 + 2^-19 of sum.h. */
 static int sum_bound(int n, const int error[])
 {
 	int most = EX_RANGE / 2, terms = 0, e = 0;
@@ -60,16 +60,16 @@ struct sum sum_with_error(ex value, int relative_error)
 	return (struct sum){ value, sum_bound(1, &error) };
 }
 
-struct sum sum_add_error(struct sum a, struct sum more)
+struct sum sum_add_error(struct sum a, struct sum e)
 {
 	a.error = sum_bound(3,
-	    (int[]){ a.error, ceil_log2(&more.value) + EX_RANGE, more.error });
+	    (int[]){ a.error, ceil_log2(&e.value) + EX_RANGE, e.error });
 	return a;
 }
 
-struct sum sum_negated_if(bool yes, struct sum a)
+struct sum sum_negated_if(bool negates, struct sum a)
 {
-	if (yes)
+	if (negates)
 		a.value.sign = -a.value.sign;
 	return a;
 }
@@ -231,7 +231,7 @@ struct sum sum_snap_zero(struct sum a)
 	return counts_as_zero(&a) ? sum_of_double(0) : a;
 }
 
-/* Returns the double or, if single, the float next to a, toward 0 unless away. */
+/* Returns the double or, if single, the float next to a: away from 0, or toward 0. */
 static double neighbour(double a, bool away, bool single)
 {
 	double to = away ? copysign(HUGE_VAL, a) : 0;
@@ -248,7 +248,7 @@ static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
 	const double near = ex_nearest(q, single);
-	/* 0.9 of half an ulp; if n and d have small errors, q has below 1/32 of it */
+	/* 0.9 of half an ulp; if n and d have small errors, q's is below 1/64 ulp */
 	const double sure = fabs(near) *
 	    (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54);
 	const int small = EX_RANGE - 62;

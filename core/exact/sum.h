@@ -35,8 +35,8 @@ struct sum sum_diff(double a, double b); /* a - b */
 /* Returns value with the relative error SUM_QUOTIENT_ERROR, SUM_TRIG_ERROR or 0. */
 struct sum sum_with_error(ex value, int relative_error);
 
-/* Returns the sum with the same value and a bound of the error larger by |more|. */
-struct sum sum_add_error(struct sum, struct sum more);
+/* Returns a with the bound of its error increased by |e|. */
+struct sum sum_add_error(struct sum a, struct sum e);
 
 struct sum sum_neg(struct sum);
 struct sum sum_negated_if(bool, struct sum);

@@ -15,13 +15,13 @@ static const struct sum HALF_PI = {
 	0
 };
 
-/* The words that a reduced angle, and each term of its series, is cut to. */
+/* The number of words of a reduced angle and of each term of its series. */
 enum { SINE_WORDS = 6 };
 
 /* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
  * this is cos x (n = 0), sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
  * scheme computes the sum as s / c, with the common denominator c. y and each s are cut
- * to `words` words, which loses less than 1 in the last word. */
+ * to `words` words, which loses less than one unit of the last word. */
 static ex series(ex y, int n, int last, int words)
 {
 	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, factor = c;

@@ -14,7 +14,7 @@
 
 enum angle_unit { DEGREES, RADIANS };
 
-/* Return the sine or cosine of any angle in degrees, or of one up to 2^500 radians. */
+/* Return the sine or cosine of any angle in degrees, or of up to 2^500 radians. */
 struct sum trig_sin(double angle, enum angle_unit);
 struct sum trig_cos(double angle, enum angle_unit);
 

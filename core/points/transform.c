@@ -12,7 +12,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 		struct sum a = map_element(&t->map, i < 3 ? i : 4, j);
 		dd e = sum_dd(a);
 
-		/* the smallest double, unless the element is 0 */
+		/* an element that underflows becomes the smallest double */
 		if (e.hi == 0)
 			e = (dd){ sum_sign(a) * 0x1p-1074, 0 };
 		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
@@ -48,8 +48,8 @@ void transform_prepare(struct transform *t)
 
 /* Returns NULL, or a member and a reason if images would need more than EX_WORDS words.
  * Two products must be exact: a point's difference from the origin, a multiple of
- * 2^-1074, times a column; and the midpoint of two doubles times the divisor. room is
- * the number of words that the first factor leaves to the second. */
+ * 2^-1074, times a column; and the midpoint of two doubles times the divisor. The first
+ * factors leave `room` words to the column and to the divisor. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;

@@ -11,9 +11,9 @@
  * is set. */
 struct transform {
 	struct map map;
-	/* The matrix for differences of points from origin, for exact images: rows 0, 1
-	 * and 2 of the map, and row 4 for the map's origin or row 3 for 0. Row 3 has
-	 * the smaller error if the camera's translation is given and not the eye. */
+	/* The matrix for exact images of points minus origin: rows 0, 1 and 2 of the
+	 * map, and row 4 if origin is the map's, or row 3 if origin is 0. Row 3 has the
+	 * smaller error if the camera's translation is given and not the eye. */
 	struct sum relative[4][4];
 	double origin[3];
 	int in, out; /* numbers of coordinates: 2, 3, or 4 if homogeneous */

@@ -174,7 +174,7 @@ static void set_eye(struct map *r, const double eye[3])
  * given is the translation t, if is_translation, or else the eye. The other vector is
  * found: t = (-x.eye, -y.eye, -z.eye), or, if all axes have one length,
  * eye = -t0 x - t1 y - t2 z. Its elements are polynomials, divided once by a length.
- * Rounded axes would give an eye (1,2,3) that looks at 0 an x.eye of -4.9e-32. */
+ * With rounded axes, x.eye of an eye (1,2,3) that looks at 0 is -4.9e-32, not 0. */
 static void map_of_axes(const struct axes *a, const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {

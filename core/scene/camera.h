@@ -25,10 +25,10 @@ static inline bool looks_back(const struct convention *c)
 	return c->right_handed != c->view_y_down;
 }
 
-/* Changes the convention of a map's images or, if input, of its points, which are in
- * view space or, if clip, in clip space. Negates y, and z of view space, if they differ
- * in direction. If the depth range differs, a depth z from 0 to w becomes 2 z - w, and
- * one from -w to w becomes (z + w) / 2. */
+/* Changes the convention of a map's images or, if input is set, of its points. These
+ * are in view space or, if clip is set, in clip space. Negates y, and z of view space,
+ * if the conventions differ in its direction. If the depth range differs, a depth z
+ * from 0 to w becomes 2 z - w, and one from -w to w becomes (z + w) / 2. */
 void convention_change(const struct convention *from,
     const struct convention *to, bool clip, bool input, struct map *);
 

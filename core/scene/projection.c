@@ -245,10 +245,10 @@ static const char *const eye_plane_refusals[] = {
 			 "volume; choose a smaller one, or move z_near",
 };
 
-/* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -an, -qn), (0, 0, an zn, qd).
+/* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -wf, -qn), (0, 0, wf zn, qd).
  * x and y are those of volume_section times qd. sx and sy are x/z and y/z of the
- * volume's axis. q = qn / qd is 1/z of the eye. Up to a sign, w at z_far is an / qd =
- * 1 - zf q, and w at z_near is bn / qd = 1 - zn q. If an and bn differ in sign, the eye
+ * volume's axis. q = qn / qd is 1/z of the eye. Up to a sign, w is wf / qd = 1 - zf q
+ * at z_far, and wn / qd = 1 - zn q at z_near. If wf and wn differ in sign, the eye
  * plane is inside the volume. */
 static const char *volume_matrix(const struct projection *p,
     struct scaled_matrix *f)
@@ -265,10 +265,10 @@ static const char *volume_matrix(const struct projection *p,
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
 	projection_inverse_eye_z(p, &qn, &qd);
-	struct sum an = sum_sub(qd, sum_mul(qn, zf));
-	struct sum bn = sum_sub(qd, sum_mul(qn, zn));
+	struct sum wf = sum_sub(qd, sum_mul(qn, zf));
+	struct sum wn = sum_sub(qd, sum_mul(qn, zn));
 
-	if (sum_sign(an) * sum_sign(bn) <= 0)
+	if (sum_sign(wf) * sum_sign(wn) <= 0)
 		return eye_plane_refusals[p->eye_given_by];
 	for (int k = 0; k < 2; k++)
 		skew[k] = p->eye_given_by == EYE_BY_POINT ?
@@ -279,10 +279,10 @@ static const char *volume_matrix(const struct projection *p,
 	f->x = sum_mul(qd, f->x);
 	f->y = sum_mul(qd, f->y);
 	f->tw = qd;
-	f->d = sum_negated_if(sum_sign(an) != sum_sign(qd), qd);
-	f->zz = sum_neg(an);
+	f->d = sum_negated_if(sum_sign(wf) != sum_sign(qd), qd);
+	f->zz = sum_neg(wf);
 	f->zw = sum_neg(qn);
-	f->tz = sum_mul(an, zn);
+	f->tz = sum_mul(wf, zn);
 	return NULL;
 }
 
@@ -388,7 +388,7 @@ static const char *append_intrinsics(const struct projection *p,
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	/* The convention of f is d3d; but a volume's view space is that of c. */
+	/* f has the convention d3d, but the view space of a volume is that of c. */
 	bool volume = p->type == PROJECTION_VOLUME;
 	const struct convention given = {
 		.right_handed = volume && c->right_handed,

@@ -33,7 +33,7 @@ struct projection {
 	enum angle_unit unit; /* of all angles but direction */
 	enum extent extent;
 	double angle;         /* the angle of view, or EXTENT_FIELD's length */
-	double aspect[2];     /* width / height is [0] / [1]; none: [1] is 0 */
+	double aspect[2];     /* width : height; [1] is 0 without an aspect */
 	double width, height; /* the cross-section's; with P, the viewport's */
 	double left, right, bottom, top;
 	double edges_at; /* the distance of the cross-section; 0: at near */
@@ -63,7 +63,7 @@ struct projection {
 	enum { EYE_BY_INVERSE_Z, EYE_BY_POINT, EYE_BY_ANGLE } eye_given_by;
 
 	double matrix[4][4];
-	bool without_camera; /* the scene has none; matrix may contain it */
+	bool without_camera; /* no camera is given; matrix may contain one */
 };
 
 /* Returns whether the projection is a persp without near and far planes. */

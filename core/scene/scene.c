@@ -63,7 +63,7 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* Computes the map from the space first to the next one, or its inverse. */
+/* Computes the map from the space `first` to the next space, or its inverse. */
 static const char *map_to_next(const struct scene *s, int first, bool inverse,
     struct map *r)
 {
@@ -104,7 +104,7 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 	return NULL;
 }
 
-/* Computes the map from the 2D space first to the next one, or its inverse. */
+/* Computes the map from the 2D space `first` to the next space, or its inverse. */
 static const char *flat_map_to_next(const struct scene *s, int first,
     bool inverse, struct map *r)
 {
@@ -135,12 +135,12 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-/* Returns why the map r is refused, or NULL: the argument why, if it is not NULL, or a
- * message if an element of r is out of range. If flat, r maps a 2D window. */
-static const char *check_range(const char *why, const struct map *r, bool flat)
+/* Returns err, the reason why r was not made. If err is NULL, returns NULL or the
+ * reason why the map r is out of range. If flat is set, r maps a 2D window. */
+static const char *check_range(const char *err, const struct map *r, bool flat)
 {
-	if (why != NULL)
-		return why;
+	if (err != NULL)
+		return err;
 	if (ex_has_overflowed())
 		return flat ? "/window: " SCENE_TOO_WIDE :
 			      "/projection: " SCENE_TOO_WIDE;

@@ -44,7 +44,7 @@ struct scene {
 	struct device device;
 	/* For fit, the share of width and height that stays free at each side. */
 	double margin;
-	/* [s][inverse]: the map from s to the next space, or its inverse; or NULL */
+	/* [s][inverse]: NULL, or the map from s to the next space, or its inverse */
 	const struct map *known[SPACE_DEVICE][2];
 };
 

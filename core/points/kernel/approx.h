@@ -61,7 +61,7 @@ static inline __attribute__((always_inline)) int NAME(
     enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind);
-	/* copies, which stores to x, y and z cannot change */
+	/* copies: stores to x, y and z cannot change them */
 	const double *const from[3] = { in[0], in[1], in[2] };
 	const struct kernel_map map = *m;
 	int nonfinite = 0;

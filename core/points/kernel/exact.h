@@ -83,7 +83,7 @@ struct kernel_range {
 	double largest;         /* the largest |d|, rounded up */
 	double power, inverse;  /* 2^e > largest, and 2^-e */
 	double rounder;         /* rounds to multiples of 2^(e-26) */
-	double whole, rest;     /* the origin, or its rest; the other is 0 */
+	double whole, rest;     /* the origin and 0, or 0 and its rest */
 	double rounder_and_cut; /* rounder + the origin's cut part */
 };
 
@@ -112,8 +112,8 @@ static struct kernel_range range_of(double low, double high, double origin)
 }
 
 /* Finds the least and the greatest of n coordinates: infinity and -infinity if all are
- * nan. Even and odd vectors have a minimum and a maximum each, as operations on single
- * ones would wait for each other. */
+ * nan. Even and odd vectors have a minimum and a maximum each, as operations on a
+ * single minimum would wait for each other. */
 static void find_limits(const double *in, size_t n, double *least,
     double *greatest)
 {
@@ -148,7 +148,7 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
 struct column_cut {
 	double high[4], rest[4], element[4];
 	double bound;       /* of the error */
-	bool exact;         /* the errors of rest are within the noise */
+	bool exact;         /* rest has no error beyond the noise */
 	double noisy_below; /* 2^56 times the noise */
 };
 

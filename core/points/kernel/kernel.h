@@ -83,9 +83,9 @@ typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
 #define APPROX_BOUND 10
 
 /* Copies points from rows of floats or doubles to columns of doubles. Returns true if
- * no magnitude is above most. A nan is not above most. */
+ * no magnitude is above max. A nan is not above max. */
 typedef int (*to_columns_kernel)(const char *rows,
-    double (*columns)[POINTS_BLOCK], size_t n, double most);
+    double (*columns)[POINTS_BLOCK], size_t n, double max);
 
 /* Copies columns of doubles to rows of floats or doubles; -0 becomes 0. Returns true if
  * all numbers of the rows are finite and, for floats, is_midway is false for all. */
@@ -152,9 +152,9 @@ struct kernels {
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
     kernels_neon;
 
-/* Chooses the kernels that are called name (baseline, avx2, avx512, neon) or, if name
- * is NULL, the best ones for this processor. Returns false if no kernels have the name,
- * or if the processor cannot run them. */
+/* Chooses the kernels with the given name (baseline, avx2, avx512, neon) or, if name is
+ * NULL, the best ones for this processor. Returns false if no kernels have the name, or
+ * if the processor cannot run them. */
 bool kernels_choose(const char *name);
 
 /* Returns the kernels that were chosen, or those of baseline if none were. */

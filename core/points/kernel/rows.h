@@ -10,7 +10,7 @@
 
 static inline __attribute__((always_inline)) int
 to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
-    size_t n, double most, size_t numbers, bool is_double)
+    size_t n, double max, size_t numbers, bool is_double)
 {
 	int64_t above = 0;
 
@@ -20,7 +20,7 @@ to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 
 			rows += is_double ? 8 : 4;
 			columns[k][i] = v;
-			above |= fabs(v) > most ? -1 : 0;
+			above |= fabs(v) > max ? -1 : 0;
 		}
 	return above == 0;
 }
@@ -58,16 +58,16 @@ to_rows(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 	return unsure == 0;
 }
 
-#define ROWS(name, numbers, is_double)                                         \
-	static int to_columns_##name(const char *rows,                         \
-	    double(*columns)[POINTS_BLOCK], size_t n, double most)             \
-	{                                                                      \
-		return to_columns(rows, columns, n, most, numbers, is_double); \
-	}                                                                      \
-	static int to_rows_##name(double(*columns)[POINTS_BLOCK], char *rows,  \
-	    size_t n)                                                          \
-	{                                                                      \
-		return to_rows(columns, rows, n, numbers, is_double);          \
+#define ROWS(name, numbers, is_double)                                        \
+	static int to_columns_##name(const char *rows,                        \
+	    double(*columns)[POINTS_BLOCK], size_t n, double max)             \
+	{                                                                     \
+		return to_columns(rows, columns, n, max, numbers, is_double); \
+	}                                                                     \
+	static int to_rows_##name(double(*columns)[POINTS_BLOCK], char *rows, \
+	    size_t n)                                                         \
+	{                                                                     \
+		return to_rows(columns, rows, n, numbers, is_double);         \
 	}
 
 ROWS(floats_2, 2, false)

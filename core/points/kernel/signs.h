@@ -3,7 +3,7 @@
  * the compiler vectorizes the loop. */
 #include "kernel.h"
 
-/* Adds to word as signs_kernel says. No estimate is nan if e->low <= size < e->high. */
+/* Does what signs_kernel says. No estimate is nan if the size is from low to high. */
 static inline __attribute__((always_inline)) void
 add_signs(const struct estimate *e, int columns, double weight,
     const double *const in[3], double *restrict word, size_t n)
