@@ -39,7 +39,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts order, which has the numbers 0 to n - 1, by the places of the coordinates. */
+/* Sorts the coordinates 0 to n - 1 in order[] by their places on the line. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)

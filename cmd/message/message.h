@@ -26,7 +26,7 @@ struct place {
 	const char *pointer; /* into a JSON document: "/camera/eye" */
 	/* If scene.number is 0, message_state.scene is used instead. */
 	struct scene_place scene;
-	bool of_scene; /* of a scene, which --keep-going skips */
+	bool of_scene; /* the message refuses a scene; --keep-going skips it */
 	/* Words between a message as text and its place; NULL: the place is first. */
 	const char *before_place;
 };
@@ -44,7 +44,7 @@ extern struct message_state {
 	unsigned color; /* an enum color */
 	struct scene_place scene; /* the current scene of --scenes */
 	/* Where die_at jumps if the place is of_scene, after a message with EXIT_INPUT.
-	 * NULL: it exits. Only the first thread jumps, while no other works. */
+	 * NULL: die_at exits. Only the first thread jumps, while no other works. */
 	jmp_buf *on_refusal;
 } message_state;
 
@@ -79,8 +79,8 @@ void output_write(const char *s, size_t size);
  * would lose, without an error, what a full pipe does not take. */
 void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes the buffer of print, and closes standard output. Exits with 3 if the system
- * reports an error of an earlier write only then. */
+/* Writes the buffer of print, and closes standard output. Exits with 3 if an earlier
+ * write failed and the system reports it only when the output is closed. */
 void output_close(void);
 
 #endif
