@@ -30,7 +30,7 @@ struct field {
 	/* without a member's name, quotes of csv, and outer blanks */
 	struct span value;
 	struct span whole;        /* with name; in csv with quotes and blanks */
-	struct span name;         /* a member's with quotes; else s is NULL */
+	struct span name;         /* a member's name, quoted; else s is NULL */
 	const char *previous_end; /* the end of the field before; NULL: none */
 	const char *next;         /* where the next field begins; NULL: none */
 	bool comma;    /* in text: the separator before the field has a comma */

@@ -12,7 +12,7 @@ enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 
 /* The place of a document that --scenes reads. */
 struct scene_place {
-	long number; /* from 1; 0: no scene */
+	long number; /* of the document, from 1; 0: none */
 	long line;   /* the first line of the document, from 1 */
 };
 
@@ -75,8 +75,8 @@ void pipe_enlarge(int fd, int size);
 /* Writes all bytes to standard output, or exits with 3. */
 void output_write(const char *s, size_t size);
 
-/* Appends text, in the format of printf, to a buffer that output_close writes. stdio
- * would lose, without an error, what a full pipe does not take. */
+/* Appends text, in the format of printf, to a buffer that output_close writes. If a
+ * pipe is full, stdio would lose the rest of the text without an error. */
 void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes the buffer of print, and closes standard output. Exits with 3 if an earlier
