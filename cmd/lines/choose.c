@@ -49,8 +49,8 @@ size_t cursor_count(struct cursor c)
 	return n;
 }
 
-/* The route from a line or JSON value to a field that choose looks for: its name or
- * JSON pointer; if path is NULL, its number, or -1 if there is no route. */
+/* The route to a field that choose looks for in a line or JSON value: path is the name
+ * or JSON pointer of the field. If path is NULL, index is its number; -1: no route. */
 struct route {
 	const char *path;
 	long index;
@@ -64,10 +64,10 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether route, for element i of struct chosen, leads to f, which is field k
- * after the cursor, or into the value of f. Sets *rest to the path within that value,
- * or to "" if the route ends at f. In a header, X may stand for the default name x,
- * and so may device_x if the points are in space device. */
+/* Returns whether a route leads to the field f, or into the value of f. The route is
+ * for element i of struct chosen, and f is field k after the cursor. Sets *rest to the
+ * path within the value, or to "" if the route ends at f. In a header, X may stand for
+ * the default name x, and so may device_x if the points are in space device. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
@@ -103,16 +103,16 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 struct search {
 	const struct layout *l;
 	int n;
-	bool text; /* the fields are separated as in text */
+	bool text; /* fields of text, found by number */
 	long last; /* the number of the last field that is looked at */
-	int separators, commas; /* separators that count; those with a comma */
+	int separators, commas; /* separators counted; of these, with a comma */
 	struct chosen *out;
 };
 
-/* Returns whether the separator before f, field k of text, counts. If only some of the
- * separators that count have commas, the commas may be decimal. After the last
- * coordinate, a separator counts if f may be decimals: f is a number after two
- * coordinates, or after a comma without a blank. */
+/* Returns whether the separator before f, field k of text, is counted for mixed_commas:
+ * each before the last coordinate is, and the one after it if f may be decimals. f may
+ * be decimals if f is a number that follows the second of two coordinates, or a comma
+ * without a blank. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {
@@ -133,7 +133,7 @@ static void search_fields(struct search *r, struct cursor c,
     const struct route routes[SOUGHT_MAX])
 {
 	struct chosen *out = r->out;
-	int fields[SOUGHT_MAX] = { 0 }; /* how many each route leads to */
+	int fields[SOUGHT_MAX] = { 0 }; /* number that routes[i] leads to */
 	struct field f;
 
 	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {
@@ -220,7 +220,7 @@ void choose_parts(const struct layout *l, const struct chosen *c,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
 
-		/* in a bad line nan replaces the quotes of csv, too */
+		/* in bad csv, nan replaces a coordinate and its quotes */
 		line->at[i] = c->times[i] == 0 ? part_missing :
 		    !whole                     ? line_part(line, f->value) :
 			     line_part(line, trimmed(l->in, f->whole));

@@ -84,8 +84,8 @@ static void next_of_text(struct cursor *c, struct field *f)
 	f->next = after == c->end && !c->comma ? NULL : after;
 }
 
-/* Sets *f to a field of csv. A field that begins with a quote may contain separators,
- * and "" for a quote, up to the closing quote. In any other field a quote is text. */
+/* Sets *f to the next field of csv. If it begins with a quote, separators in it are
+ * text, and "" is a quote, up to the closing quote. In other fields quotes are text. */
 static void next_of_csv(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
@@ -164,8 +164,8 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 	return after;
 }
 
-/* Returns whether the unquoted field f can be copied to a dialect: to JSON a finite
- * number, to csv a text without quotes and separators, to text any field. */
+/* Returns whether the unquoted field f can be copied unchanged to the dialect d: to
+ * JSON a finite number, to csv a text without quotes and separators, to text any. */
 static bool can_copy(struct dialect d, struct span f)
 {
 	const struct format_row *to = format_of(d);

@@ -30,7 +30,7 @@ struct field {
 	/* without a member's name, quotes of csv, and outer blanks */
 	struct span value;
 	struct span whole;        /* with name; in csv with quotes and blanks */
-	struct span name;         /* a member's with quotes; else s is NULL */
+	struct span name;         /* a member's name, quoted; else s is NULL */
 	const char *previous_end; /* the end of the field before; NULL: none */
 	const char *next;         /* where the next field begins; NULL: none */
 	bool comma;    /* in text: the separator before the field has a comma */
@@ -50,7 +50,7 @@ struct cursor {
 	bool comma; /* in text: the separator before s has a comma */
 };
 
-enum { REASON_MAX = 320 }; /* bytes that say what is wrong with a line */
+enum { REASON_MAX = 320 }; /* bytes for what is wrong with a line */
 
 /* The properties of a format. */
 struct format_row {
@@ -78,8 +78,8 @@ struct format_row {
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
-/* Returns the dialect of a format. Only csv gets the given separator; others have
- * one. */
+/* Returns the dialect of a format. The separator is for csv; other formats have their
+ * own. */
 struct dialect dialect_of(enum format, char separator);
 
 static inline const struct format_row *format_of(struct dialect d)
@@ -104,7 +104,7 @@ static inline size_t point_size(enum format f, int coordinates)
 }
 
 /* Reads the number at s, or nan if [s, end) is a word for a missing value, such as NA.
- * Returns the end of the number or word, or NULL if there is none at s. */
+ * Returns the end of the number or word, or NULL if neither is at s. */
 const char *format_number(struct dialect, const char *s, const char *end,
     double *v);
 
@@ -114,8 +114,8 @@ const char *format_number(struct dialect, const char *s, const char *end,
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
-/* Returns whether lines end in carriage returns alone: in line, text follows a carriage
- * return that is outside of quotes. If so, writes the reason. */
+/* Returns whether text follows a carriage return of the line, outside of quotes: then
+ * carriage returns alone end the lines of the source. If so, writes the reason. */
 bool format_cr_only(struct dialect, struct span line, char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */

@@ -22,7 +22,7 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	return c;
 }
 
-/* Returns the first coordinate whose name the header lacks, or l->reads for none. */
+/* Returns the first coordinate whose name the header lacks, or l->reads if none. */
 static int find_missing_name(const struct layout *l, const struct chosen *c)
 {
 	int i = 0;
@@ -53,8 +53,8 @@ static bool is_usable(const struct layout *l, struct cursor header,
 	return i == 0 && !chosen_clashes(l, c, false, reason);
 }
 
-/* Returns whether the line, an empty field, 0, 1, 2 and so on, may be a point as well
- * as a header that pandas wrote for an array; if so, writes the reason. */
+/* Returns whether the fields are an empty one, 0, 1, 2 and so on: pandas writes such a
+ * header for an array, but a point may look the same. If so, writes the reason. */
 static bool is_ambiguous(const struct layout *l, struct cursor c,
     char reason[REASON_MAX])
 {
@@ -74,7 +74,7 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
-/* Returns whether there are n fields after the cursor, and perhaps an empty last one. */
+/* Returns whether the fields after the cursor are n, or n and an empty last one. */
 static bool has_fields(struct cursor c, size_t n)
 {
 	struct field f;
@@ -94,7 +94,7 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 		return true;
 	const struct cursor row = line_cursor(l->in, text);
 
-	if (!first) /* if the separator is a blank, "# x y z" is a comment */
+	if (!first) /* "# 1 2" is no row if a blank is the separator */
 		return cursor_count(row) < 2 ||
 		    (!has_fields(row, l->max_fields) &&
 			!has_fields(row, l->header_fields)) ||

@@ -39,7 +39,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts order, which has the numbers 0 to n - 1, by the places of the coordinates. */
+/* Sorts the coordinates 0 to n - 1 in order[] by their places on the line. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
@@ -54,8 +54,8 @@ static inline void find_order(const struct line *line, int n, int order[4])
 }
 
 /* Returns whether added values can be written directly after the last coordinate: they
- * have no names, no quote follows the coordinate, and in text the separator before it
- * is one byte. By --append, the line must not end in blanks. */
+ * have no names, no quote follows the coordinate, and in text the separator before the
+ * coordinate is one byte. By --append, the line must not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
     const struct line *line)
 {

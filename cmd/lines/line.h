@@ -23,7 +23,7 @@ enum {
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
 	WORD_MAX = 48,       /* the most bytes of the word of --flags */
 	PREFIX_ROOM = 64, /* bytes for the separator and name before a value */
-	/* fields sought in a line: coordinates, and names of added fields */
+	/* fields sought in a line, which are the elements of struct chosen */
 	SOUGHT_MAX = 4 + COORDINATES_MAX + 1,
 };
 
@@ -32,7 +32,7 @@ struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
 	int field[4]; /* the number of each coordinate's field, from 0 */
 	/* The name of each coordinate's column or member, by default x, y, z or
-	 * w. / begins a JSON pointer. NULL: its number is given. */
+	 * w; or a JSON pointer, which begins with /. NULL: only a number. */
 	const char *name[4];
 	bool by_default; /* --columns is not given */
 };
@@ -46,8 +46,8 @@ enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* How points are read and written: the formats of their lines or records, the fields of
- * their coordinates, the numbers of their images, and what the source has said so far:
- * its header, its first row and its comments. */
+ * their coordinates, the numbers of their images, and what is known of the source so
+ * far: its header, its first row and its comments. */
 struct layout {
 	struct dialect in, out;
 	enum header header;
@@ -61,17 +61,18 @@ struct layout {
 	size_t header_fields; /* the fields of the header; 0: no header */
 	/* the fields of the header, or of a longer first row; 0: not known */
 	size_t max_fields;
-	bool reordered;    /* in the last header field i is not coordinate i */
+	bool reordered;    /* layout_in_order was false for the last header */
 	size_t first_line; /* the number of FIRST_LINE in its source, from 1 */
-	/* The number of columns that a # comment above the first row names; 0:
-	 * none, or coordinates come first. If the row has as many fields, and
-	 * field i is a number for each bit i of comment_numbers, the row is
-	 * refused for comment_reason. */
+	/* comment_names is the number of columns that a # comment above the
+	 * first row names; 0 if there is none, or if it names the coordinates
+	 * first. The first row lacks a header if it has as many fields, and a
+	 * number in each field whose bit is set in comment_numbers.
+	 * comment_reason says so. */
 	size_t comment_names;
 	uint32_t comment_numbers;
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps; /* records are written, with images for coordinates */
+	bool keeps; /* writes whole records, images in place of points */
 	const char *two_hint; /* a remedy if z is missing; or NULL */
 	bool single;          /* numbers are written as floats */
 	const char *from;     /* the name of the space of points, or NULL */
@@ -117,8 +118,8 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The written numbers: number k is v[k * stride] with the text text[k *
- * text_stride]. */
+/* The written numbers: v[k * stride] is number k, and text[k * text_stride] its
+ * text. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
@@ -179,7 +180,6 @@ static inline bool layout_has_names(const struct layout *l)
 	return false;
 }
 
-/* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {
 	static const char names[][2] = { "x", "y", "z", "w" };
@@ -198,7 +198,7 @@ void line_read(struct layout *, struct span text, enum first *, struct line *,
  * nan_text of the format. Returns the end of the output. */
 char *line_put_rare_number(const struct layout *, int k, double v, char *out);
 
-/* Returns how many bytes line_write needs for so many lines of so many bytes in all. */
+/* Returns how many bytes line_write needs for lines of this number and total size. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
@@ -234,7 +234,7 @@ size_t cursor_count(struct cursor);
 struct chosen {
 	struct field field[SOUGHT_MAX]; /* the first field that is found */
 	int times[SOUGHT_MAX];          /* how many fields are found */
-	/* the numbers of the first and the second field, from 0 */
+	/* the numbers of the first and second field found, from 0 */
 	long index[SOUGHT_MAX], second_index[SOUGHT_MAX];
 	bool mixed_commas; /* only some separators of text have a comma */
 };
@@ -255,11 +255,11 @@ bool chosen_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
 /* Returns whether f is a name: no digit or point precedes its first letter. _ and other
- * alphabets count as letters, but not signs such as U+2212. */
+ * alphabets count as letters; signs such as U+2212 do not. */
 bool choose_is_name(struct span f);
 
-/* Returns whether a first line is a header: no coordinate is a number, and one is a
- * name. */
+/* Returns whether a first line is a header: no field of a coordinate is a number, and
+ * at least one is a name. */
 bool choose_is_header(const struct layout *, struct cursor);
 
 /* Returns whether the token is the number k in decimal, without leading zeros. */
@@ -302,18 +302,19 @@ bool say_empty_field(const struct layout *, struct span f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_names, comment_numbers and comment_reason if text, a comment, names
- * columns, and the coordinates may not be the first columns. */
-void say_note_columns(struct layout *, struct span text);
+/* Sets comment_names, comment_numbers and comment_reason if the comment in text names
+ * columns. comment_names becomes 0 if the coordinates are the first columns. */
+void say_comment_columns(struct layout *, struct span text);
 
-/* Returns whether the first row needs a header that is missing. Without --columns,
- * writes the reason: the header of a file before reordered the columns, or the row fits
- * the names of a comment. With --columns by name: the row is lost, and has a reason. */
+/* Returns whether the first row lacks a header that it needs. With --columns by name,
+ * this is so if the row is lost, and thus has a reason. Otherwise it is so if an
+ * earlier file had a header that reordered the columns, or if the row fits a comment
+ * that names columns: then writes the reason. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that line, the first line of a source of text, looks like a header, unless the
- * reason has a remedy for its first field. */
+/* Writes that the first line of a source of text looks like a header, unless the reason
+ * already has a remedy for the first field of the line. */
 void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 
@@ -336,8 +337,8 @@ struct stretch {
 	uint16_t stop[STRETCH + 128]; /* the places of the stops */
 };
 
-/* The path of names or indexes from a JSON value to each coordinate, and the bytes of
- * its first name or index; SIZE_MAX: the coordinate is not in the value. */
+/* The path of names or indexes from a JSON value to each coordinate, and the size of
+ * its first name or index in bytes. SIZE_MAX: the coordinate is not in the value. */
 struct paths {
 	const char *path[4];
 	size_t size[4];
@@ -368,7 +369,7 @@ bool stretch_open(struct stretch *, const struct walk *, const char *text,
 
 /* Walks up to n <= PLAIN_BATCH lines, and sets the places of coordinate k of all lines
  * in element k of the plain_places. Sets bit i of *left if line i is left to line_read.
- * Returns the number of lines, which is at least one if at < end. */
+ * Returns the number of lines walked: at least one, if any are left. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 

@@ -177,7 +177,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_is_comment(l, text, first_line)) {
 		if (first_line)
-			say_note_columns(l, text);
+			say_comment_columns(l, text);
 		return;
 	} else if (first_line && in->header &&
 	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {

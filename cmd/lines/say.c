@@ -24,13 +24,13 @@ static const char *find_byte(struct span f, char c)
 	return f.s < f.end ? memchr(f.s, c, (size_t)(f.end - f.s)) : NULL;
 }
 
-/* Bytes that may be separators, the likeliest first. Commas and blanks are frequent
- * within fields: they count only if f has them for no other reason. */
+/* Bytes that may be separators, the likeliest first. `rare` leaves out commas and
+ * blanks, which many fields have for other reasons. */
 static const char rare[] = ";|\t", frequent[] = ";|\t, ";
 
-/* Adds to the reason how to mend f, a line or a field: by the mark of another format
- * at its beginning (a mark of letters is all of f), or by the first of the separators
- * that is a byte of f, but not its last. Returns false if nothing is added. */
+/* Adds to the reason how to mend f, a line or a field. f may begin with a mark of
+ * another format or, if the mark is a word, be that word; or else f may have one of the
+ * separators before its last byte. Returns false if f has neither. */
 static bool say_mend(const struct layout *l, struct span f,
     const char *separators, char reason[REASON_MAX])
 {
@@ -170,7 +170,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Returns the name in f, a word of a comment, without quotes and unit: t of t[s]. */
+/* Returns the name in f, a comment's word, without quotes and unit: t if f is t[s]. */
 static struct span name_word(struct span f)
 {
 	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
@@ -182,8 +182,8 @@ static struct span name_word(struct span f)
 	return (struct span){ f.s, s };
 }
 
-/* Copies the names of the fields after the cursor, in a comment what name_word
- * finds. */
+/* Copies the names of the fields after the cursor; name_word finds those of a
+ * comment. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -211,8 +211,8 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the index in names of the name that is the first n bytes of a and then word
- * in upper or lower case, or -1 if there is none. */
+/* Returns the index in names of the name that is made of the first n bytes of a and of
+ * word, whose case is ignored; -1 if there is none. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -234,10 +234,10 @@ static bool can_be_typed(const char *name)
 
 /* Finds columns that may be coordinates: their names begin alike and end in the names
  * of axes, such as gps_lon and gps_lat. Sets found[i] to the column of coordinate i, or
- * to -1 if there is none. A point has reads coordinates. *k, 0 before the first call,
- * counts the tries: the next call finds other columns. Returns false if there are no
- * more. Skips quaternions, such as qx, qy, qz and qw, and names such as px if x is a
- * name. */
+ * to -1 if there is none; a point has `reads` coordinates. Each call finds other
+ * columns: *k counts the tries, and is 0 before the first call. Returns false if there
+ * are no more. Skips quaternions, such as qx, qy, qz and qw, and names such as px if x
+ * is a name. */
 static bool guess_columns(const struct names *names, int reads, int *k,
     int found[4])
 {
@@ -248,7 +248,7 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 		{ "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "hoehe", "h", "up", "w" };
-	/* w is the last, and not a height if it is a coordinate */
+	/* w, the last, is no height if points have a coordinate w */
 	const int usable = (int)(sizeof heights / sizeof *heights) -
 	    (reads > 3);
 	const int pairs = sizeof axes / sizeof *axes;
@@ -280,8 +280,8 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 
 /* Adds to the reason all that guess_columns finds: "; say --columns px,py,pz or
  * vx,vy,vz". If numbers is not NULL, writes numbers for names, and sets bit i of
- * *numbers for column i. Returns false if it adds nothing, as nothing is found or
- * fits. */
+ * *numbers for column i. Returns false, and adds nothing, if nothing is found or it
+ * would not fit. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
@@ -430,7 +430,7 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 	}
 }
 
-void say_note_columns(struct layout *l, struct span text)
+void say_comment_columns(struct layout *l, struct span text)
 {
 	const bool csv = format_of(l->in)->header;
 	const struct dialect table = { FORMAT_CSV,

@@ -119,8 +119,8 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 }
 
 /* Returns the value that replaces the field f, or -1. A coordinate replaces its own
- * field, unless --append keeps the coordinates. If f is a member of the line, and not
- * of a value in the line (outer), an added value replaces the member with its name. */
+ * field, unless --append keeps the coordinates. An added value replaces a member that
+ * has its name, if the member is of the line itself (outer), not of a value in it. */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
 	const bool keeps = w->l->append;
@@ -179,7 +179,7 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 }
 
 /* Copies the fields of a line or, unless outer is set, of a JSON value in the line.
- * Replaces a field by its value_for, or leaves it out if the value is not due. */
+ * Replaces a field by what value_for returns, or leaves it out if that is not due. */
 static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;

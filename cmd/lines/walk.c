@@ -20,7 +20,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* a bit for each upper half that stops have: at most 8 */
+		/* stops with the same upper half share a bit, of 8 */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 
@@ -99,7 +99,6 @@ INLINE bool stop_is(const struct walker *p, char c)
 	return *p->stop == p->at && p->text[p->at] == c;
 }
 
-/* Passes the stop at the position. */
 INLINE void pass_stop(struct walker *p)
 {
 	p->at++;
@@ -175,7 +174,7 @@ INLINE bool is_json_number(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-/* Where the coordinates of line i, which begins at the place begin, are stored. */
+/* Where the coordinates of line i are stored. The line begins at the place `begin`. */
 struct target {
 	const struct walk *walk;
 	struct line *line;
@@ -243,8 +242,8 @@ enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 static bool pass_nested(struct walker *, const struct target *,
     const struct paths *, unsigned leads, int levels);
 
-/* Results that are no coordinate's number. NOT_SIMPLE: line_read has to read the
- * line. */
+/* Negative results of functions that find or pass a field. NOT_SIMPLE: line_read has to
+ * read the line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
 /* Returns the paths whose bits are set in leads, without their first name or index. */
@@ -261,8 +260,8 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 	return rest;
 }
 
-/* Returns the coordinate whose path ends at the field of that name or index. Sets bit i
- * of leads if path i leads to the field. */
+/* Returns the coordinate whose path ends at the field with this name or index, or
+ * NO_COORDINATE. Sets bit i of leads if path i leads to the field. */
 INLINE int follow_paths(const struct paths *t, int n, struct span name,
     unsigned *leads)
 {
@@ -331,7 +330,7 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 
 /* Returns false if the separator after the n coordinates of text shows that a comma may
  * be decimal: 1 2 3,5 may be the point 1, 2, 3.5 and, if n is 2, 1,5 2 may be 1.5, 2.
- * comma says whether commas are between the coordinates. */
+ * `comma` says whether commas are between the coordinates. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
 {
@@ -362,7 +361,7 @@ struct fields {
 	const struct paths *paths;
 	int levels;      /* the most levels of brackets in a field */
 	unsigned passed; /* bit i: a field on path i has been passed */
-	/* of text: all separators; those with a comma */
+	/* how many separators text has, and how many with a comma */
 	int separators, commas;
 };
 
@@ -442,7 +441,6 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 	    has_no_decimal_comma(p, d, f.n, f.commas > 0);
 }
 
-/* Passes an array or an object. */
 INLINE bool pass_brackets(struct walker *p, struct fields f,
     const struct target *t)
 {

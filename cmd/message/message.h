@@ -12,7 +12,7 @@ enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 
 /* The place of a document that --scenes reads. */
 struct scene_place {
-	long number; /* from 1; 0: no scene */
+	long number; /* of the document, from 1; 0: none */
 	long line;   /* the first line of the document, from 1 */
 };
 
@@ -26,7 +26,7 @@ struct place {
 	const char *pointer; /* into a JSON document: "/camera/eye" */
 	/* If scene.number is 0, message_state.scene is used instead. */
 	struct scene_place scene;
-	bool of_scene; /* of a scene, which --keep-going skips */
+	bool of_scene; /* the message refuses a scene; --keep-going skips it */
 	/* Words between a message as text and its place; NULL: the place is first. */
 	const char *before_place;
 };
@@ -44,7 +44,7 @@ extern struct message_state {
 	unsigned color; /* an enum color */
 	struct scene_place scene; /* the current scene of --scenes */
 	/* Where die_at jumps if the place is of_scene, after a message with EXIT_INPUT.
-	 * NULL: it exits. Only the first thread jumps, while no other works. */
+	 * NULL: die_at exits. Only the first thread jumps, while no other works. */
 	jmp_buf *on_refusal;
 } message_state;
 
@@ -75,12 +75,12 @@ void pipe_enlarge(int fd, int size);
 /* Writes all bytes to standard output, or exits with 3. */
 void output_write(const char *s, size_t size);
 
-/* Appends text, in the format of printf, to a buffer that output_close writes. stdio
- * would lose, without an error, what a full pipe does not take. */
+/* Appends text, in the format of printf, to a buffer that output_close writes. If a
+ * pipe is full, stdio would lose the rest of the text without an error. */
 void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes the buffer of print, and closes standard output. Exits with 3 if the system
- * reports an error of an earlier write only then. */
+/* Writes the buffer of print, and closes standard output. Exits with 3 if an earlier
+ * write failed and the system reports it only when the output is closed. */
 void output_close(void);
 
 #endif

@@ -7,7 +7,7 @@
 
 /* Words of other programs, with blanks between them, and the hint to give: an option
  * "--jobs", a remark ": ...", or a call "project -m"; * stands for the word itself. The
- * names that other programs have for members are in the tables of members. */
+ * names that other programs have for members are in the tables of cmd/scene. */
 static const struct {
 	const char *words, *hint;
 } synonyms[] = {

@@ -38,16 +38,17 @@ const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 /* Returns the code of the first invisible character in a string with escapes, or 0. */
 unsigned escape_find_invisible(const char *);
 
-/* Returns the word of the list words, which NULL ends, that ends the hint of a synonym
- * for word, or else is the fewest edits from word. An edit changes, adds or drops a
- * letter, or swaps two neighbours. In a word of two to five letters one edit is allowed,
- * in one of up to eight two, in a longer one three. If no word is so near, returns the
- * first that begins with word or that word begins with; the shorter of the two must have
- * three letters. If there is none, returns NULL. Case does not count. */
+/* Returns the word of a list, which NULL ends, that `word` may mean: the last word of
+ * its hint by synonym_of, or else the one that is the fewest edits from it. An edit
+ * changes, adds or drops a letter, or swaps two neighbours. In a word of two to five
+ * letters one edit is allowed, in one of up to eight two, in a longer one three. If no
+ * word is so near, returns the first that begins with `word` or that `word` begins
+ * with, if the shorter of the two has three letters, or else NULL. Case does not
+ * count. */
 const char *nearest_word(const char *word, const char *const *words);
 
-/* Returns whether word is one of words, which are in lower case with blanks between
- * them, or NULL. Case, _ and - do not count: LookAt, look_at and look-at are lookat. */
+/* Returns whether word is in words, lower-case words with blanks between them; false
+ * for NULL. Case, _ and - do not count: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
 
 /* Returns the hint for a word that other programs have, or NULL: an option "--jobs", in

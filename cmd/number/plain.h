@@ -30,8 +30,8 @@ struct plain_places {
 };
 
 struct number_loops {
-	/* Writes to at the index of each byte of text that is in the set; returns how
-	 * many. at has room for size rounded up to a multiple of 64, and 64 more. */
+	/* Stores in `at` where text has bytes of the set; returns how many.
+	 * `at` has room for size, rounded up to a multiple of 64, plus 64. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
 	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a

@@ -11,7 +11,7 @@ static struct {
 	struct place next_line; /* the place of the source's next line */
 	bool lacks_newline;     /* the last byte printed is no newline */
 	size_t bad_lines;
-	bool bad_points;  /* the last bad lines are binary points */
+	bool bad_points;  /* the last bad line is a binary point */
 	bool bad_scene;   /* a scene was refused */
 	size_t imageless; /* points without image */
 	struct place first_imageless;
@@ -124,7 +124,7 @@ static void print_chunk(const struct job *j, const struct chunk *c)
 	output_write(c->out, c->size);
 }
 
-/* Returns the place of a line of the chunk, counted from 0. */
+/* Returns the place of line number `line` of the chunk, counted from 0. */
 static struct place line_place(const struct chunk *c, size_t line)
 {
 	struct place p = c->place;

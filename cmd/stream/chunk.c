@@ -7,8 +7,8 @@
 
 struct chunk *chunk_new(void)
 {
-	/* Vector loops read beyond the last point. Of so many bytes calloc touches
-	 * none, as the system has cleared them. */
+	/* Vector loops read beyond the last point, so calloc clears the chunk. It gets
+	 * so many bytes from the system, already cleared, and does not touch them. */
 	const size_t alignment = _Alignof(struct chunk);
 	char *memory = calloc(1, sizeof(struct chunk) + alignment);
 
@@ -22,14 +22,14 @@ struct chunk *chunk_new(void)
 	 * for the thread, which costs more than this room. */
 	c->room = 16 * PIECE_ROOM;
 	c->out = xrealloc(NULL, c->room);
-	/* cppcheck-suppress memleak; c is within memory */
+	/* cppcheck-suppress memleak; c keeps the allocated bytes */
 	return c;
 }
 
-char *chunk_reserve(struct chunk *c, size_t more)
+char *chunk_reserve(struct chunk *c, size_t n)
 {
-	if (c->size + more > c->room) {
-		c->room = c->room / 2 + c->size + more;
+	if (c->size + n > c->room) {
+		c->room = c->room / 2 + c->size + n;
 		c->out = xrealloc(c->out, c->room);
 	}
 	return c->out + c->size;

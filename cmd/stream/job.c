@@ -9,7 +9,7 @@
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 
-/* Reads text, the next line, with line_read. Returns false if the chunk ends there. */
+/* Reads the next line, text, with line_read. Returns false if it ends the chunk. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
 {
@@ -55,7 +55,7 @@ static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
 	return true;
 }
 
-/* Reads lines of the stretch to the block. Returns false if the chunk ends there. */
+/* Reads lines of the stretch into the block. Returns false if one ends the chunk. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;
@@ -117,8 +117,8 @@ static bool block_transform(const struct job *j, struct chunk *c)
 }
 
 /* Replaces each coordinate of the image of point p by nan if it is not finite in the
- * output's format. Returns whether any is nan. In precision exact, computes floats with
- * point_single: the nearest double may round to another than the nearest float. */
+ * output's format. Returns whether any is nan. In precision exact, point_single
+ * computes floats: the nearest double may round to a float that is not the nearest. */
 static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 {
 	bool nan = false, narrow = j->layout.out.format == FORMAT_F32;
@@ -140,7 +140,6 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
-/* Calls mark_nan for each point of the block, and counts the points without image. */
 static void block_mark_nan(const struct job *j, struct chunk *c)
 {
 	for (size_t i = 0, p = 0; i < c->block_lines; i++)
@@ -156,7 +155,7 @@ struct writer {
 	bool in_place;    /* an image replaces its point, or follows the line */
 	bool adds_values; /* values are added after those that were read */
 	int order[4];     /* of the coordinates on the previous line */
-	unsigned char outside[POINTS_BLOCK]; /* of which planes, as bits */
+	unsigned char outside[POINTS_BLOCK]; /* for chunk_flags, by point */
 
 	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
 	 * loops, and few enough for the first-level cache. */

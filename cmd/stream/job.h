@@ -74,14 +74,14 @@ struct job {
 
 struct chunk *chunk_new(void);
 
-/* Returns out + size with room for more bytes, whose number the caller adds to size. */
-char *chunk_reserve(struct chunk *, size_t more);
+/* Returns out + size with room for n bytes. The caller adds the number used to size. */
+char *chunk_reserve(struct chunk *, size_t n);
 
 /* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
  * of the planes whose bits are set in outside. The word belongs to the chunk. */
 const struct word *chunk_flags(struct chunk *, unsigned outside);
 
-/* Adds a complaint about line block_lines. Returns false if this ends the chunk. */
+/* Adds a complaint about the block's next line. Returns false if it ends the chunk. */
 bool chunk_complain(const struct job *, struct chunk *, const char *reason);
 
 /* Writes to the chunk's out the output for its piece, which has whole lines or whole
@@ -117,8 +117,8 @@ char *binary_put(const struct layout *, const struct chunk *,
 /* Calls run(data), in a new thread if the stack may be too small, and waits for it. */
 void call_with_stack(void *(*run)(void *), void *data);
 
-/* Does the job on the points of a source. Prints the output for all points that were
- * read before it waits for more. Prints errors and ends the program after them. Each
+/* Does the job on the points of a source. Before it waits for more, prints the output
+ * for all points that were read. Prints errors and ends the program after them. Each
  * call must get the same struct job, whose contents may change between the calls. */
 void stream(struct job *, struct point_source);
 /* answer.c prints the output of chunks in the order of their source, reports bad lines

@@ -46,7 +46,7 @@ static size_t begin_piece(struct piece *p, const struct point_source *s)
 	return full;
 }
 
-/* Reads up to room bytes and returns their number, 0 at the end, or -1, as read(2). */
+/* Reads up to `room` bytes, as read(2). Returns their number, 0 at the end, or -1. */
 static ssize_t read_some(struct point_source *s, char *to, size_t room)
 {
 	size_t left = (size_t)(s->text.end - s->text.s);
@@ -64,7 +64,7 @@ static ssize_t read_some(struct point_source *s, char *to, size_t room)
 	return n;
 }
 
-/* Returns whether a read would wait, or true if the system does not know. */
+/* Returns whether a read would wait, or true if poll fails. */
 static bool would_wait(const struct point_source *s)
 {
 	struct pollfd p = { .fd = s->fd, .events = POLLIN };
@@ -89,7 +89,8 @@ static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 	p->size = end;
 }
 
-/* Reads until the source ends, or the piece has a line and is full or would wait. */
+/* Reads until the source ends, or until the piece has a whole line and is full or the
+ * next read would wait. */
 static enum piece_state fill_piece(struct point_source *s,
     const struct layout *l, struct piece *p)
 {

@@ -40,14 +40,14 @@ struct piece {
 
 struct point_source {
 	const char *name;
-	struct span text;  /* unread part of a text in memory; or s is NULL */
+	struct span text;  /* unread text in memory; s is NULL for a file */
 	int fd;            /* of a file */
 	off_t size;        /* bytes; 0: unknown */
 	size_t bytes_read; /* bytes of all pieces read so far */
-	struct span rest;  /* of the last piece, after whole lines or points */
+	struct span rest;  /* the last piece after its whole lines or points */
 };
 
-/* Allocates room bytes for the text of a piece, and keeps its beginning. */
+/* Allocates `room` bytes for the text of a piece, and keeps the text that fits. */
 void piece_resize(struct piece *, size_t room);
 
 struct point_source source_of_file(const char *name, int fd);

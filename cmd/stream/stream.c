@@ -175,7 +175,7 @@ static void answer_done_chunks(void)
 	pool.answering = false;
 }
 
-/* Does chunks, forever or until the source is finished. */
+/* Works on chunks, forever or until the source is finished. */
 static void run_chunks(bool forever)
 {
 	int looks = 0;

@@ -94,7 +94,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_HIGH(a) _mm512_unpackhi_epi8(_mm512_setzero_si512(), a)
 
 /* Looks 10^scale up in registers: the compiler moves the loads of the table out of the
- * loop of the caller. The lowest bits of k, a double 2^52 + index, are the index. */
+ * caller's loop. The lowest bits of the double 2^52 + index are the index. */
 #define POWERS_AT(i, order)                                  \
 	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, \
 	    LOAD(powers[8 * (i) + 4]))

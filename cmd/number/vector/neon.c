@@ -83,12 +83,12 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define MUL32(a, b) vmull_u32(vmovn_u64(a), vmovn_u64(b))
 #define SUB(a, b) vsubq_u64(a, b)
 #define MUL16(a, b) WHOLE(vmulq_u16(QUARTERS(a), QUARTERS(b)))
-#define HIGH16(a, b) WHOLE(high_products(QUARTERS(a), QUARTERS(b)))
+#define HIGH16(a, b) WHOLE(upper_product_halves(QUARTERS(a), QUARTERS(b)))
 #define BYTES(a) vreinterpretq_u8_u64(a)
 #define BYTES_LOW(a) vreinterpretq_u64_u8(vzip1q_u8(vdupq_n_u8(0), BYTES(a)))
 #define BYTES_HIGH(a) vreinterpretq_u64_u8(vzip2q_u8(vdupq_n_u8(0), BYTES(a)))
 
-static inline uint16x8_t high_products(uint16x8_t a, uint16x8_t b)
+static inline uint16x8_t upper_product_halves(uint16x8_t a, uint16x8_t b)
 {
 	uint32x4_t low = vmull_u16(vget_low_u16(a), vget_low_u16(b));
 	uint32x4_t high = vmull_high_u16(a, b);
@@ -108,7 +108,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = vzip2q_f64(a, b);
 }
 
-/* Returns a mask: bit i is set if byte i is not 0. A sum joins 8 bits of each half. */
+/* Returns a mask: bit i is set if byte i is not 0. Sums join the bits of 8 bytes. */
 static inline uint16_t nonzero_bits(uint8x16_t digits)
 {
 	const uint8x8_t bit = vcreate_u8(0x8040201008040201);

@@ -77,9 +77,9 @@ static inline row last_bytes(size_t n)
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
-/* Returns the number of leading zero bits of x, which is 0 or has one bit, from the
- * exponent of x as a float. For two bits, as 1.2.3 has, which is no number, any result
- * will do. */
+/* Returns the number of leading zero bits of x, which is 0 or has one bit. Takes it
+ * from the exponent of x as a float. If x has two bits, for two points as in 1.2.3,
+ * which is no number, any result will do. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };

@@ -35,7 +35,7 @@
 /* The number of zeros that are stored before the DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
 
-/* Hides a constant from gcc, which would make up to five operations of a product. */
+/* Hides a constant from gcc, which would replace a product by up to five operations. */
 #define OPAQUE(c) opaque(ALL_BITS(c))
 INLINE I opaque(I c)
 {
