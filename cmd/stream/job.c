@@ -140,14 +140,6 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
-static void block_mark_nan(const struct job *j, struct chunk *c)
-{
-	for (size_t i = 0, p = 0; i < c->block_lines; i++)
-		if (c->line[i].kind == LINE_POINT && mark_nan(j, c, p++) &&
-		    c->imageless++ == 0)
-			c->first_imageless = c->n_lines + i;
-}
-
 /* The state of block_write. */
 struct writer {
 	const struct job *job;
@@ -255,7 +247,10 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	w.in_place = same_dialect(l->in, l->out) &&
 	    (l->append || l->reads <= l->writes);
 	if (!finite || l->out.format == FORMAT_F32)
-		block_mark_nan(j, c);
+		for (size_t i = 0, p = 0; i < n; i++)
+			if (c->line[i].kind == LINE_POINT &&
+			    mark_nan(j, c, p++) && c->imageless++ == 0)
+				c->first_imageless = c->n_lines + i;
 	if (l->flags || j->visible)
 		frustum_outside_all(&j->frustum, in, w.outside,
 		    c->block_points);
