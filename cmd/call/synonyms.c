@@ -22,7 +22,7 @@ enum {
 static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool aliases, const struct member **object)
 {
-	for (int alias = 0; alias <= aliases; alias++)
+	for (int alias = 0; alias < (aliases ? 2 : 1); alias++)
 		for (int k = 31; k >= 0; k--) {
 			if ((objects >> k & 1) == 0)
 				continue;
