@@ -19,7 +19,7 @@ size_t binary_size(const struct layout *l)
 	return l->keeps ? record_size(l) : point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates, each of size bytes, of n points to rows or to records. */
+/* Copies coordinates of size bytes of n points to rows, or to records if to_records. */
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool to_records, size_t n)
 {
