@@ -49,8 +49,8 @@ size_t cursor_count(struct cursor c)
 	return n;
 }
 
-/* The route to a field that choose looks for in a line or JSON value. path is its name
- * or JSON pointer. If path is NULL, index is its index, from 0; -1: no route. */
+/* The route to a field that choose looks for in a line or JSON value: path is its name
+ * or JSON pointer. If path is NULL, index counts the fields before it; -1: no route. */
 struct route {
 	const char *path;
 	long index;
@@ -133,7 +133,7 @@ static void search_fields(struct search *r, struct cursor c,
     const struct route routes[SOUGHT_MAX])
 {
 	struct chosen *out = r->out;
-	int fields[SOUGHT_MAX] = { 0 }; /* that routes[i] leads to */
+	int fields[SOUGHT_MAX] = { 0 }; /* how many routes[i] leads to */
 	struct field f;
 
 	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {
@@ -220,7 +220,7 @@ void choose_parts(const struct layout *l, const struct chosen *c,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
 
-		/* in a bad line of csv, nan also replaces the quotes */
+		/* in bad csv, nan replaces a coordinate with its quotes */
 		line->at[i] = c->times[i] == 0 ? part_missing :
 		    !whole                     ? line_part(line, f->value) :
 			     line_part(line, trimmed(l->in, f->whole));

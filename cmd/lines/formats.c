@@ -242,7 +242,7 @@ static int decode(const char **s, const char *end, char escape, bool utf8,
 	return n;
 }
 
-/* Writes the text f, in quotes if out has quotes. `escape` is what f escapes with. */
+/* Writes the text f, in quotes if out has quotes. `escape` escapes characters in f. */
 static char *put_quoted(const struct format_row *out, struct span f,
     char escape, char *at)
 {

@@ -61,7 +61,7 @@ struct format_row {
 	const char *nan_text;     /* how nan is written */
 	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int nan_words;            /* how many words of format_number mean nan */
+	int nan_words;            /* so many words of format_number mean nan */
 	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 

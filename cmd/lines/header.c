@@ -32,8 +32,8 @@ static int find_missing_name(const struct layout *l, const struct chosen *c)
 	return i;
 }
 
-/* Returns whether the header has one column for each coordinate, and none with a name
- * that the output adds; if not, writes the reason. */
+/* Returns whether the header has one column for each coordinate, and no column with a
+ * name that the output adds; if not, writes the reason. */
 static bool is_usable(const struct layout *l, struct cursor header,
     const struct chosen *c, char reason[REASON_MAX])
 {

@@ -46,8 +46,8 @@ enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* How points are read and written: the formats of their lines or records, the fields of
- * their coordinates, the numbers written for each, and what is known of the source so
- * far: its header, its first row and its comments. */
+ * their coordinates, the numbers written for each point, and what is known of the
+ * source so far: its header, its first row and its comments. */
 struct layout {
 	struct dialect in, out;
 	enum header header;
@@ -306,10 +306,10 @@ void say_missing(const struct layout *, int i, struct cursor,
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
 void say_comment_columns(struct layout *, struct span text);
 
-/* Returns whether the first row lacks a header that it needs. With --columns by name,
- * returns `lost`: whether the row is a LINE_LOST, which has a reason. Otherwise it
- * lacks one if an earlier file had a header that reordered the columns, or if the row
- * fits a comment that names columns: then writes the reason. */
+/* Returns whether the first row lacks a header that it needs. With --columns by name
+ * this is so if the row is a LINE_LOST (`lost`), which has a reason. Otherwise it is so
+ * if an earlier file had a header that reordered the columns, or if the row fits a
+ * comment that names columns: then writes the reason. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 

@@ -183,7 +183,7 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Passes the number of coordinate k. Returns false if the number is too long for vector
+/* Passes the number that is coordinate k. Returns false if it is too long for vector
  * code or, in JSON, not legal. */
 INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)

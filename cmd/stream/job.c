@@ -147,7 +147,7 @@ struct writer {
 	bool in_place;    /* an image replaces its point, or follows the line */
 	bool adds_values; /* values are added after those that were read */
 	int order[4];     /* of the coordinates on the previous line */
-	unsigned char outside[POINTS_BLOCK]; /* [p]: chunk_flags's outside */
+	unsigned char outside[POINTS_BLOCK]; /* of point p, for chunk_flags */
 
 	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
 	 * loops, and few enough for the first-level cache. */

@@ -87,8 +87,8 @@ static struct {
 };
 
 /* The functions from can_begin_chunk to run_chunks are called, and return, with the
- * lock held. can_begin_chunk returns whether a thread can begin a chunk: up to the first
- * row, each chunk waits for the previous one, which may have the csv header. */
+ * lock held. can_begin_chunk returns whether a thread can begin a chunk: until the
+ * first row each chunk waits for the previous one, which may have the csv header. */
 static bool can_begin_chunk(void)
 {
 	return pool.can_read && pool.unused != NULL &&
