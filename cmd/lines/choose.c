@@ -49,8 +49,8 @@ size_t cursor_count(struct cursor c)
 	return n;
 }
 
-/* The route to a field that choose looks for in a line or JSON value: path is the name
- * or JSON pointer of the field. If path is NULL, index is its number; -1: no route. */
+/* The route to a field that choose looks for in a line or JSON value: path is its name
+ * or JSON pointer. If path is NULL, index counts the fields before it; -1: no route. */
 struct route {
 	const char *path;
 	long index;
@@ -65,9 +65,9 @@ bool is_index(struct span token, long k)
 }
 
 /* Returns whether a route leads to the field f, or into the value of f. The route is
- * for element i of struct chosen, and f is field k after the cursor. Sets *rest to the
- * path within the value, or to "" if the route ends at f. In a header, X may stand for
- * the default name x, and so may device_x if the points are in space device. */
+ * for element i of struct chosen; f has index k. Sets *rest to the path within the
+ * value, or to "" if the route ends at f. In a header the default name x also matches X
+ * and, if the points are in a space named device, device_x and device_X. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
@@ -103,16 +103,16 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 struct search {
 	const struct layout *l;
 	int n;
-	bool text; /* fields of text, found by number */
-	long last; /* the number of the last field that is looked at */
-	int separators, commas; /* separators counted; of these, with a comma */
+	bool text; /* the fields are text, and found by index */
+	long last; /* the index of the last field that is looked at */
+	int separators, commas; /* separators counted; those with a comma */
 	struct chosen *out;
 };
 
-/* Returns whether the separator before f, field k of text, is counted for mixed_commas:
- * each before the last coordinate is, and the one after it if f may be decimals. f may
- * be decimals if f is a number that follows the second of two coordinates, or a comma
- * without a blank. */
+/* Returns whether the separator before f, field k of text, counts for mixed_commas:
+ * each before the last coordinate does, and the next one if f may be the decimals of
+ * that coordinate: f is a number, and there are two coordinates or only a comma is
+ * before f. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {
@@ -133,7 +133,7 @@ static void search_fields(struct search *r, struct cursor c,
     const struct route routes[SOUGHT_MAX])
 {
 	struct chosen *out = r->out;
-	int fields[SOUGHT_MAX] = { 0 }; /* number that routes[i] leads to */
+	int fields[SOUGHT_MAX] = { 0 }; /* how many routes[i] leads to */
 	struct field f;
 
 	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {
@@ -220,7 +220,7 @@ void choose_parts(const struct layout *l, const struct chosen *c,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
 
-		/* in bad csv, nan replaces a coordinate and its quotes */
+		/* in bad csv, nan replaces a coordinate with its quotes */
 		line->at[i] = c->times[i] == 0 ? part_missing :
 		    !whole                     ? line_part(line, f->value) :
 			     line_part(line, trimmed(l->in, f->whole));
@@ -262,7 +262,7 @@ bool choose_is_header(const struct layout *l, struct cursor header)
 	bool has_name = false;
 	struct chosen c;
 
-	header.names = false; /* look for the coordinates of a row */
+	header.names = false; /* find coordinates by index, as in a row */
 	choose(l, header, &c);
 	for (int i = 0; i < l->reads; i++) {
 		const struct span f = c.field[i].value;

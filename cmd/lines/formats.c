@@ -128,7 +128,7 @@ static void next_of_json(struct cursor *c, struct field *f)
 	f->next = *after == ',' ? json_skip_blanks(after + 1, c->end) : NULL;
 }
 
-/* Returns whether the line closes all quotes of fields; if not, writes the reason. */
+/* Returns whether each quote that opens a field is closed; else writes the reason. */
 static bool csv_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
@@ -164,8 +164,8 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 	return after;
 }
 
-/* Returns whether the unquoted field f can be copied unchanged to the dialect d: to
- * JSON a finite number, to csv a text without quotes and separators, to text any. */
+/* Returns whether the unquoted field f can be copied to the dialect d: to JSON if f is
+ * a finite number, to csv if f has no quote or separator, to text always. */
 static bool can_copy(struct dialect d, struct span f)
 {
 	const struct format_row *to = format_of(d);
@@ -199,8 +199,8 @@ const struct format_row format_rows[] = {
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
 	NULL };
 
-/* Writes the control character c: to JSON as an escape, to other formats, where c could
- * end the line, as a blank. A tab stays a tab in csv, where the field is in quotes. */
+/* Writes the control character c: in JSON as an escape, in other formats as a blank,
+ * because c could end the line. In csv, where the field is in quotes, a tab stays. */
 static char *put_control(const struct format_row *out, char c, char *at)
 {
 	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";
@@ -242,7 +242,7 @@ static int decode(const char **s, const char *end, char escape, bool utf8,
 	return n;
 }
 
-/* Writes the text f, whose escape character is escape, in quotes if out has quotes. */
+/* Writes the text f, in quotes if out has quotes. `escape` escapes characters in f. */
 static char *put_quoted(const struct format_row *out, struct span f,
     char escape, char *at)
 {

@@ -27,7 +27,7 @@ struct dialect {
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
-	/* without a member's name, quotes of csv, and outer blanks */
+	/* the field less a member's name, quotes of csv and outer blanks */
 	struct span value;
 	struct span whole;        /* with name; in csv with quotes and blanks */
 	struct span name;         /* a member's name, quoted; else s is NULL */
@@ -50,7 +50,7 @@ struct cursor {
 	bool comma; /* in text: the separator before s has a comma */
 };
 
-enum { REASON_MAX = 320 }; /* bytes for what is wrong with a line */
+enum { REASON_MAX = 320 }; /* bytes of a message that says what is wrong */
 
 /* The properties of a format. */
 struct format_row {
@@ -61,7 +61,7 @@ struct format_row {
 	const char *nan_text;     /* how nan is written */
 	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int nan_words;            /* how many words of format_number mean nan */
+	int nan_words;            /* so many words of format_number mean nan */
 	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 
@@ -78,8 +78,8 @@ struct format_row {
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
-/* Returns the dialect of a format. The separator is for csv; other formats have their
- * own. */
+/* Returns the dialect of a format. `separator` is used for csv only; other formats have
+ * their own. */
 struct dialect dialect_of(enum format, char separator);
 
 static inline const struct format_row *format_of(struct dialect d)
@@ -97,7 +97,7 @@ static inline bool is_binary(enum format f)
 	return format_rows[f].size > 0;
 }
 
-/* Returns the size of a binary point in bytes. */
+/* Returns the size in bytes of a binary point with so many coordinates. */
 static inline size_t point_size(enum format f, int coordinates)
 {
 	return (size_t)coordinates * format_rows[f].size;
@@ -109,8 +109,8 @@ const char *format_number(struct dialect, const char *s, const char *end,
     double *v);
 
 /* Writes the field f, which is in the dialect in, as a field of the dialect out.
- * Returns the end of the output, which has at most two quotes, and six bytes for each
- * byte of f: JSON writes a control character as \u0001. */
+ * Returns the end of the output: at most two quotes plus six bytes for each byte of f,
+ * as JSON writes a control character as \u0001. */
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 

@@ -3,8 +3,8 @@
 
 #include <stdio.h>
 
-/* Skips a # before the names, but not a # that is a field alone. If the separator is a
- * blank, # is never a field alone: "# x y z" has three names. */
+/* Skips a # before the names, but not a # that is a whole field. If the separator is a
+ * blank, # is never a whole field: "# x y z" has three names. */
 struct cursor header_cursor(struct dialect d, struct span text)
 {
 	const bool blanks = d.separator == ' ';
@@ -32,8 +32,8 @@ static int find_missing_name(const struct layout *l, const struct chosen *c)
 	return i;
 }
 
-/* Returns whether the header has one column for each coordinate, and none with a name
- * that the output adds; if not, writes the reason. */
+/* Returns whether the header has one column for each coordinate, and no column with a
+ * name that the output adds; if not, writes the reason. */
 static bool is_usable(const struct layout *l, struct cursor header,
     const struct chosen *c, char reason[REASON_MAX])
 {
@@ -53,8 +53,8 @@ static bool is_usable(const struct layout *l, struct cursor header,
 	return i == 0 && !chosen_clashes(l, c, false, reason);
 }
 
-/* Returns whether the fields are an empty one, 0, 1, 2 and so on: pandas writes such a
- * header for an array, but a point may look the same. If so, writes the reason. */
+/* Returns whether the fields are an empty field, then 0, 1, 2 and so on: pandas writes
+ * such a header for an array, but it may also be a point. If so, writes the reason. */
 static bool is_ambiguous(const struct layout *l, struct cursor c,
     char reason[REASON_MAX])
 {
@@ -74,7 +74,7 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
-/* Returns whether the fields after the cursor are n, or n and an empty last one. */
+/* Returns whether n fields follow the cursor, or n fields and an empty one. */
 static bool has_fields(struct cursor c, size_t n)
 {
 	struct field f;

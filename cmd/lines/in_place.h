@@ -39,7 +39,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts the coordinates 0 to n - 1 in order[] by their places on the line. */
+/* Sorts order[], a list of the coordinates 0 to n - 1, by their places on the line. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
@@ -80,8 +80,8 @@ static inline char added_separator(const struct layout *l,
 					   l->out.separator;
 }
 
-/* Copies the gap, n bytes at s. Copies the first byte without a branch, even if the gap
- * is empty, because most gaps have one byte. */
+/* Copies the n bytes at s, which precede a coordinate or end the line. Copies the first
+ * without a branch, even if n is 0, because n is mostly 1. */
 static inline char *put_gap(const char *s, size_t n, char *out)
 {
 	*out = *s;
@@ -90,9 +90,9 @@ static inline char *put_gap(const char *s, size_t n, char *out)
 	return out + n;
 }
 
-/* Writes a point. Replaces the coordinates, which are on the line in the given order
+/* Writes a point. Replaces the coordinates, which are on the line in the order order[]
  * (if NULL: x, y, z, w), and adds the other values after the last coordinate. If append
- * is set, adds all values after the line. Returns the end of the output. */
+ * is set, only adds all values after the line. Returns the end of the output. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

@@ -23,16 +23,16 @@ enum {
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
 	WORD_MAX = 48,       /* the most bytes of the word of --flags */
 	PREFIX_ROOM = 64, /* bytes for the separator and name before a value */
-	/* fields sought in a line, which are the elements of struct chosen */
+	/* fields sought in a line: the elements of arrays of struct chosen */
 	SOUGHT_MAX = 4 + COORDINATES_MAX + 1,
 };
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
-	int field[4]; /* the number of each coordinate's field, from 0 */
+	int field[4]; /* the index, from 0, of each coordinate's field */
 	/* The name of each coordinate's column or member, by default x, y, z or
-	 * w; or a JSON pointer, which begins with /. NULL: only a number. */
+	 * w; or a JSON pointer, which begins with /. NULL: use field[]. */
 	const char *name[4];
 	bool by_default; /* --columns is not given */
 };
@@ -46,34 +46,34 @@ enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* How points are read and written: the formats of their lines or records, the fields of
- * their coordinates, the numbers of their images, and what is known of the source so
- * far: its header, its first row and its comments. */
+ * their coordinates, the numbers written for each point, and what is known of the
+ * source so far: its header, its first row and its comments. */
 struct layout {
 	struct dialect in, out;
 	enum header header;
 	struct columns columns;
-	int reads, writes; /* how many numbers are read, written for a point */
+	int reads, writes; /* numbers read for each point; written for it */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
 	/* The name of each written number and, last, of the word of --flags; ""
 	 * for a number or word that gets no name or is not written. */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
-	size_t header_fields; /* the fields of the header; 0: no header */
-	/* the fields of the header, or of a longer first row; 0: not known */
+	size_t header_fields; /* how many the header has; 0: no header */
+	/* how many the header or a longer first row has; 0: not known */
 	size_t max_fields;
 	bool reordered;    /* layout_in_order was false for the last header */
-	size_t first_line; /* the number of FIRST_LINE in its source, from 1 */
-	/* comment_names is the number of columns that a # comment above the
-	 * first row names; 0 if there is none, or if it names the coordinates
-	 * first. The first row lacks a header if it has as many fields, and a
-	 * number in each field whose bit is set in comment_numbers.
-	 * comment_reason says so. */
+	size_t first_line; /* the line number of FIRST_LINE, from 1 */
+	/* comment_names is the number of columns that a # comment above the first row
+	 * names; 0 if no comment does, or if its first names are those of the
+	 * coordinates. The first row is taken to lack a header if it has as many
+	 * fields, and a number in each field i, from 0, whose bit i is set in
+	 * comment_numbers. comment_reason is the message then. */
 	size_t comment_names;
 	uint32_t comment_numbers;
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps; /* writes whole records, images in place of points */
-	const char *two_hint; /* a remedy if z is missing; or NULL */
+	bool keeps; /* records are written whole, with new coordinates */
+	const char *two_hint; /* ends the message that z is missing; or NULL */
 	bool single;          /* numbers are written as floats */
 	const char *from;     /* the name of the space of points, or NULL */
 	struct number_style style[COORDINATES_MAX];
@@ -89,7 +89,7 @@ enum line_kind {
 };
 
 /* The bytes [from, to) of a line. A line has at most 64 MiB, or 256 MiB in a
- * document. */
+ * JSON document. */
 struct part {
 	uint32_t from, to;
 };
@@ -97,7 +97,7 @@ struct part {
 struct line {
 	const char *s;     /* the beginning of the line */
 	uint32_t size;     /* in bytes, without the newline */
-	struct part at[4]; /* where coordinates or, in a header, names are */
+	struct part at[4]; /* of each coordinate or, in a header, its name */
 	enum line_kind kind;
 	bool newline;   /* the line ends in a newline */
 	bool object;    /* the line is a JSON object */
@@ -105,7 +105,7 @@ struct line {
 	bool has_bom;   /* the line begins with a byte order mark */
 };
 
-/* The part of a coordinate that is missing in a line. */
+/* Stands for the part of a coordinate that the line lacks. */
 static const struct part part_missing = { 1, 0 };
 
 static inline bool is_missing(struct part p)
@@ -118,8 +118,8 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The written numbers: v[k * stride] is number k, and text[k * text_stride] its
- * text. */
+/* The numbers written for a point: v[k * stride] is number k, and text[k * text_stride]
+ * is its text. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
@@ -156,7 +156,7 @@ static inline size_t record_size(const struct layout *l)
 	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
 }
 
-/* Returns the number of the field that holds coordinate i, from 0. */
+/* Returns the index, from 0, of the field that holds coordinate i. */
 static inline int layout_field(const struct layout *l, int i)
 {
 	return l->columns.n > 0 ? l->columns.field[i] : i;
@@ -198,7 +198,7 @@ void line_read(struct layout *, struct span text, enum first *, struct line *,
  * nan_text of the format. Returns the end of the output. */
 char *line_put_rare_number(const struct layout *, int k, double v, char *out);
 
-/* Returns how many bytes line_write needs for lines of this number and total size. */
+/* Returns the room that line_write needs for `lines` lines of `bytes` bytes in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
@@ -212,8 +212,8 @@ char *line_write(const struct layout *, const struct line *,
 
 /* Writes all fields that hold no coordinate, each after a separator of the output's
  * format. From text to text without --columns, copies the text after the coordinates.
- * Returns the end of the output, which has at most six bytes for each byte of the line,
- * and three more for each field. */
+ * Returns the end of the output, which has at most six bytes for each byte of the line
+ * plus three for each field. */
 char *line_put_rest(const struct layout *, const struct line *, char *out);
 
 /* Returns a cursor before the first field of a line. A line of JSON has to be an array
@@ -234,7 +234,7 @@ size_t cursor_count(struct cursor);
 struct chosen {
 	struct field field[SOUGHT_MAX]; /* the first field that is found */
 	int times[SOUGHT_MAX];          /* how many fields are found */
-	/* the numbers of the first and second field found, from 0 */
+	/* the indexes, from 0, of the first and the second field found */
 	long index[SOUGHT_MAX], second_index[SOUGHT_MAX];
 	bool mixed_commas; /* only some separators of text have a comma */
 };
@@ -245,8 +245,8 @@ void choose(const struct layout *, struct cursor, struct chosen *);
 /* Sets the parts of the line that hold its coordinates. */
 void choose_parts(const struct layout *, const struct chosen *, struct line *);
 
-/* Returns the number of a coordinate whose value overlaps the value of an earlier
- * coordinate: they share a column, or one is inside of the other in JSON. 0: none. */
+/* Returns the index, from 0, of a coordinate whose value overlaps an earlier one: they
+ * share a column, or one is inside of the other in JSON. Returns 0 if there is none. */
 int chosen_overlap(const struct layout *, const struct chosen *);
 
 /* Returns whether a column of a header or a member of an object has a name that the
@@ -254,19 +254,19 @@ int chosen_overlap(const struct layout *, const struct chosen *);
 bool chosen_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Returns whether f is a name: no digit or point precedes its first letter. _ and other
- * alphabets count as letters; signs such as U+2212 do not. */
+/* Returns whether f is a name: no digit or decimal point precedes its first letter. _
+ * and other alphabets count as letters; signs such as U+2212 do not. */
 bool choose_is_name(struct span f);
 
-/* Returns whether a first line is a header: no field of a coordinate is a number, and
- * at least one is a name. */
+/* Returns whether a first line is a header: no field at a coordinate's index is a
+ * number, and at least one is a name. */
 bool choose_is_header(const struct layout *, struct cursor);
 
-/* Returns whether the token is the number k in decimal, without leading zeros. */
+/* Returns whether the token, of a JSON pointer, is k in decimal, less leading zeros. */
 bool is_index(struct span token, long k);
 
 /* Returns whether a line that begins with # is a comment. In csv the first line is a
- * header if # is a field alone or the names of all coordinates follow #. A later line,
+ * header if # is a whole field or the names of all coordinates follow #. A later line,
  * such as #N/A,2,3, is a row if it has as many fields as the header or first row. */
 bool header_is_comment(const struct layout *, struct span text, bool first);
 
@@ -279,9 +279,9 @@ void layout_begin_source(struct layout *);
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether a row of csv has more fields than max_fields, and writes the reason.
- * An empty last field does not count. A longer first row raises max_fields if no
- * coordinate has a name, unless it has one field more than the header: R writes such
+/* Returns whether a row of csv has more fields than max_fields; if so, writes the
+ * reason. An empty last field does not count. A longer first row raises max_fields if
+ * no coordinate has a name, unless it has one field more than the header: R writes such
  * tables, whose header lacks a name for the column of row names. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
@@ -289,12 +289,12 @@ bool header_row_is_long(struct layout *, struct cursor row, enum first,
 /* Returns a cursor over the names of a header, whose text has no byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);
 
-/* Writes why the field is not coordinate i, and how to mend it. */
+/* Writes why the field can't be read as coordinate i, and how to mend it. */
 void say_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field of csv whose separator is a blank; if so, writes
- * the reason. */
+/* Returns whether f is an empty field of csv that has a blank as separator; if so,
+ * writes the reason. */
 bool say_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
 
@@ -302,14 +302,14 @@ bool say_empty_field(const struct layout *, struct span f,
 void say_missing(const struct layout *, int i, struct cursor,
     const struct chosen *, char reason[REASON_MAX]);
 
-/* Sets comment_names, comment_numbers and comment_reason if the comment in text names
+/* Sets comment_names, comment_numbers and comment_reason if `text`, a comment, names
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
 void say_comment_columns(struct layout *, struct span text);
 
-/* Returns whether the first row lacks a header that it needs. With --columns by name,
- * this is so if the row is lost, and thus has a reason. Otherwise it is so if an
- * earlier file had a header that reordered the columns, or if the row fits a comment
- * that names columns: then writes the reason. */
+/* Returns whether the first row lacks a header that it needs. With --columns by name
+ * this is so if the row is a LINE_LOST (`lost`), which has a reason. Otherwise it is so
+ * if an earlier file had a header that reordered the columns, or if the row fits a
+ * comment that names columns: then writes the reason. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
@@ -329,16 +329,16 @@ enum { STRETCH = 1 << 14 };
 
 /* A stretch of text with its index. Places are counted in bytes from text. */
 struct stretch {
-	const char *readable;         /* the bytes from here on may be read */
+	const char *readable;         /* vector code may read from here on */
 	const char *text;             /* the beginning of the stretch */
 	uint32_t at;                  /* the place of the next line */
 	uint32_t end;                 /* the place after the last line */
-	const uint16_t *next;         /* the first stop that is not before at */
+	const uint16_t *next;         /* the first stop at or after `at` */
 	uint16_t stop[STRETCH + 128]; /* the places of the stops */
 };
 
-/* The path of names or indexes from a JSON value to each coordinate, and the size of
- * its first name or index in bytes. SIZE_MAX: the coordinate is not in the value. */
+/* path[i] leads from a JSON value to coordinate i: names or indexes, with / between.
+ * The first has size[i] bytes. SIZE_MAX: the coordinate is not in the value. */
 struct paths {
 	const char *path[4];
 	size_t size[4];
@@ -349,33 +349,33 @@ struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
-	int exact_fields; /* how many fields a line has; 0: up to max_fields */
+	int exact_fields; /* fields that a line must have; 0: up to max_fields */
 	int max_fields;   /* the most fields of a row of csv */
 	bool arrays;      /* lines may be JSON arrays */
 	bool objects;     /* lines may be JSON objects */
 	struct paths paths; /* the paths to the coordinates in an object */
 	/* NULL or, by --append, the names that an object must not have */
 	const char (*added_names)[NAME_ROOM];
-	bool by_column; /* coordinate i is field[i]; false: field i */
+	bool by_column; /* coordinate i has index field[i]; false: i */
 	int field[4];
 };
 
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Sets the stretch at text, and makes its index. Returns false if it has no newline. */
+/* Sets the stretch at text, and its index. Returns false if no newline is in it. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
 /* Walks up to n <= PLAIN_BATCH lines, and sets the places of coordinate k of all lines
  * in element k of the plain_places. Sets bit i of *left if line i is left to line_read.
- * Returns the number of lines walked: at least one, if any are left. */
+ * Returns the number of lines walked; 0 only at the end of the stretch. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 
 /* Reads the numbers of the n lines that walk_lines walked. If bit i is set in left, the
- * numbers of line i mean nothing. Returns left with the bits of further lines that are
- * left to line_read; all other lines are points. */
+ * numbers of line i mean nothing. Returns `left` plus the bits of further lines that
+ * are left to line_read; all other lines are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);
 

@@ -39,7 +39,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 	return true;
 }
 
-/* Returns whether path can name an added member: a short name that needs no escapes. */
+/* Returns whether a member `path` can be added: a short name that needs no escapes. */
 static bool can_be_added(const char *path)
 {
 	char shown[JSON_ESCAPE_MAX * PREFIX_ROOM];
@@ -63,8 +63,8 @@ static bool can_be_kept(const struct layout *l, struct cursor c,
 	return chosen_overlap(l, found) == 0;
 }
 
-/* Returns whether --columns fits a line of JSON, numbers for an array and names for an
- * object; if not, writes the reason. */
+/* Returns whether --columns fits a line of JSON: it must give indexes for an array and
+ * names for an object; if not, writes the reason. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
@@ -148,7 +148,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	choose_parts(l, &found, line);
 	if (first != FIRST_LINE || !line_is_bad(line))
 		return;
-	l->max_fields = 0; /* a bad row may lack fields */
+	l->max_fields = 0; /* unknown, as a bad row may lack fields */
 	if (in->blanks && l->columns.n == 0 && found.times[l->reads - 1] > 0 &&
 	    choose_is_header(l, c))
 		say_text_header(l, text, reason);

@@ -24,13 +24,13 @@ static const char *find_byte(struct span f, char c)
 	return f.s < f.end ? memchr(f.s, c, (size_t)(f.end - f.s)) : NULL;
 }
 
-/* Bytes that may be separators, the likeliest first. `rare` leaves out commas and
+/* Bytes that may separate fields, the likeliest first. `rare` leaves out commas and
  * blanks, which many fields have for other reasons. */
 static const char rare[] = ";|\t", frequent[] = ";|\t, ";
 
-/* Adds to the reason how to mend f, a line or a field. f may begin with a mark of
- * another format or, if the mark is a word, be that word; or else f may have one of the
- * separators before its last byte. Returns false if f has neither. */
+/* Adds to the reason how to mend f, a line or field: if f begins with a mark of another
+ * format (or is the mark, if that is a word), or else if f has one of the separators
+ * before its last byte. Returns false if neither is so. */
 static bool say_mend(const struct layout *l, struct span f,
     const char *separators, char reason[REASON_MAX])
 {
@@ -41,7 +41,7 @@ static bool say_mend(const struct layout *l, struct span f,
 		{ "{", "; is it JSON? say -i json" },
 		{ "(", "; leave out such lines by grep -v '^('" },
 		{ "%", "; % begins no comment: sed 's/^%/#/'" },
-		/* the corner of a box, and a minus */
+		/* lines that frame a table, from U+2500; U+2212, a minus */
 		{ "\xe2\x94",
 		    "; as ASCII: sed '/\xe2\x94\x80/d;s/\xe2\x94\x82/|/g'" },
 		{ "\xe2\x88\x92",
@@ -170,7 +170,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Returns the name in f, a comment's word, without quotes and unit: t if f is t[s]. */
+/* Returns the name in f, a word of a comment, less quotes and unit: t of t[s]. */
 static struct span name_word(struct span f)
 {
 	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
@@ -211,8 +211,8 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the index in names of the name that is made of the first n bytes of a and of
- * word, whose case is ignored; -1 if there is none. */
+/* Returns the index in names of the name that is the first n bytes of a and then
+ * `word`, whose case is ignored; -1 if there is none. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -248,7 +248,7 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 		{ "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "hoehe", "h", "up", "w" };
-	/* w, the last, is no height if points have a coordinate w */
+	/* w, the last of them, is no height if points have a w */
 	const int usable = (int)(sizeof heights / sizeof *heights) -
 	    (reads > 3);
 	const int pairs = sizeof axes / sizeof *axes;
@@ -279,9 +279,9 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 }
 
 /* Adds to the reason all that guess_columns finds: "; say --columns px,py,pz or
- * vx,vy,vz". If numbers is not NULL, writes numbers for names, and sets bit i of
- * *numbers for column i. Returns false, and adds nothing, if nothing is found or it
- * would not fit. */
+ * vx,vy,vz". If `numbers` is not NULL, writes column numbers, from 1, for names, and
+ * sets bit i of *numbers for the column of index i. Returns false, and adds nothing, if
+ * nothing is found or the text would not fit. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
@@ -315,7 +315,7 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 	return reason[was] != '\0';
 }
 
-/* Adds to the reason what to say instead of typed, a name in --columns that no column
+/* Adds to the reason what to say instead of `typed`, a name in --columns that no column
  * or member has: "; did you mean 'x'?" */
 static void say_near(const struct layout *l, struct cursor c,
     const struct names *names, const char *typed, char reason[REASON_MAX])
@@ -506,7 +506,7 @@ void say_text_header(const struct layout *l, struct span line,
 	struct field f;
 	double v;
 
-	/* after a missing value, the reason is about another field */
+	/* after a number or NA the reason is about another field */
 	if (find_byte(line, '=') != NULL || !cursor_next(&c, &f) ||
 	    format_number(l->in, f.value.s, f.value.end, &v) == f.value.end ||
 	    say_remedy(l, f.value, remedy))

@@ -3,8 +3,8 @@
  * format, and convert any other such line. append copies the line and adds values.
  * splice divides the line into fields, and copies, replaces or leaves out each field.
  *
- * The values of a point are its written numbers and the word of --flags: value k <
- * COORDINATES_MAX is number k, and value FLAGS is the word. */
+ * The values of a point are its written numbers and the word of --flags: value k is
+ * number k if k < COORDINATES_MAX, and value FLAGS is the word. */
 #include <math.h>
 #include <string.h>
 
@@ -22,18 +22,18 @@ struct splice {
 	const struct numbers *numbers; /* NULL in a header: names are written */
 	const struct word *flags;
 	struct span separator; /* before each value that is added */
-	const char *done; /* the bytes before done are copied or left out */
-	char *out;        /* the end of the output */
-	size_t fields;    /* the number of fields written so far */
-	unsigned due;     /* bit k is set while value k is to be written */
-	int last; /* added values follow coordinate last; -1: the last field */
+	const char *done;      /* bytes before it are copied or left out */
+	char *out;             /* the end of the output */
+	size_t fields;         /* the number of fields written so far */
+	unsigned due;          /* bit k is set while value k is to be written */
+	int last; /* the coordinate before added values; -1: the last field */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
-	/* In another format a byte of a field may become six, as \u0001 in
-	 * JSON, and a separator a comma and two quotes. The last two
-	 * PREFIX_ROOM are for the word, and for brackets, # and newline. */
+	/* If the format changes, a byte of a field becomes up to six, as \u0001 in
+	 * JSON, and a separator up to three: a comma and two quotes. 2 * PREFIX_ROOM is
+	 * for what precedes the word, and for brackets, # and newline. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
 	    ((size_t)l->writes * (NUMBER_MAX + PREFIX_ROOM) + WORD_MAX +
@@ -48,7 +48,7 @@ char *line_put_rare_number(const struct layout *l, int k, double v, char *out)
 			   number_write(out, v, l->style[k]);
 }
 
-/* Copies the line from done up to s. */
+/* Copies the line from w->done up to s. */
 static void copy_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
@@ -58,7 +58,7 @@ static void copy_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns the name of value k. A coordinate of a bad object keeps its own name. */
+/* Returns the name of value k. A coordinate of a bad JSON object keeps its own name. */
 static const char *value_name(const struct splice *w, int k)
 {
 	const struct layout *l = w->l;
@@ -69,7 +69,7 @@ static const char *value_name(const struct splice *w, int k)
 	return l->name[k];
 }
 
-/* Writes value k or, in a header, its name. The name of a coordinate stays. */
+/* Writes value k or, in a header, its name. Names of coordinates do not change. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
@@ -164,7 +164,7 @@ static void skip_field(struct splice *w, const struct field *f)
 	w->done = end > w->done ? end : w->done;
 }
 
-/* Writes value k in the place of the field f. In a header the name f stays. */
+/* Writes value k in the place of the field f. In a header f itself, a name, stays. */
 static void replace_field(struct splice *w, const struct field *f, int k)
 {
 	const bool coordinate = k < w->l->reads && !w->l->append;
@@ -179,7 +179,7 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 }
 
 /* Copies the fields of a line or, unless outer is set, of a JSON value in the line.
- * Replaces a field by what value_for returns, or leaves it out if that is not due. */
+ * Replaces a field by the value for it, or leaves it out if that value is not due. */
 static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;
@@ -400,7 +400,7 @@ char *line_write(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
-	/* values replace the members of a bad object that have their names */
+	/* in a bad object, values replace members of the same names */
 	bool appends = l->append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->append)

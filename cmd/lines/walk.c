@@ -20,7 +20,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* stops with the same upper half share a bit, of 8 */
+		/* stops whose upper four bits agree share one of 8 bits */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 
@@ -88,12 +88,12 @@ bool stretch_open(struct stretch *s, const struct walk *walk, const char *text,
 struct walker {
 	const char *text;
 	uint32_t at;          /* the position, in bytes from text */
-	const uint16_t *stop; /* the first stop that is not before at */
+	const uint16_t *stop; /* the first stop at or after `at` */
 	bool comma;           /* the last separator has a comma */
 	int found;            /* the number of coordinates passed */
 };
 
-/* Returns whether the stop c is at the position. */
+/* Returns whether the byte at the position is a stop, and is c. */
 INLINE bool stop_is(const struct walker *p, char c)
 {
 	return *p->stop == p->at && p->text[p->at] == c;
@@ -174,7 +174,7 @@ INLINE bool is_json_number(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-/* Where the coordinates of line i are stored. The line begins at the place `begin`. */
+/* Where to store the coordinates of line i of a batch, which begins at `begin`. */
 struct target {
 	const struct walk *walk;
 	struct line *line;
@@ -183,7 +183,7 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Passes the number of coordinate k. Returns false if the number is too long for vector
+/* Passes the number that is coordinate k. Returns false if it is too long for vector
  * code or, in JSON, not legal. */
 INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)
@@ -246,7 +246,7 @@ static bool pass_nested(struct walker *, const struct target *,
  * read the line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
-/* Returns the paths whose bits are set in leads, without their first name or index. */
+/* Returns path i less its first name or index, for each bit i that is set in leads. */
 static struct paths paths_inside(const struct paths *t, unsigned leads)
 {
 	struct paths rest;
@@ -361,7 +361,7 @@ struct fields {
 	const struct paths *paths;
 	int levels;      /* the most levels of brackets in a field */
 	unsigned passed; /* bit i: a field on path i has been passed */
-	/* how many separators text has, and how many with a comma */
+	/* separators passed, and how many of them have a comma */
 	int separators, commas;
 };
 
@@ -479,7 +479,7 @@ static bool pass_nested(struct walker *p, const struct target *t,
 /* The most levels of arrays and objects in a field of a simple line. */
 enum { LEVELS_MAX = 8 };
 
-/* Passes the line up to its last coordinate or its end. */
+/* Passes the line, in text up to its last coordinate, else up to its end. */
 INLINE bool pass_line(struct walker *p, struct dialect d, int n,
     enum lookup lookup, const struct target *t)
 {
@@ -499,7 +499,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 	    (d.format == FORMAT_TEXT || stop_is(p, '\n'));
 }
 
-/* Sets the places of line i, which has no numbers, to a byte that can be read. */
+/* Sets the places of line i, left to line_read, to a byte that vector code may read. */
 static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 {
 	static const char none[PLAIN_BEFORE + 1] = "";

@@ -25,7 +25,7 @@ static struct {
 	bool on, asked;               /* see answer_start_progress */
 	bool to_terminal;             /* each display overwrites the last */
 	bool on_screen;               /* the terminal's line shows progress */
-	double start_time, last_time; /* of counting; of the last display */
+	double start_time, last_time; /* counting began; last display */
 	long long lines;              /* done, of all sources */
 	long long bytes;              /* done, of this source */
 	long long size;               /* bytes of this source; 0: unknown */
@@ -124,7 +124,7 @@ static void print_chunk(const struct job *j, const struct chunk *c)
 	output_write(c->out, c->size);
 }
 
-/* Returns the place of line number `line` of the chunk, counted from 0. */
+/* Returns the place of the chunk's line of index `line`, from 0. */
 static struct place line_place(const struct chunk *c, size_t line)
 {
 	struct place p = c->place;

@@ -19,7 +19,7 @@ size_t binary_size(const struct layout *l)
 	return l->keeps ? record_size(l) : point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates, each of size bytes, of n points to rows or to records. */
+/* Copies coordinates of size bytes of n points to rows, or to records if to_records. */
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool to_records, size_t n)
 {
@@ -76,7 +76,7 @@ static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-/* Makes line c->block_lines of the block bad. Returns what chunk_complain returns. */
+/* Makes line c->line[c->block_lines] bad. Returns what chunk_complain returns. */
 static bool binary_refuse(const struct job *j, struct chunk *c,
     const char *reason)
 {
@@ -85,7 +85,7 @@ static bool binary_refuse(const struct job *j, struct chunk *c,
 }
 
 /* Refuses each of n points that has a coordinate beyond MAGNITUDE_MAX, and removes it
- * from the columns. If such a point ends the chunk, the block ends before the point. */
+ * from the columns c->in. If such a point ends the chunk, the block ends before it. */
 static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 {
 	size_t *kept = &c->block_points;

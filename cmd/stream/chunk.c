@@ -7,7 +7,7 @@
 
 struct chunk *chunk_new(void)
 {
-	/* Vector loops read beyond the last point, so calloc clears the chunk. It gets
+	/* Vector loops read beyond the last point, so calloc clears the chunk: it gets
 	 * so many bytes from the system, already cleared, and does not touch them. */
 	const size_t alignment = _Alignof(struct chunk);
 	char *memory = calloc(1, sizeof(struct chunk) + alignment);

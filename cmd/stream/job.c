@@ -9,7 +9,7 @@
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 
-/* Reads the next line, text, with line_read. Returns false if it ends the chunk. */
+/* Reads `text`, the next line, with line_read. Returns false if it ends the chunk. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
 {
@@ -79,7 +79,7 @@ static void block_read(struct job *j, struct chunk *c)
 	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* line_read reads the header, whose columns walk_plan takes */
+		/* walk_plan needs the columns of a header that line_read read */
 		if (!c->walk_planned && !c->first) {
 			c->walk_planned = true;
 			c->can_walk = number_loops() != NULL &&
@@ -147,7 +147,7 @@ struct writer {
 	bool in_place;    /* an image replaces its point, or follows the line */
 	bool adds_values; /* values are added after those that were read */
 	int order[4];     /* of the coordinates on the previous line */
-	unsigned char outside[POINTS_BLOCK]; /* for chunk_flags, by point */
+	unsigned char outside[POINTS_BLOCK]; /* of point p, for chunk_flags */
 
 	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
 	 * loops, and few enough for the first-level cache. */
@@ -178,8 +178,8 @@ static inline struct numbers image_of(const struct writer *w, size_t p)
 		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 }
 
-/* Writes the line of point p with the point's image. Returns the end of the line. One
- * struct numbers for all ways would take 3 % more time in text. */
+/* Writes the line of point p with the point's image. Returns the end of the line. Each
+ * branch makes its struct numbers: a common one would take 3 % more time in text. */
 static char *put_image(struct writer *w, const struct line *line, size_t p,
     char *at)
 {

@@ -14,7 +14,7 @@
 enum { COMPLAINTS_MAX = 10 };
 
 struct complaint {
-	size_t line;             /* its number in the chunk */
+	size_t line;             /* its index in the chunk, from 0 */
 	char reason[REASON_MAX]; /* what is wrong with the line */
 };
 
@@ -39,7 +39,7 @@ struct chunk {
 	size_t block_lines, block_points;
 	bool walk_planned, can_walk; /* walk_plan was called; returned true */
 	struct walk walk;
-	struct word flags[256]; /* results of chunk_flags; empty until needed */
+	struct word flags[256]; /* chunk_flags's words, by outside; or empty */
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
@@ -59,7 +59,7 @@ struct job {
 	bool rays;              /* print rays instead of images */
 	bool keep_going;        /* after bad lines */
 	bool count_imageless;   /* report points without image at the end */
-	int threads;            /* at most; 0: one for each processor */
+	int threads;            /* the most; 0: one for each processor */
 
 	/* Functions of a command that does not print a line for each point; other
 	 * commands leave them NULL. take_block gets each block before its points are
@@ -74,14 +74,14 @@ struct job {
 
 struct chunk *chunk_new(void);
 
-/* Returns out + size with room for n bytes. The caller adds the number used to size. */
+/* Returns out + size with room for n bytes. The caller adds those used to `size`. */
 char *chunk_reserve(struct chunk *, size_t n);
 
 /* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
- * of the planes whose bits are set in outside. The word belongs to the chunk. */
+ * of the frustum planes with bits set in `outside`. The word belongs to the chunk. */
 const struct word *chunk_flags(struct chunk *, unsigned outside);
 
-/* Adds a complaint about the block's next line. Returns false if it ends the chunk. */
+/* Adds a complaint on the block's next line. Returns false if that ends the chunk. */
 bool chunk_complain(const struct job *, struct chunk *, const char *reason);
 
 /* Writes to the chunk's out the output for its piece, which has whole lines or whole

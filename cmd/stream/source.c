@@ -73,8 +73,8 @@ static bool would_wait(const struct point_source *s)
 	    (poll(&p, 1, 0) <= 0 || (p.revents & POLLNVAL) != 0);
 }
 
-/* Adds n bytes that were read. Searches only these for a newline, as it would take
- * quadratic time to search a long line again after each read. */
+/* Adds to p the n bytes that were read. Searches only these for a newline, as it would
+ * take quadratic time to search a long line again after each read. */
 static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->size + n, whole = end;

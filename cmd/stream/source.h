@@ -16,8 +16,8 @@ enum { PIECE_ROOM = 1 << 17 };
  * piece. Larger pipes would not stay in the cache. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
-/* The number of bytes that may be read after the end of a text. After a document they
- * may also be written: a single point that ends there gets a newline. */
+/* The number of bytes that may be read after the end of a text. If the text is a JSON
+ * document they may also be written: a point at its very end gets a newline there. */
 enum { PIECE_MARGIN = 2 };
 
 enum piece_state {

@@ -79,7 +79,7 @@ static struct {
 	bool can_read;    /* source has not ended, and no thread reads it */
 	bool answering;   /* a thread is answering chunks */
 	enum first first; /* see struct chunk */
-	struct chunk *oldest, **queue_end; /* the chunks begun, not answered */
+	struct chunk *oldest, **queue_end; /* chunks begun, not yet answered */
 } pool = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.changed = PTHREAD_COND_INITIALIZER,
@@ -87,8 +87,8 @@ static struct {
 };
 
 /* The functions from can_begin_chunk to run_chunks are called, and return, with the
- * lock held. can_begin_chunk returns whether a thread can begin a chunk: up to the first
- * row, each chunk waits for the previous one, which may have the csv header. */
+ * lock held. can_begin_chunk returns whether a thread can begin a chunk: until the
+ * first row each chunk waits for the previous one, which may have the csv header. */
 static bool can_begin_chunk(void)
 {
 	return pool.can_read && pool.unused != NULL &&
@@ -175,7 +175,7 @@ static void answer_done_chunks(void)
 	pool.answering = false;
 }
 
-/* Works on chunks, forever or until the source is finished. */
+/* Works on chunks, endlessly if `forever` is set, else until the source is finished. */
 static void run_chunks(bool forever)
 {
 	int looks = 0;
