@@ -11,7 +11,7 @@ struct fit {
 	struct extremes extremes;
 };
 
-/* Adds the points of a block to the extremes of the chunk, which are in c->out. */
+/* Adds the points c->in of a block to the extremes of the chunk, stored in c->out. */
 static void fit_take_block(const struct job *j, struct chunk *c)
 {
 	const struct fit *fit = j->data;

@@ -17,8 +17,8 @@ static void put_heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
-/* Prints a member's name, type, unit, meaning and default. types may be NULL; if not,
- * it has the names of the object's types: prints the types that have the member. */
+/* Prints a member's name, type, unit, meaning and default. `types` may be NULL; if not,
+ * it has the names of the object's types: prints those types that have the member. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LIST_ROOM], type[2 * LIST_ROOM];
@@ -115,8 +115,8 @@ void help_command(const struct command *c)
 	print(" projcalc %s %s\n", c->name, c->example);
 }
 
-/* Prints a row of the table of conventions: name, and the word that each choice selects
- * or, if choices is NULL, the names of the members. */
+/* Prints a row of the table of conventions: `name`, then a column for each member: the
+ * word that choices[m->offset] selects or, if `choices` is NULL, the member's name. */
 static void print_convention_row(const char *name, const bool *choices)
 {
 	print("  %-8s", name);

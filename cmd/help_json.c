@@ -15,7 +15,7 @@ static void put_text_member(struct printer *p, const char *name, const char *s)
 		put_literal(p, "null");
 }
 
-/* Puts a member with an array of the words that bits select; words may be NULL. */
+/* Puts a member with an array of the words that `bits` selects; `words` may be NULL. */
 static void put_words(struct printer *p, const char *name,
     const char *const *words, unsigned bits)
 {
@@ -89,8 +89,8 @@ static void put_range(struct printer *p, const struct value_range *r)
 	put_number(p, r->max);
 }
 
-/* Puts the row of a member: of the scene or, if object is not NULL, of the scene's
- * member called object. types has the names of the object's types. */
+/* Puts the row of a member: of the scene or, if `object` is not NULL, of the scene's
+ * member called `object`. `types` has the names of the object's types. */
 static void put_member(struct printer *p, const struct member *row,
     const char *object, const char *const *types)
 {
@@ -113,7 +113,7 @@ static void put_member(struct printer *p, const struct member *row,
 	put_close(p, "}");
 }
 
-/* Puts the ways to combine members of object, and the ways of fit if they differ. */
+/* Puts the ways to combine members of `object`, and those for fit if they differ. */
 static void put_ways(struct printer *p, const char *object,
     const struct ways *w, const char *const *types)
 {

@@ -63,7 +63,7 @@ static void put_vector(struct printer *p, const double *v, int n)
 	put_numbers(p, v, isnan(*v) ? 0 : n);
 }
 
-/* Puts an array of rows of n numbers each; or null if is_null is true. */
+/* Puts a member: an array of rows of n numbers each, or null if is_null is true. */
 static void put_rows(struct printer *p, const char *name, const double *v,
     int rows, int n, bool is_null)
 {
@@ -78,7 +78,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-/* Puts an object with one number or, if n > 0, an array of n numbers for each side. */
+/* Puts for each of the first `sides` names one number or, if n > 0, an array of n. */
 static void put_sides(struct printer *p, const char *name, int sides,
     const double *v, int n)
 {
@@ -123,7 +123,7 @@ static void check_distances(const struct document *d, const struct options *o,
 	double near = depth_distance(z, false), far = depth_distance(z, true);
 	char why[160];
 
-	if (isnan(far)) /* far is behind the eye, and no limit */
+	if (isnan(far)) /* the far plane is behind the eye: no limit */
 		far = HUGE_VAL;
 	for (int i = 0; i < o->distances.n && !z->open; i++) {
 		double at = o->distances.v[i];

@@ -81,7 +81,7 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool computed = false; /* outside and, if finite_near, view are set */
+	bool computed = false; /* `outside`, and `view` if finite_near, set */
 
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -160,7 +160,7 @@ static int hit_compare(const void *a, const void *b)
 }
 
 /* Sorts hits, the nearest first: by the doubles of their distances, then hits of equal
- * doubles by exact distances, unless those are in order already. */
+ * doubles by exact distances, unless they are in that order already. */
 static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 {
 	hit_picker = NULL;
@@ -195,7 +195,7 @@ static size_t hits_first_printed(struct hit *const *hit, size_t n)
 static void print_hits(const struct job *j)
 {
 	struct hits *h = j->data;
-	/* large enough: "line" and its number are shorter than struct hit without text */
+	/* large enough: {"line":NUMBER, is shorter than a struct hit without text */
 	char *const out = xrealloc(NULL, h->size), *at = out;
 	struct hit **hit = xrealloc(NULL, (h->n + 1) * sizeof(struct hit *));
 

@@ -11,7 +11,7 @@ enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
 
 struct trace {
 	int n_spaces;                /* 6, or 5 without a viewport */
-	struct transform to[SPACES]; /* from the space of the points */
+	struct transform to[SPACES]; /* from the points' space to each space */
 	char label[SPACES][16];      /* text before the image in a space */
 	bool printed;                /* a point was printed */
 };
@@ -45,7 +45,7 @@ static void images_transform(struct images *m, const struct job *j,
 
 /* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
  * number beyond the range of doubles (with -p single, of floats) is nan or, in JSON,
- * null. If m is NULL, so are all. In JSON, null replaces an array of nulls only. */
+ * null; if m is NULL, every number is. In JSON, an array of only nulls becomes null. */
 static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {

@@ -10,8 +10,8 @@
 struct options;
 struct transform;
 
-/* Commands of one kind take the same options. Kinds are bits: the row of an option has
- * the bits of all kinds that take the option. */
+/* Commands of one kind take the same options. Kinds are bits: option_row.kinds has the
+ * bits of all kinds of commands that take the option. */
 enum command_kind {
 	MATRIX_3D = 1, /* prints a 3D matrix, or the images of points */
 	PROJECT = 2,
@@ -29,11 +29,11 @@ struct command {
 	enum command_kind kind;
 	/* Reads the current scene and prints the answer. Does not return after errors. */
 	void (*run)(const struct options *);
-	/* What the command needs of a document. read_document sets the members that
-	 * depend on the options and on the text's place in the file. */
+	/* What the command needs of a document. read_document completes a copy by the
+	 * options and by the place of the document's text in its file. */
 	struct document_wants wants;
-	/* For matrix commands: the spaces from and to which the matrix maps, and the
-	 * space of the images of points. Values are of enum flat_space for MATRIX_2D,
+	/* For matrix commands: the matrix maps space `from` to space `to`, and points
+	 * are printed in space points_to. Values are of enum flat_space for MATRIX_2D,
 	 * of enum space for MATRIX_3D. */
 	int from, to, points_to;
 	/* Arguments for an example of a call, as typed in a shell. */
@@ -61,7 +61,7 @@ void help_command(const struct command *);
 bool help_member(const char *name);
 void help_json(const struct command *, const char *version);
 
-/* Returns the command called name, or NULL. A name of NULL ends the table c. */
+/* Returns the command called `name` in the table c, which a NULL name ends; or NULL. */
 static inline const struct command *find_command(const struct command *c,
     const char *name)
 {

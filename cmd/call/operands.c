@@ -9,8 +9,8 @@
 
 #include "../message/message.h"
 
-/* Refuses word, an operand that is no file, for the reason `why`. The message ends with
- * `hint` or, if word is the name of an option, with that option. The name may follow
+/* Refuses `word`, an operand that is no file, for the reason `why`. The message ends
+ * with `hint` or, if `word` is an option's name, with that option. The name may follow
  * characters from U+2010 to U+201F, such as the dash that editors make of "--". */
 static _Noreturn void refuse_no_file(const struct command *c, const char *word,
     const char *why, const char *hint)
@@ -135,8 +135,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses options that exclude each other. If printed is set, the job prints images of
- * points: if there are binary records, the images have to fit into them. */
+/* Refuses options that exclude each other. If `printed` is true, the command prints
+ * images of points: if the output has binary records, an image has to fit into one. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
@@ -211,7 +211,7 @@ static void name_numbers(struct layout *l, const char *space)
 
 static void prepare_job(struct job *j, const struct options *o)
 {
-	/* a ray is made of x y, and is written as a point and a direction */
+	/* a ray is made from 2 numbers, x y, and written as 6: point and direction */
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
 		.out = dialect_of(options_output(o), o->separator),
@@ -244,7 +244,7 @@ static void prepare_job(struct job *j, const struct options *o)
 }
 
 /* Does the job on the points of a text that document_points or document_read made:
- * lines of JSON, whatever --input says. Messages call the text name. */
+ * lines of JSON, whatever --input says. Messages call the text `name`. */
 static void run_json_points(const struct options *o, struct job *j,
     const char *name, const char *text, size_t size)
 {

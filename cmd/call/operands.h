@@ -6,7 +6,7 @@
 #include "options.h"
 #include "../stream/job.h"
 
-/* The hint of pick about a point of two numbers, which may be meant for --at. */
+/* Ends a message of pick about a point of two numbers: was it meant for --at? */
 #define POSITION_HINT "; --at 320,240 is the position"
 
 /* Refuses operands that the command does not take or that can't be opened. Runs before
@@ -17,8 +17,8 @@ void operands_check(const struct options *);
  * --scenes there is one; with --scenes, messages begin with the document's number. */
 bool params_next(const struct options *);
 
-/* Reads the current document for the command and the options. The points stay in the
- * text of PARAMS until the next call of params_next. */
+/* Reads the current document for the command and the options. document.points stays
+ * valid until the next call of params_next. */
 void read_document(const struct options *, struct document *);
 
 /* Returns whether there are points, as operands or in the document. If there are none,
@@ -26,8 +26,8 @@ void read_document(const struct options *, struct document *);
 bool has_points(const struct options *, const struct document *);
 
 /* Completes the job by the options, and does it on all points: those of the operands,
- * else of the document, else of standard input. The caller has set the job's transform
- * or ray maker. Operands are read once for all scenes. */
+ * else of the document, else of standard input. The caller has set job.transform, or
+ * job.rays and job.ray. Operands are read once for all documents of --scenes. */
 void run_points(const struct options *, const struct document *, struct job *);
 
 /* A text of size bytes at s. s has memory for room bytes and PIECE_MARGIN more, as the

@@ -16,7 +16,7 @@ const char *const precision_names[] = { "exact", "double", "single", NULL };
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
-/* Reads one of r->words, and sets *r->global or the option's member to its index. */
+/* Sets *r->global, or the option's member, to the index of `word` in r->words. */
 static void option_read_word(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -75,7 +75,7 @@ static void option_read_format(struct options *o, const struct option_row *r,
 	option_read_word(o, r, word);
 }
 
-/* Reads a number from SIZE_MIN to MAGNITUDE_MAX. */
+/* Reads a number from SIZE_MIN to MAGNITUDE_MAX to the option's member. */
 static void option_read_size(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -162,7 +162,7 @@ static void option_read_styles(struct options *o, const struct option_row *r,
 	}
 }
 
-/* Reads a list of fields, by number from 1 or by name: "2,z". */
+/* Reads a list of fields of a line, each by its number, from 1, or its name: "2,z". */
 static void option_read_columns(struct options *o, const struct option_row *r,
     char *list)
 {

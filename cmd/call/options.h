@@ -9,15 +9,15 @@
 #include "command.h"
 
 /* The list of --decimals or --digits: a style for each printed coordinate. The last
- * number of the list also holds for all further coordinates. */
+ * style of the list also holds for all further coordinates. */
 struct styles {
-	int n; /* numbers in the list; 0: neither option was given */
+	int n; /* styles in the list; 0: neither option was given */
 	struct number_style style[COORDINATES_MAX];
 };
 
 enum { NUMBER_LIST_MAX = 32 };
 
-/* The numbers of an option's list. The magnitude of each is at most 1e150. */
+/* An option's argument that is a list of numbers, each at most 1e150 in magnitude. */
 struct number_list {
 	int n; /* 0: the option was not given */
 	double v[NUMBER_LIST_MAX];
@@ -54,7 +54,7 @@ struct options {
 	char **points; /* the operands POINTS */
 };
 
-/* In the order of enum precision and enum space; NULL ends them. */
+/* Names in the order of enum precision and of enum space; NULL ends each array. */
 extern const char *const precision_names[], *const space_names[];
 
 struct option_row {
@@ -81,11 +81,11 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Reads --errors and --color wherever they stand in words. They are read before all
- * other words, as they decide how messages about those words look. */
+/* Reads --errors and --color wherever they stand in `words`. They are read before all
+ * other words, as they decide how messages about the other words look. */
 void options_read_first(char **words);
 
-/* Returns the option called name, which ends at NUL, = or a blank; or NULL. */
+/* Returns the option called `name`, which ends at NUL, = or a blank; or NULL. */
 const struct option_row *option_named(const char *name);
 
 /* Returns whether the command takes the option. Either may be NULL. */
@@ -94,8 +94,8 @@ bool option_is_for(const struct option_row *, const struct command *);
 /* Reads the options and operands behind a command's name, up to --help or --version. */
 void options_read(struct options *, char **words);
 
-/* Returns the number of coordinates that the command reads of a point, by the options.
- * In a document of two dimensions, points have two coordinates instead. */
+/* Returns how many coordinates the command reads of a point, by the options alone: the
+ * result ignores that points have two if the document has two dimensions. */
 int coordinates_of(const struct options *);
 
 /* Returns the format of printed points: by -o, else that of the input. */
@@ -107,19 +107,19 @@ struct number_style options_style(const struct options *);
 
 struct member;
 
-/* Searches the scene and its objects, the last object first. Returns the member called
- * name, else one with the alias name, else NULL. Sets *object to the member of the
- * scene that is the result or contains the result. */
+/* Searches all members of scenes and of their objects, from the last object to the
+ * first. Returns the member called `name`, else one with this alias, else NULL. Sets
+ * *object to the member of the scene that is the result or contains the result. */
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses word, an unknown command or, if topic is set, an unknown topic of help. A
- * name of NULL ends the table commands. */
+/* Refuses `word`, an unknown command or, if `topic` is true, an unknown topic of help.
+ * A name of NULL ends the table `commands`. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses option, such as "--eye" or "-eye", if name names an option or a member, or if
- * synonym_of has a hint. name is option without dashes, or a letter's long name. */
+/* Refuses `option`, such as "--eye" or "-eye", if `name` is an option or member, or has
+ * a hint by synonym_of. `name` is `option` without dashes, or a letter's long name. */
 void synonym_check_option(const struct command *, const char *option,
     const char *name);
 

@@ -7,8 +7,8 @@
 #include "../message/message.h"
 #include "options.h"
 
-/* Sets names to the names of the command's options that begin with word, and a last
- * NULL. Returns the number of these options. */
+/* Fills `names` with the names of the command's options that begin with `word`, and a
+ * NULL after them. Returns how many names there are. */
 static int option_names(const struct command *c, const char *word,
     const char *names[OPTIONS_MAX + 1])
 {
@@ -22,8 +22,8 @@ static int option_names(const struct command *c, const char *word,
 	return count;
 }
 
-/* Refuses word, an option that c does not take. name is word without dashes or, if word
- * is the letter of an option of other commands, the long name of that option. */
+/* Refuses `word`, an option that c does not take. `name` is `word` without dashes or,
+ * if `word` is the letter of an option of other commands, the option's long name. */
 static _Noreturn void refuse_option(const struct command *c, const char *word,
     const char *name)
 {
@@ -41,7 +41,7 @@ static _Noreturn void refuse_option(const struct command *c, const char *word,
 	    c->name, word, c->name);
 }
 
-/* Returns c's option for word: "--" and the name, or a unique beginning of the name. */
+/* Returns c's option for `word`: "--", then the name or a unique beginning of it. */
 static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {
@@ -74,8 +74,8 @@ static const struct option_row *find_letter_option(const struct command *c,
 	return r;
 }
 
-/* Sets an option. The option's argument is value or, if value is NULL, the word **next;
- * then *next moves past the word. */
+/* Sets an option. Its argument, if it takes one, is `value` or, if `value` is NULL, the
+ * word **next, and *next then moves past the word. */
 static void set_option(struct options *o, const struct option_row *r,
     char *value, char ***next)
 {
@@ -142,8 +142,8 @@ static void choose_output(struct options *o)
 		    o->command->name);
 }
 
-/* Moves the operands to the beginning of words. Options may stand between operands,
- * unless POSIXLY_CORRECT is set. */
+/* Moves the operands to the beginning of `words`. Options may stand between operands,
+ * unless the environment has POSIXLY_CORRECT. */
 void options_read(struct options *o, char **words)
 {
 	char **operand = o->points = words;

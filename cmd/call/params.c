@@ -15,17 +15,17 @@ static struct {
 	const char *name;
 	int fd; /* -1: all of PARAMS is read */
 	struct text text;
-	long number; /* of the document, from 1 */
-	/* Offsets in text: of the document, and of the next byte in the search for the
-	 * document's end. The search counts quotes and brackets only, so that it finds
-	 * the end of invalid JSON, too. */
+	long number; /* index of the document, from 1 */
+	/* Offsets in text: the document begins at `begin`, and the search for its end
+	 * continues at `end`. The search counts quotes and brackets only, so that it
+	 * finds the end of invalid JSON, too. */
 	size_t begin, end;
-	/* The lines and columns (in bytes) of begin and end, from 1. next_scene finds
-	 * all four before the readers of the document change the text. */
+	/* The lines and columns (in bytes) of `begin` and `end`, from 1. next_scene
+	 * sets all four before the readers of the document change the text. */
 	long long line, end_line;
 	size_t column, end_column;
-	long level;           /* open brackets at end */
-	bool quoted, escaped; /* end is in a string; is after a backslash */
+	long level;           /* number of brackets open at `end` */
+	bool quoted, escaped; /* `end` is in a string; is after a backslash */
 } params = { .line = 1, .column = 1, .end_line = 1, .end_column = 1 };
 
 static void params_open(const struct options *o)
@@ -62,8 +62,8 @@ static bool params_more(void)
 	return false;
 }
 
-/* Moves begin past white space and byte order marks, which stand between concatenated
- * files. Returns false if text ends at begin or within a byte order mark. */
+/* Moves `begin` past white space and byte order marks, which stand between concatenated
+ * files. Returns false if text ends at `begin` or within a byte order mark. */
 static bool params_skip_blanks(void)
 {
 	const char *s, *next = params.text.s + params.begin;

@@ -16,9 +16,9 @@ enum {
 	SHOWN_ROOM = 64,    /* for the name of a member or option */
 };
 
-/* Returns the member called name or else, if aliases is set, a member with that alias;
- * or NULL. Searches the members of the scene whose bits are set in objects, the last
- * first, and in each those that the kind has. Sets *object as synonym_find does. */
+/* Returns the member called `name` or else, if `aliases` is true, a member with this
+ * alias; or NULL. Searches the members of a scene whose bits `objects` has, from the
+ * last on, and their members of the kind. Sets *object as synonym_find does. */
 static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool aliases, const struct member **object)
 {
@@ -50,10 +50,10 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that names m: a member of the scene if m is object, else a member of
- * object. The message is `unknown` ("unknown topic 'eye'"), then the example of object
- * if the example shows m, else the topic of help about m. reads has the members of the
- * scene that the command reads, as bits. */
+/* Refuses a word that names m: a member of the scene if m is `object`, else a member of
+ * `object`. The message is `unknown` ("unknown topic 'eye'"), then object->example if
+ * it shows m, else the topic of help about m. `reads` has the members of the scene that
+ * the command reads, as bits. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -91,8 +91,8 @@ static const char *option_takers(const struct option_row *r,
 	return list_words(list, takers, " and ", "");
 }
 
-/* Refuses name. The message is `unknown`, then the hint from synonym_of. If the hint is
- * an option that c lacks, or c is NULL, lists the commands that take the option. */
+/* Refuses `name`. The message is `unknown`, then `hint`, from synonym_of. If it is an
+ * option that c lacks, or c is NULL, lists the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *name, const char *hint)
 {
@@ -114,8 +114,8 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	    option_takers(r, list));
 }
 
-/* Refuses name if it names an option or a member, or if synonym_of has a hint. The user
- * typed name as an option of c or, if c is NULL, as a command or a topic. */
+/* Refuses `name` if it is an option's or a member's, or if synonym_of has a hint. The
+ * user typed it as an option of c or, if c is NULL, as a command or a topic. */
 static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {
@@ -165,7 +165,7 @@ void synonym_check_option(const struct command *c, const char *option,
 	check_word(c, unknown, name);
 }
 
-/* Returns the command, member, --help or --version that is nearest to word; or NULL. */
+/* Returns what is nearest to `word`: a command, member, --help, --version; or NULL. */
 static const char *nearest_known(const struct command *commands,
     const char *word)
 {

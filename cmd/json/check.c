@@ -77,7 +77,7 @@ static bool after_comma(const struct json_check *s)
 	return p > s->text && p[-1] == ',';
 }
 
-/* Returns a hint about the wrong character at s->at, or fallback if there is none. */
+/* Returns a hint about the wrong character at s->at, or `fallback` if none is known. */
 static const char *hint_of(const struct json_check *s, const char *fallback)
 {
 	const char *p = s->at;
@@ -97,8 +97,8 @@ static const char *hint_of(const struct json_check *s, const char *fallback)
 	return fallback;
 }
 
-/* Returns false. Writes to s->reason what is wanted, what is at s->at instead, and a
- * hint: that of hint_of or else, unless it is NULL, the given hint. */
+/* Returns false. Writes to s->reason `wanted`, what is at s->at instead, and a hint:
+ * that of hint_of or, if there is none, `hint`, which may be NULL. */
 static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
@@ -216,7 +216,7 @@ static bool check_scalar(struct json_check *s)
 
 static bool check_brackets(struct json_check *s, const char *path);
 
-/* Checks a value. path is the part of s->pointer after the tokens that led to the
+/* Checks a value. `path` is the part of s->pointer after the tokens that led to the
  * value, or NULL if s->pointer leads elsewhere. */
 static bool check_value(struct json_check *s, const char *path)
 {
@@ -234,8 +234,8 @@ static bool check_value(struct json_check *s, const char *path)
 	return good;
 }
 
-/* Returns path without its first token if this token is the name or, if name.s is NULL,
- * the index. Returns NULL if the token is another or path has none. */
+/* Returns `path` without its first token if the token is `name` or, if name.s is NULL,
+ * `index`. Returns NULL if the token is another or `path` has none. */
 static const char *path_after(const char *path, struct span name, long index)
 {
 	struct span token = { path, path };
@@ -270,7 +270,7 @@ static bool check_member(struct json_check *s, const char *path)
 }
 
 /* Returns false. Refuses the text at s->at, which follows a value in the array or
- * object that begins at open, but is neither a comma nor the closing bracket. */
+ * object that begins at `open`, but is neither a comma nor the closing bracket. */
 static bool refuse_no_comma(struct json_check *s, const char *open)
 {
 	const char *wanted = *open == '{' ? "',' or '}'" : "',' or ']'";

@@ -72,7 +72,7 @@ const char *member_type(const struct member *row, char out[LIST_ROOM])
 	return out;
 }
 
-/* Sets names, which NULL ends, to the members in bits that objects of the kind have. */
+/* Fills `names`, which NULL ends, with the members in `bits` that the kind has. */
 static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
@@ -157,7 +157,7 @@ struct way_bits {
 };
 
 /* Returns the bits of a list of ways for a kind, and keeps them for the next call. The
- * tables have fewer pairs of a list and a kind than kept has elements. */
+ * tables have fewer pairs of a list and a kind than the array `kept` has elements. */
 static const struct way_bits *find_way_bits(const struct member *table,
     int kind, const char *const *list)
 {
@@ -177,7 +177,7 @@ static const struct way_bits *find_way_bits(const struct member *table,
 	return b;
 }
 
-/* Writes the names of the members in bits. Returns out. */
+/* Writes the names of the members in `bits`. Returns `out`. */
 static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
     uint64_t bits)
 {
@@ -202,9 +202,9 @@ static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
 	}
 }
 
-/* Refuses v because of m, the first member whose bit is set in members. If way is 0, m
- * is missing. If not, way has, as bits, the given members of a way that is complete,
- * and m does not belong to that way. */
+/* Refuses v because of m, the first member whose bit `members` has. If `way` is 0, m is
+ * missing. If not, `way` has, as bits, the given members of a way that is complete, and
+ * m does not belong to that way. */
 static _Noreturn void refuse_way(const struct value *v,
     const struct way_bits *b, uint64_t given, uint64_t members, uint64_t way)
 {

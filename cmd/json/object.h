@@ -87,41 +87,41 @@ struct ways {
 	bool own_plane; /* --plane takes the ways of fit_way, too */
 };
 
-/* Reads an object of the kind to the struct at base: all defaults, the members that are
- * given, and for each struct ways of the row the index of the object's way. Returns the
- * given members as bits. If base is NULL, reads no values. kind is 0 if table has no
+/* Reads an object of the kind to the struct at `base`: all defaults, the given members,
+ * and for each struct ways of the row the index of the object's way. Returns the given
+ * members as bits. If `base` is NULL, reads no values. `kind` is 0 if the table has no
  * kinds. Ignores $schema, members that begin with _, and those that any document may
  * have. Refuses members that are unknown or repeated, and objects that fit no way. */
 uint64_t object_read(const struct value *, const struct member *row, int kind,
     void *base);
 
-/* Reads the value of a member to its field in the struct at base. */
+/* Reads the value of a member to its field in the struct at `base`. */
 void object_read_member(const struct value *, const struct member *,
     void *base);
 
-/* Prints the struct at base as an object with those members in bits that the kind has.
- * Leaves out defaults, sizes of 0, which were not given, and members that belong only
- * to ways other than the struct's. */
+/* Prints the struct at `base` as an object with those members in `bits` that the kind
+ * has. Leaves out defaults, sizes of 0, which were not given, and members that belong
+ * only to ways other than the struct's. */
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
-/* Returns the first row that objects of the kind have and that is called name, or NULL.
- * If alias is set, the row may also have the alias name, or differ from name in case, _
- * and - only. The table may be NULL. */
+/* Returns the first row that objects of the kind have and that is called `name`, or
+ * NULL. If `alias` is true, the row may also have `name` as an alias, or a name that
+ * differs from it in case, _ and - only. The table may be NULL. */
 enum { ANY_KIND = -1 }; /* searches all rows */
 const struct member *member_named(const struct member *, int kind,
     const char *name, bool alias);
 
 /* Returns the words for a member's type in the help, such as "3 numbers", "size", "left
- * or right". The words may be written to out. */
+ * or right". The words may be written to `out`. */
 const char *member_type(const struct member *, char out[LIST_ROOM]);
 
-/* Returns, as bits, the members in names, which is a way of struct ways, that objects
- * of the kind have. If required is set, leaves out optional members. */
+/* Returns, as bits, the members in `names`, which is a way of struct ways, that objects
+ * of the kind have. If `required` is true, leaves out optional members. */
 uint64_t member_bits(const struct member *, int kind, const char *names,
     bool required);
 
-/* Returns the index of the object's way. given has the object's members as bits.
+/* Returns the index of the object's way. `given` has the object's members as bits.
  * Refuses an object that fits no way: a member is missing, or is only in other ways. */
 int object_way(const struct value *, const struct member *, int kind,
     uint64_t given, const struct ways *);

@@ -28,7 +28,7 @@ void put_text(struct printer *, const char *);
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 
-/* Prints the name of a member, and returns the printer for the member's value. */
+/* Prints the name of a member, whose value is to follow. Returns the same printer. */
 struct printer *put_name(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *);

@@ -21,7 +21,7 @@ struct source {
 	bool column_vectors;   /* matrices are for column, not row, vectors */
 	unsigned unit;         /* of angles: an enum angle_unit */
 	unsigned implied_type; /* of a projection without "type"; or 0 */
-	bool for_fit;          /* what the command fit finds may be missing */
+	bool for_fit;          /* members that fit computes may be missing */
 	bool for_plane;        /* near and far may be missing, for --plane */
 	bool flat;             /* the document is of two dimensions */
 	bool has_axes;         /* a convention gives the view axes */
@@ -51,7 +51,7 @@ struct value {
 	const struct cJSON *item; /* NULL: the value is missing */
 };
 
-/* The numbers that a member may be. */
+/* The range that the number of a value must be in. */
 struct value_range {
 	double min, max;
 	const char *wanted; /* for a message: "a number ... is wanted" */
@@ -59,7 +59,7 @@ struct value_range {
 	bool min_excluded, max_excluded;
 };
 
-/* Numbers of at most 1e150 in magnitude; sizes, from 1e-150 to 1e150. */
+/* range_any: numbers of at most 1e150 in magnitude; range_positive: 1e-150 to 1e150. */
 extern const struct value_range range_any, range_positive;
 
 /* Parses a document and returns its value; refuses text that is not JSON. The values
@@ -69,9 +69,9 @@ extern const struct value_range range_any, range_positive;
 struct value value_parse_document(struct source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
-/* Sets the type and number of *v, and nothing else, to those of the value at s in
- * checked text. They are valid until the next call. Returns the end of the value,
- * unless the value is an array or object. */
+/* Sets the type and number of *v, and nothing else, to those of the value at s, in text
+ * that json_check accepts. They are valid until the next call. Returns the end of the
+ * value, unless the value is an array or object. */
 const char *value_peek(struct value *v, const char *s, const char *end);
 
 /* Returns the value of text, a literal of the program, such as a default. Each of at

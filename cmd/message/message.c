@@ -58,7 +58,7 @@ static void add_escaped(const char *s)
 	    strnlen(s, MESSAGE_MAX), message_state.json, "");
 }
 
-/* Adds the message as text. The place is first or, if p->before_place is set, last. */
+/* Adds the message to `line` as text: place first or, if p->before_place, last. */
 static void add_text(int status, const struct place *p,
     struct scene_place scene, const char *message)
 {
@@ -115,7 +115,7 @@ static void add_member(const char *name, const char *s)
 	addf("\"");
 }
 
-/* Adds the message as a JSON object, up to the quote that ends its reason or hint. */
+/* Adds the message to `line` as a JSON object, up to the quote after reason or hint. */
 static void add_json(const struct place *p, struct scene_place scene,
     char *message)
 {
@@ -156,7 +156,7 @@ static void print_line(int status, const struct place *place,
 		add_text(status, p, scene, message);
 	unsigned invisible = escape_find_invisible(line.s);
 
-	line.n -= message_state.json; /* drops the last quote */
+	line.n -= message_state.json; /* in JSON drops the last quote */
 	if (invisible != 0)
 		addf(" (U+%04X is invisible)", invisible);
 	if (message_state.json)

@@ -12,7 +12,7 @@ enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 
 /* The place of a document that --scenes reads. */
 struct scene_place {
-	long number; /* of the document, from 1; 0: none */
+	long number; /* index of the document, from 1; 0: no document */
 	long line;   /* the first line of the document, from 1 */
 };
 
@@ -22,11 +22,11 @@ struct place {
 	const char *file;
 	long long line;      /* from 1; text omits it if pointer is set */
 	size_t column;       /* in bytes from 1; shown in JSON alone */
-	bool of_points;      /* line counts binary points */
+	bool of_points;      /* `line` is the index of a binary point, from 1 */
 	const char *pointer; /* into a JSON document: "/camera/eye" */
 	/* If scene.number is 0, message_state.scene is used instead. */
 	struct scene_place scene;
-	bool of_scene; /* the message refuses a scene; --keep-going skips it */
+	bool of_scene; /* a scene is refused; --keep-going skips the scene */
 	/* Words between a message as text and its place; NULL: the place is first. */
 	const char *before_place;
 };
@@ -60,7 +60,7 @@ _Noreturn void vdie_at(int status, const struct place *, const char *format,
 #define die(status, ...) die_at(status, NULL, __VA_ARGS__)
 _Noreturn void quit(int status); /* without a message */
 
-/* Returns memory as realloc does, or exits with 3. */
+/* Returns memory as realloc does, or exits with status 3. */
 void *xrealloc(void *old, size_t size);
 
 /* Returns whether to repeat a read or write of fd that failed with EINTR or EAGAIN.
@@ -72,15 +72,15 @@ bool io_retry(int fd, short events);
  * that fewer reads and writes are needed. */
 void pipe_enlarge(int fd, int size);
 
-/* Writes all bytes to standard output, or exits with 3. */
+/* Writes all bytes to standard output, or exits with status 3. */
 void output_write(const char *s, size_t size);
 
 /* Appends text, in the format of printf, to a buffer that output_close writes. If a
  * pipe is full, stdio would lose the rest of the text without an error. */
 void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes the buffer of print, and closes standard output. Exits with 3 if an earlier
- * write failed and the system reports it only when the output is closed. */
+/* Writes the buffer of print, and closes standard output. Exits with status 3 if an
+ * earlier write failed and the system reports it only when the output is closed. */
 void output_close(void);
 
 #endif

@@ -80,7 +80,7 @@ const char *synonym_of(const char *word, char first)
 	return NULL;
 }
 
-/* Returns whether start has three letters or more and word begins with start. */
+/* Returns whether `word` begins with `start` and `start` has at least three letters. */
 static bool begins_with(const char *word, const char *start)
 {
 	size_t n = strlen(start);
@@ -88,7 +88,7 @@ static bool begins_with(const char *word, const char *start)
 	return n > 2 && strncasecmp(word, start, n) == 0;
 }
 
-/* Returns whether at most n edits lead from a to b. No letter is edited twice. */
+/* Returns whether at most n edits (nearest_word) of different letters make b of a. */
 static bool edits_reach(const char *a, const char *b, int n)
 {
 	for (; *a != '\0' && strncasecmp(a, b, 1) == 0; a++)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "utf8.h"
 
-/* RFC 3629, section 4, excludes forms longer than needed, halves of surrogate pairs,
+/* Refuses, as RFC 3629, section 4, forms longer than needed, halves of surrogate pairs,
  * and codes beyond U+10FFFF. */
 int utf8_read(const char *s, const char *end, unsigned *code)
 {

@@ -35,7 +35,7 @@ size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
 enum { ESCAPED_MAX = 64 };
 const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 
-/* Returns the code of the first invisible character in a string with escapes, or 0. */
+/* Returns the code of the first invisible character that a copy escapes as \u, or 0. */
 unsigned escape_find_invisible(const char *);
 
 /* Returns the word of a list, which NULL ends, that `word` may mean: the last word of
@@ -47,13 +47,13 @@ unsigned escape_find_invisible(const char *);
  * count. */
 const char *nearest_word(const char *word, const char *const *words);
 
-/* Returns whether word is in words, lower-case words with blanks between them; false
- * for NULL. Case, _ and - do not count: LookAt, look_at and look-at are lookat. */
+/* Returns whether `word` is in `words`: lower-case words with blanks between them, or
+ * NULL for no words. Ignores case, _ and -: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
 
 /* Returns the hint for a word that other programs have, or NULL: an option "--jobs", in
- * which * stands for the word, a remark ": ...", or a call "project -m". If first is
- * not NUL, the hint begins with it. */
+ * which * stands for the word, a remark ": ...", or a call "project -m". If `first` is
+ * not NUL, only a hint that begins with this character is returned. */
 const char *synonym_of(const char *word, char first);
 
 #endif

@@ -88,7 +88,7 @@ static size_t write_points(const struct value *v, const struct span *array,
 }
 
 /* Sets m[i] to the member with bit i, and returns the members of the document as bits.
- * A document with none or only angle_unit is itself the member w->lone_member. */
+ * A document with no scene members but angle_unit is itself the w->lone_member. */
 static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
@@ -135,7 +135,7 @@ static void check_needed(const struct value *root,
 				   "");
 }
 
-/* Refuses a document of two dimensions if the command takes only three dimensions. */
+/* Refuses a document of two dimensions if the command takes only those of three. */
 static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
@@ -150,7 +150,7 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Reads into *d the members of m whose bits are set. */
+/* Reads into *d the members m[i] whose bits i are set. */
 static void read_members(struct document *d,
     const struct value m[SCENE_MEMBERS], unsigned bits)
 {
@@ -272,7 +272,7 @@ void document_refuse(const struct document *d, const char *reason)
 	const char *what = n > 0 ? reason + n + 2 : reason;
 	char pointer[64];
 
-	/* "/camera/up" becomes "/up" */
+	/* if the document is a camera, "/camera/up" becomes "/up" */
 	if (lone > 0 && strncmp(reason + 1, d->lone_member, lone) == 0 &&
 	    (reason[lone + 1] == '/' || reason[lone + 1] == ':')) {
 		reason += lone + 1;

@@ -38,7 +38,7 @@ struct pick {
 
 struct document {
 	struct scene scene;
-	bool flat; /* has two dimensions: see document_wants.flat_members */
+	bool flat; /* the scene is 2D: see document_wants.flat_members */
 	enum angle_unit unit; /* of all angles */
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */
@@ -69,29 +69,29 @@ struct document_wants {
 	 * of SCENE_SPATIAL, and reads points of two coordinates. 0: the command takes
 	 * no flat documents. */
 	unsigned flat_members;
-	/* The document's source. The command sets the place of the text,
-	 * two_numbers_hint and these. implied_type: a projection has only this type,
-	 * and may lack "type". for_fit: the eye, near, far, width and height of a
-	 * parallel projection, and all of a flat document's window may be missing.
+	/* The document's source, of which the caller sets the place of the text,
+	 * two_numbers_hint, and the following. implied_type: a projection has only this
+	 * type, and may lack "type". for_fit: may be missing: the eye, near, far, a
+	 * parallel projection's width and height, and all of a flat document's window.
 	 * for_plane: far may be missing, and near if no size is given at near. */
 	struct source source;
 	/* The convention that the option -c names, or NULL. The answer has it, and a
 	 * document that names no convention has it, too. */
 	const struct convention *convention;
-	/* Coordinates of a point; 0: the command does not read the member points. */
+	/* How many coordinates a point has; 0: the member points is not read. */
 	int coordinates;
 };
 
-/* Returns, as bits, the members that a command reads of flat and other documents. */
+/* Returns, as bits, the members that a command reads of any document, flat or not. */
 unsigned document_used_members(const struct document_wants *);
 
-/* Reads the document text[0..size) into *d and changes text. name is for messages. */
+/* Reads the document text[0..size) into *d; changes `text`. Messages show `name`. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
-/* Replaces text[0..size), a point or a list of points, by lines, and returns the lines.
- * Each line is a point's JSON array without blanks. A point must begin with as many
- * numbers or nulls as coordinates says. */
+/* Replaces text[0..size), a point or a list of points in JSON, by lines, and returns
+ * the lines; sets *points_size to their size. Each line is a point's array without
+ * blanks. An array must begin with as many numbers or nulls as `coordinates` says. */
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *two_numbers_hint, size_t *points_size);
 
@@ -107,7 +107,7 @@ void document_refuse_if(const struct document *d, const char *reason);
  * back as the same scene and pick. Of a flat document, leaves out SCENE_SPATIAL. */
 void print_scene(const struct document *, bool compact);
 
-/* Print the convention and SCENE_SPATIAL as members; a device as an object. */
+/* Print: a scene's convention and SCENE_SPATIAL, as members; a device, as an object. */
 void put_scene(struct printer *, const struct scene *);
 void put_device(struct printer *, const struct device *);
 

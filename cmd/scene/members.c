@@ -53,7 +53,7 @@ static const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
-/* in the order of the enum of the member kind of struct camera */
+/* in the order of the enum that is the type of camera.kind */
 static const struct ways camera_ways[] = {
 	{ .way = { "eye at up? roll?", "eye gaze up? roll?",
 	      "eye orientation roll?", "eye rvec roll?",
@@ -92,7 +92,7 @@ static const struct value_range height_range = { SIZE_MIN, MAGNITUDE_MAX,
 		.unit = "device units",                                 \
 		.about = "height of the rectangle, required")
 
-/* The fields scale and scales of struct viewport, which the member scale sets. */
+/* The fields `scale` and `scales` of struct viewport, both set by "scale" in JSON. */
 struct scale {
 	unsigned kind;
 	double units[2];

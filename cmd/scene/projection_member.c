@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* A range of angles from least to most degrees, and its words in messages. */
+/* A range of `least` to `most` degrees; the strings `degrees` and `radians` name it. */
 #define ANGLE_RANGE(label, least, most, degrees, radians, ...)              \
 	static const struct value_range label = { .min = least,             \
 		.max = most,                                                \
@@ -158,7 +158,7 @@ const struct member projection_members[] = {
 /* the index in projection_ways of the ways to give near and far */
 enum { WAYS_PLANES = 3 };
 
-/* The command fit finds the width and height of parallel projections that lack them. */
+/* The command fit computes width and height of parallel projections that lack them. */
 const struct ways projection_ways[] = {
 	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 	      "field aspect?", "width height edges_at?",
@@ -206,7 +206,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 
 	for (int i = 0; projection_types[i] != NULL; i++) {
 		struct value m = value_child(v);
-		int count = 0; /* of members; a name counts 2, an alias 1 */
+		int count = 0; /* per member of v: a name 2, an alias 1 */
 
 		for (; m.item != NULL; value_next(&m))
 			for (int alias = 0; alias < 2; alias++)
@@ -239,9 +239,9 @@ static void read_type(const struct value *v, struct projection *p)
 		    projection_types[implied - 1]);
 }
 
-/* Refuses a perspective that lacks near or far. The command fit finds both. Intrinsics
- * and --plane need neither; a missing far is then infinity. But a cross-section given
- * at near always needs near. */
+/* Refuses a perspective that lacks near or far, except for fit, which computes both.
+ * Intrinsics and --plane need neither; a missing far is then infinity. But a
+ * cross-section given at near always needs near. */
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
@@ -274,7 +274,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
 	read_type(v, p);
-	/* kinds are in the order of projection_types */
+	/* kinds are indices in projection_types, which lacks the enum's 0 */
 	int kind = (int)p->type - 1;
 	uint64_t seen = object_read(v, row, kind, p);
 

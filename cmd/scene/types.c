@@ -239,8 +239,8 @@ const struct type type_affine = { "matrix", read_matrix, print_affine, 0 };
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which
- * is not 0 under the diagonal. */
+/* Refuses a matrix K whose fx (k[0][0]) or fy (k[1][1]) is not positive, whose last row
+ * is not 0, 0, 1, or which is not 0 under the diagonal. */
 static void check_k(const struct value *v, const double k[3][4])
 {
 	for (int i = 0; i < 3; i++)
@@ -304,7 +304,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		    "by more than one number");
 }
 
-/* Prints P by the fewest numbers that give it: fx, fy, cx, cy, or K, or P itself. */
+/* Prints the 3x4 matrix P by the fewest numbers: as fx, fy, cx, cy, as K, or as P. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

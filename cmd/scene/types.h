@@ -23,10 +23,10 @@ extern const char *const angle_units[];
 /* "row" and "column", the vectors that a matrix may be for; NULL ends them. */
 extern const char *const vector_names[];
 
-/* A matrix: 16 numbers in memory order; or 4 rows, for row vectors unless
- * source->column_vectors is set; or the object of matrix and vectors that -o json
- * prints. An affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3
- * for row vectors. In the struct a double[4][4] for row vectors. */
+/* A matrix: 16 numbers, by rows for row vectors or by columns for column vectors; or 4
+ * rows, for row vectors unless source->column_vectors is set; or an object with members
+ * "matrix" and "vectors". type_affine may also be 3 rows of 4 for column vectors, or 4
+ * rows of 3 for row vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
@@ -51,7 +51,7 @@ extern const struct member projection_members[];
 extern const struct ways projection_ways[];
 extern const struct type type_projection;
 
-/* The names of the types from PROJECTION_PERSP on; NULL ends them. */
+/* The names of the types of projections, from PROJECTION_PERSP on; NULL ends them. */
 extern const char *const projection_types[];
 
 /* Completes a projection that was read from the value. Sets a missing aspect and, for
