@@ -122,8 +122,8 @@ static bool next_depth(const struct sum z[2], enum buffer b, int up,
 	return true;
 }
 
-/* Returns the determinant of the quotient D(z) in struct depth. The sign of the
- * determinant is the sign of the slope of D. */
+/* Returns num[0] den[1] - num[1] den[0], the determinant of D(z) of struct depth. Its
+ * sign is the sign of the slope of D. */
 static struct sum depth_determinant(const struct depth *d)
 {
 	return sum_minor(d->num[0], d->den[1], d->num[1], d->den[0]);
@@ -149,7 +149,7 @@ static double distance_between(const struct depth *d, const struct sum a[2],
 }
 
 /* Returns the distance between depth z and the next depth of the buffer above z or, if
- * up is -1, below z. Returns nan if the next depth is beyond limit. */
+ * up is -1, below z. Returns nan if the next depth is beyond `limit`. */
 static double step_length(const struct depth *d, enum buffer b,
     const struct sum z[2], int up, const struct sum limit[2])
 {

@@ -19,7 +19,7 @@ static const struct arithmetic arithmetic[] = {
 
 /* A corner of the view volume, which may be at infinity. An error bound is a sum of
  * magnitudes of products, divided by w. This quotient is a convex function of the
- * position in ndc, so its maximum over the volume is in a corner. */
+ * position in ndc, so its maximum over the volume is at a corner. */
 struct corner {
 	double offset[3]; /* |model coordinate - the map's origin| / w */
 	double inverse_w; /* 1/w */
@@ -31,7 +31,7 @@ struct error_analysis {
 	double max[3], largest; /* bounds of images' |x|, |y|, |z|; their max */
 };
 
-/* Sets c to corner i of the volume. to_model is the map from view space. */
+/* Sets c to corner i of the volume. to_model maps view to model space. */
 static void set_corner(const struct volume *v, const struct map *to_model,
     const double origin[3], int i, struct corner *c)
 {

@@ -194,8 +194,8 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	if (why != NULL)
 		return why;
 	/* t is the largest step of the eye along the gaze after which near is at least
-	 * ratio times far: low - t >= ratio (high - t), with the bounds' depth from low
-	 * to high */
+	 * ratio times far: low - t >= ratio (high - t), where the bounds' depth runs
+	 * from low to high */
 	const double ratio = s->projection.near_ratio;
 	struct sum far = sum_scale(r.high[2], ratio);
 	struct sum t = sum_quotient(sum_sub(r.low[2], far), sum_diff(1, ratio));
@@ -485,10 +485,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
-/* The farthest points along these directions suffice. hull_extents measures along
- * fit_axes, find_eye_step and hull_outside along the normals of the side planes. A move
- * of the eye does not change the normals, but keep_side_planes rounds sizes outward:
- * the points stay inside, and the margin may shrink by the rounding. */
+/* The farthest points along the directions added here suffice. hull_extents measures
+ * along fit_axes, find_eye_step and hull_outside along the normals of the side planes.
+ * A move of the eye does not change the normals, but keep_side_planes rounds sizes
+ * outward: the points stay inside, and the margin may shrink by the rounding. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {

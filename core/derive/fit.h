@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The bounds that fit encloses, their extents, and the fit. */
+/* The bounds that the command fit encloses, their extents, and the fit. */
 #ifndef FIT_H
 #define FIT_H
 
 #include "../scene/scene.h"
 
-enum { BOUNDS_POINTS = 10 }; /* 6 along axes, 4 toward side planes */
+enum { BOUNDS_POINTS = 10 }; /* 6 along axes, 4 normal to side planes */
 
 /* A sphere, a box from min to max or, if n is not 0, n points: those of the user's
  * points that are farthest along the directions of fit_directions. All numbers are in
@@ -29,8 +29,8 @@ struct hull {
  * than min along an axis, the member and the reason. */
 const char *hull_of(const struct bounds *, int dimensions, struct hull *);
 
-/* Returns the least value that a map's column j or, if minus, the negated column has on
- * the hull. */
+/* Returns the least value on the hull of coordinate j of a map's images or, if `minus`
+ * is set, of its negative. */
 struct sum hull_lowest(const struct hull *, const struct map *, int j,
     bool minus);
 
@@ -39,12 +39,12 @@ struct extents {
 	struct sum low[3], high[3], size[3];
 };
 
-/* Sets the extent along axis j to the range of a map's column j on the hull. */
+/* Sets element j of extents to the range of coordinate j of the hull's images. */
 void extents_set(struct extents *, int j, const struct hull *,
     const struct map *);
 
-/* Widens low and high of each zero extent of the first n axes to 2^-20 of the largest
- * extent; size stays 0. Returns NULL, or the reason if all extents are 0. */
+/* Moves `low` and `high` of each zero extent of the first n axes apart by 2^-20 of the
+ * largest extent; `size` stays 0. Returns NULL, or the reason if all extents are 0. */
 const char *extents_widen(struct extents *, int n);
 
 /* Makes the maps from model space by whose columns fit measures bounds. Columns 0 and 1
@@ -63,20 +63,20 @@ const char *hull_extents(const struct hull *, const struct scene *,
  * outside of, or all bits if the scene has no volume. */
 unsigned hull_outside(const struct hull *, const struct scene *);
 
-/* Directions in model space. scaled[i] is exact[i] over its element of largest
+/* Directions in model space. scaled[i] is exact[i] divided by its element of largest
  * magnitude, rounded, so that no sum of products of scaled[i] with coordinates
- * overflows. An element of scaled is 0 if and only if the element of exact is 0. */
+ * overflows. An element of `scaled` is 0 if and only if that of `exact` is 0. */
 struct directions {
 	int n;
 	struct sum exact[BOUNDS_POINTS][3];
 	double scaled[BOUNDS_POINTS][3];
 };
 
-/* Adds the direction along which column j of the map grows or, if minus, falls. */
+/* Adds the direction in which coordinate j of images grows or, if `minus`, falls. */
 void directions_add(struct directions *, const struct map *, int j, bool minus);
 
-/* The farthest point along a direction. distance is measured along scaled of struct
- * directions, and error bounds its error. known is false before the first point. */
+/* The farthest point along a direction. `distance` is its rounded dot product with
+ * struct directions' `scaled`; `error` bounds its error. known: a point was added. */
 struct farthest {
 	bool known;
 	double point[3], distance, error;
@@ -87,7 +87,7 @@ struct extremes {
 	struct farthest item[BOUNDS_POINTS];
 };
 
-/* Adds n points; in has a column for each coordinate. A point with a nan does not
+/* Adds n points; `in` has a column for each coordinate. A point with a nan does not
  * count. The caller pads each column to a multiple of 16 numbers with numbers of these
  * points. */
 void extremes_add(struct extremes *, const struct directions *,
@@ -105,7 +105,7 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
 /* Completes a scene of type persp, ortho, oblique or volume, and gives its camera the
  * form CAMERA_GAZE. The axes of view space do not change. near and far become the ends
  * of the bounds' depth. These are ignored: near and far, but not a near plane on which
- * sizes are given; width and height of ortho and oblique; camera.eye without has_eye.
+ * sizes are given; width and height of ortho and oblique; camera.eye if not has_eye.
  *
  * persp keeps the directions of its side planes. The eye moves along the gaze until the
  * bounds are between the side planes and one plane touches the bounds, or until near is
@@ -118,8 +118,8 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * has one (aspect[1] is not 0).
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
- * convention's gaze. If the eye is before far, near is moved until near's distance
- * from the eye is at least near_ratio times far's distance from the eye.
+ * convention's gaze, z or -z of view space. If the eye is before far, near is moved
+ * until its distance from the eye is at least near_ratio times far's.
  *
  * A margin moves the side planes inward before they are compared with the bounds. The
  * eye is rounded to doubles; in persp it then moves back until the bounds are inside.
@@ -137,9 +137,9 @@ const char *fit_directions(const struct scene *, bool has_eye,
 /* Replaces the scene's 2D window by one of center, width and height that holds x and y
  * of the bounds. The center is the double nearest to the middle of the bounds. Width
  * and height are the least doubles for which frustum_outside finds the bounds inside
- * the window without its margin. Then the shorter side is widened to the device's
- * shape, if there is a device. A zero extent along one axis counts as 2^-20 of the
- * other. Returns NULL, or the member at fault and why. */
+ * the window less its margin. Then the shorter side is widened to the device's shape,
+ * if there is a device. A zero extent along one axis counts as 2^-20 of the other.
+ * Returns NULL, or the member at fault and why. */
 const char *fit_window(struct scene *, const struct bounds *);
 
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */

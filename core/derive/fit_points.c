@@ -26,11 +26,10 @@ void directions_add(struct directions *all, const struct map *m, int j,
 	all->n++;
 }
 
-/* Returns an upper bound of the error of distance_along, if no coordinate's magnitude
- * is above largest. Each product has four roundings by u = 2^-53: of the element of m,
- * of the product, and of two sums. This makes 4 u times the sum of the products'
- * magnitudes. The bound of 8 u also covers the sums in add_point and add_block; 2^-1000
- * covers underflow. */
+/* Returns an upper bound of the error of distance_along, if no |p[i]| is above
+ * largest[i]. Each product has four roundings by u = 2^-53: of the element of m, of the
+ * product, and of two sums: 4 u times the sum of the products' magnitudes. The bound of
+ * 8 u also covers the sums in add_point and add_block; 2^-1000 covers underflow. */
 static double distance_error(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;

@@ -65,7 +65,7 @@ const char *view_planes(const struct scene *s, enum space from,
 	if (why != NULL)
 		return why;
 	planes_of_clip(s, &m, sides, ends);
-	/* w is 1 in ndc and device space; w in view space tells which are behind */
+	/* w is 1 in ndc and device space; view space's w tells points behind the eye */
 	if (from == SPACE_NDC || from == SPACE_DEVICE) {
 		why = scene_map(s, from, SPACE_VIEW, &m);
 		for (int i = 0; i < 5; i++)
@@ -123,11 +123,11 @@ unsigned frustum_outside(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* Makes the estimate (kernel.h) of the signs of a transform's columns. A column has
- * three errors: ESTIMATE_BOUND times the sum of its products' magnitudes, its noise,
- * and 2^-1074 times each coordinate whose element underflows. low excludes sums of
- * magnitudes below 2^-899, whose products could underflow; high excludes sums that
- * could overflow. */
+/* Makes the estimate (kernel.h) of the signs of a transform's columns. The error of a
+ * column is at most a sum of three: ESTIMATE_BOUND times the sum of its products'
+ * magnitudes, its noise, and 2^-1074 times each coordinate whose element underflows.
+ * `low` excludes sums of magnitudes below 2^-899, whose products could underflow;
+ * `high` excludes sums that could overflow. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -191,7 +191,7 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 }
 
 /* Writes the homogeneous point h, with w >= 0, where columns a and b of the sides and
- * column c of other are 0; or 0 0 0 0 if the planes meet in more than a point. */
+ * column c of `other` are 0; or 0 0 0 0 if the planes meet in more than a point. */
 static void intersect_planes(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {

@@ -102,7 +102,7 @@ static void set_elements(const struct lens *l, struct upright *u)
 }
 
 /* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far is
- * against the gaze (if parallel), or the picture upside down (without a camera). */
+ * against the gaze (if parallel), or the picture upside down (if without_camera). */
 static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;

@@ -39,17 +39,17 @@ enum note {
 	NOTE_CENTER, /* the principal point is at the viewport's edge or outside */
 	/* with each of the following notes has_scene is false */
 	NOTE_NO_ROTATION,   /* the camera's matrix is not a rotation */
-	NOTE_TILTED,        /* near and far are not parallel to the picture */
+	NOTE_TILTED,        /* near and far are not parallel to the image */
 	NOTE_MINUS_W,       /* w is negative from near to far */
 	NOTE_NO_INTRINSICS, /* intrinsics are needed, but cannot be given */
 	NOTE_OUT_OF_RANGE,  /* the scene's numbers would be out of range */
 	NOTES,
 };
 
-/* The maps of a scene. clip[j] has clip coordinate j, one of x, y, z and w: its
- * gradient in view space in three elements, and its value at the origin in the fourth.
- * Parallel projectors are perpendicular to the gradients of x and y. The gradient of w
- * or, if w is constant, of z is normal to the projection plane. */
+/* The maps of a scene. clip[j] is clip coordinate j (x, y, z or w) as a function on
+ * view space: its gradient in three elements, and its value at the origin in the
+ * fourth. Parallel projectors are perpendicular to the gradients of x and y. The
+ * gradient of w or, if w is constant, of z is normal to the projection plane. */
 struct lens {
 	const struct scene *scene;
 	struct volume volume;
@@ -101,7 +101,7 @@ double depth_step(const struct depth *, enum buffer, bool far);
  * whose depth differs by one step of the buffer. */
 double depth_step_at(const struct depth *, enum buffer, double distance);
 
-/* A picture in nearest doubles; a number that does not exist is nan. */
+/* A picture; its numbers are nearest doubles. One that does not exist is nan. */
 struct picture {
 	enum taxon taxon;
 	enum kind kind;
@@ -129,17 +129,17 @@ struct picture {
 	/* a b c d for left, right, bottom, top, near and far: a point x y z of world
 	 * space is inside if a x + b y + c z + d >= 0. a b c is a unit vector. */
 	double frustum_plane[6][4];
-	double error_bound[3]; /* by enum precision */
-	unsigned notes;        /* a bit for each enum note */
-	/* A scene that makes the same picture, in answer_convention: a camera by eye
-	 * and gaze, and a projection by edges or, if clip x depends on y or near
-	 * and far are missing, by intrinsics. */
+	double error_bound[3]; /* [enum precision] */
+	unsigned notes;        /* bit i: enum note i applies */
+	/* A scene that makes the same picture, in the convention that answer_convention
+	 * returns: a camera by eye and gaze, and a projection by edges or, if clip x
+	 * depends on y or near and far are missing, by intrinsics. */
 	bool has_scene;
 	struct scene scene;
 };
 
-/* Sets the members from taxon to corner. All must be nan; those that do not exist stay
- * so. */
+/* Sets the members from taxon to corner. The caller has set them to nan; those that do
+ * not exist stay nan. */
 void taxonomy_of(const struct lens *, struct picture *);
 
 /* Sets all members of the picture. Returns NULL, or the member at fault and why. */

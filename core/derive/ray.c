@@ -19,7 +19,7 @@
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
-	/* the columns X, Y and w of m, and the rows of r for x, y and 1 */
+	/* indices of columns X, Y and w of m, and of rows x, y and 1 of r */
 	static const int element[3] = { 0, 1, 3 };
 	struct sum normal[3][3];
 	struct map m;
@@ -100,8 +100,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	}
 }
 
-/* Returns whether a device position has a ray. If all of point is nan, either there is
- * no ray, or its point is beyond the range of doubles: the sign of w decides. */
+/* Returns whether a device position has a ray. If all of `point` is nan, either there
+ * is no ray, or its point is beyond the range of doubles: the sign of w decides. */
 static bool ray_has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -186,8 +186,8 @@ bool rays_cast(const struct ray_maker *r, bool single,
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
  * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). Row i of r is the factor of q_i
- * times m_2 . p. In column j of the row, the terms of p_j cancel. Row 4 is made of m_4
- * likewise, as multiples of m_2, such as the origin's z m_2, cancel. */
+ * times m_2 . p. In column j of the row, the terms of p_j cancel. Row 4 is made of m_4,
+ * the origin's image, likewise: the origin's z m_2 cancels. */
 static void set_plane_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {

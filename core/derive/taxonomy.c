@@ -79,7 +79,7 @@ static enum kind perspective_kind(const struct lens *l)
 /* Sets fov[0], the angle between the planes scale x = -half w and scale x = half w, and
  * fov[1], the same for y. The normals of the planes are half g + scale a and half g -
  * scale a, where g is the gradient of w and a the gradient of x. The tangent of the
- * angle is the length of the normals' cross product over minus their dot product. */
+ * angle is the length of the normals' cross product over the negated dot product. */
 static void set_fov(const struct lens *l, double fov[2])
 {
 	for (int k = 0; k < 2; k++) {

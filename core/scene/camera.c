@@ -31,7 +31,7 @@ void convention_change(const struct convention *from,
 
 /* The axes of view space: axis i is the unit vector v[i] / length[i]. v is not divided,
  * as its elements are polynomials, whose terms cancel exactly. If the length of axis y
- * is exact, all three lengths are equal, and become the map's divisor. */
+ * is exact, all three are made equal, and become the map's divisor. */
 struct axes {
 	struct sum v[3][3], length[3];
 };
@@ -133,7 +133,7 @@ static const char *axes_of_rvec(const struct camera *c, struct axes *a)
 	return NULL;
 }
 
-/* The message that refuses, for a reason, the camera's pose (if pose) or its matrix. */
+/* The message that refuses the camera's pose (if `pose`) or its matrix for `reason`. */
 #define REFUSAL(pose, reason) \
 	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
 
@@ -157,8 +157,8 @@ static const char *axes_of_matrix(const struct camera *c, struct axes *a)
 	return NULL;
 }
 
-/* Sets the origin of a map to eye, which may be 0. As the image of an eye is 0, an
- * element of the origin's image that is within its error of 0 becomes exact 0. */
+/* Sets the origin of a map to `eye`, or to 0 if `eye` is NULL. As an eye's image is 0,
+ * an element of the image that is within its error of 0 becomes exact 0. */
 static void set_eye(struct map *r, const double eye[3])
 {
 	map_set_origin(r, eye);
@@ -171,10 +171,10 @@ static void set_eye(struct map *r, const double eye[3])
  *	 x1  y1  z1  0		 y0  y1  y2  0
  *	 x2  y2  z2  0		 z0  z1  z2  0
  *	 translation 1		 eye         1
- * given is the translation t, if is_translation, or else the eye. The other vector is
- * found: t = (-x.eye, -y.eye, -z.eye), or, if all axes have one length,
- * eye = -t0 x - t1 y - t2 z. Its elements are polynomials, divided once by a length.
- * With rounded axes, x.eye of an eye (1,2,3) that looks at 0 is -4.9e-32, not 0. */
+ * `given` is the translation t, if is_translation, or else the eye. The other vector is
+ * found: t = (-x.eye, -y.eye, -z.eye), or, if all axes have one length, eye = -t0 x -
+ * t1 y - t2 z. Its elements are polynomials, divided once by a length. With rounded
+ * axes, the product x.eye of an eye (1,2,3) that looks at 0 is -4.9e-32. */
 static void map_of_axes(const struct axes *a, const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {

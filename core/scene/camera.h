@@ -19,16 +19,16 @@ struct convention {
 	bool view_y_down;        /* view space: y points down, z is negated */
 };
 
-/* Returns whether the camera looks along -z of view space. */
+/* Returns whether the camera looks along -z of view space, not +z. */
 static inline bool looks_back(const struct convention *c)
 {
 	return c->right_handed != c->view_y_down;
 }
 
-/* Changes the convention of a map's images or, if input is set, of its points. These
- * are in view space or, if clip is set, in clip space. Negates y, and z of view space,
- * if the conventions differ in its direction. If the depth range differs, a depth z
- * from 0 to w becomes 2 z - w, and one from -w to w becomes (z + w) / 2. */
+/* Changes the convention of a map's images or, if `input` is set, of the points it
+ * maps. They are in view space or, if `clip`, in clip space. Negates y, and z of view
+ * space, if the conventions give it opposite directions. If the depth range differs, a
+ * depth z from 0 to w becomes 2 z - w, and one from -w to w becomes (z + w) / 2. */
 void convention_change(const struct convention *from,
     const struct convention *to, bool clip, bool input, struct map *);
 
@@ -61,9 +61,9 @@ struct camera {
  * lookat says. Each element is exact or has a bound of its error, even if up is nearly
  * parallel to the gaze or a matrix nearly singular. An element of a nearest rotation
  * that is not above its error becomes 0. A roll turns view space about the eye, also if
- * the eye follows from a translation. The origin of the map to view space is the eye
- * or, for a CAMERA_MATRIX that is not orthonormalized, 0. Returns NULL, or the member
- * and the reason. */
+ * the eye follows from a translation. The member origin of the map to view space is the
+ * eye or, for a CAMERA_MATRIX that is not orthonormalized, 0. Returns NULL, or the
+ * member and the reason. */
 const char *camera_map(const struct camera *, const struct convention *,
     bool inverse, struct map *);
 

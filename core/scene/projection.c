@@ -299,10 +299,10 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
-/* Returns the inverse (A', 0; -B' C A', B') of the 2x2 blocks (A, 0; C, B), where
- * A = (x 0; 0 y), B = (zz zw; tz tw) and C = (zx zy; tx ty). A' and B' are the inverses
- * of A and B, and det is the determinant of B. The divisors of columns become factors
- * of the inverse's rows. */
+/* Returns the inverse (A', 0; -B' C A', B') of the matrix of 2x2 blocks (A, 0; C, B),
+ * where A = (x 0; 0 y), B = (zz zw; tz tw) and C = (zx zy; tx ty). A' and B' are the
+ * inverses of A and B, and det is the determinant of B. The divisors of columns become
+ * factors of the inverse's rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
@@ -363,7 +363,7 @@ static const char *projection_matrix_map(const struct projection *p,
 
 /* Puts the affine map from view space (d3d) to the canonical space of u w, v w, w
  * (projection.h) before r or, if inverse, its inverse after r. Both spaces have y
- * upward: if device y points down, y is -Y, and -v w. */
+ * upward: if device y points down, their y is -Y and -v w of struct projection. */
 static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {

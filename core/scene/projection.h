@@ -6,7 +6,7 @@
 #include "camera.h"
 
 /* The members that give the cross-section of persp, ortho and oblique, in the order of
- * projection_ways (cmd/scene). persp's cross-section is at edges_at or at near. */
+ * projection_ways (cmd/scene). persp's cross-section is at edges_at or, if 0, near. */
 enum extent {
 	EXTENT_FOVY,       /* angle from bottom to top, aspect */
 	EXTENT_FOVX,       /* angle from left to right, aspect */
@@ -52,7 +52,7 @@ struct projection {
 	double projector_angle; /* between projectors and the image plane */
 	double direction;       /* the angle from +x to receding lines */
 	enum angle_unit direction_unit;
-	double plane; /* the depth of the points that the shear does not move */
+	double plane; /* distance along the gaze of points that do not shear */
 
 	/* PROJECTION_VOLUME; with an aspect, half_width is half the smaller side */
 	double half_width, half_height, z_near, z_far;
@@ -105,7 +105,7 @@ const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
 /* Returns whether the near plane has ndc depth 1. A matrix, or the identity without a
- * projection, does not say which plane is near. Near is then the plane of smaller
+ * projection, does not say which plane is near. The near plane is then that of smaller
  * positive w or, if w is constant, the plane that the convention's gaze meets first. A
  * parallel matrix that contains a turned or mirrored camera is never reversed. */
 bool projection_is_reversed(const struct projection *,

@@ -50,6 +50,7 @@ bool scene_is_valid(const struct scene *s)
 	    (p->type == PROJECTION_VOLUME || has_valid_section(s));
 }
 
+/* Computes the map from model to world space, or its inverse. */
 static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 {
 	map_identity(r);
@@ -135,8 +136,8 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-/* Returns err, the reason why r was not made. If err is NULL, returns NULL or the
- * reason why the map r is out of range. If flat is set, r maps a 2D window. */
+/* Returns `err`, the reason why r was not made, if it is not NULL. If it is, returns
+ * NULL or the reason why the map r is out of range. If `flat`, r maps a 2D window. */
 static const char *check_range(const char *err, const struct map *r, bool flat)
 {
 	if (err != NULL)

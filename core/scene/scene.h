@@ -7,7 +7,7 @@
 #include "projection.h"
 #include "window.h"
 
-/* Numbers of documents and of points are at most MAGNITUDE_MAX in magnitude, and sizes
+/* Numbers of scene documents and points are at most MAGNITUDE_MAX in magnitude; sizes,
  * at least SIZE_MIN. Products of two sizes are in the range of doubles. */
 #define MAGNITUDE_MAX 1e150
 #define SIZE_MIN 1e-150
@@ -28,7 +28,7 @@ enum space {
 /* The spaces of the commands for 2D windows, with two coordinates each. */
 enum flat_space { FLAT_WINDOW, FLAT_NDC, FLAT_DEVICE };
 
-/* A document as it was read. If the document lacks a member, the member has its
+/* A scene document as it was read. If the document lacks a member, the member has its
  * default, or its has_... is false. */
 struct scene {
 	struct convention convention; /* of the document's numbers */
@@ -44,7 +44,7 @@ struct scene {
 	struct device device;
 	/* For fit, the share of width and height that stays free at each side. */
 	double margin;
-	/* [s][inverse]: NULL, or the map from s to the next space, or its inverse */
+	/* known[s][inverse]: NULL, or the map from s to the next, or its inverse */
 	const struct map *known[SPACE_DEVICE][2];
 };
 

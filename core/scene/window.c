@@ -73,7 +73,7 @@ const char *window_map(const struct window *w, const struct device *d,
 		window_adapt(w, d, size, divisor);
 	map_identity(r);
 	for (int i = 0; i < 2; i++) {
-		/* the centre after zoom: c / zoom = about + (center - about) / zoom */
+		/* c / zoom is the centre after zoom, about + (center - about) / zoom */
 		struct sum about = w->has_about ? sum_of_double(w->about[i]) :
 						  center[i];
 		struct sum c = sum_add(sum_sub(center[i], about),

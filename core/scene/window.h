@@ -33,14 +33,14 @@ const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
 /* Compute the map from ndc to the 2D device or the 3D viewport or, if inverse, the map
- * back. The convention has the depth range and y of ndc, and the origin of the device.
- * Return NULL, or the member and the reason. */
+ * back. The convention tells the depth range and y direction of ndc, and the device's
+ * origin. Return NULL, or the member and the reason. */
 const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* Writes half the sides of the viewport, and the pixels per unit of ndc x and y. Points
- * with |x| scale[0] <= half[0] and |y| scale[1] <= half[1] are in the viewport. */
+/* Writes half the width and height, and the pixels per unit of ndc x and y. Points with
+ * |x| scale[0] <= half[0] and |y| scale[1] <= half[1] are in the viewport. */
 void viewport_limits(const struct viewport *, double half[2], double scale[2]);
 
 #endif
