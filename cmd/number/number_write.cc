@@ -120,8 +120,8 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 }
 
 /* Writes the shortest text of v > 0. Returns its end. A loop multiplies the digits by
- * 10 until there are 17. The processor predicts the number of turns from branches that
- * Dragonbox took; a formula would wait for Dragonbox's result. */
+ * 10 until there are 17. The processor predicts how many turns it takes from branches
+ * that Dragonbox took; a formula would wait for Dragonbox's result. */
 template <class Float>
 [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
@@ -175,8 +175,8 @@ static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 /* Writes to d the digits of v rounded to n decimals, ties to even, and a null byte.
  * Returns the number of digits before the point, at least one; or 0 if v is 2^53 or
  * more, or if v has bits below 2^-127 and n is above 22. The first DIGITS digits are
- * zeros, the integer part and, if all of them fit, the decimals. The first digit is
- * always 0, so that rounding up can carry into it. */
+ * zeros, the integer part and, if all n fit, the decimals. The first digit is always 0,
+ * so that rounding up can carry into it. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;

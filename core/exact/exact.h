@@ -60,11 +60,11 @@ void ex_set(ex *, double a);
 
 enum { EX_MIN_WORDS = 7 };
 
-/* Computes the sum of the n products a[k] b[k]. Drops words below 2^least, but keeps
- * the EX_MIN_WORDS highest words. */
+/* Computes the sum of the n products a[k] b[k]. Drops words of weight below 2^least,
+ * but keeps the EX_MIN_WORDS highest words. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 
-/* Computes the highest words of a / b, count or count + 1. Returns whether they are
+/* Computes the highest `count` or `count` + 1 words of a / b. Returns whether they are
  * exact; if not, sets their last bit, so that they round as the exact quotient does. */
 bool ex_divide(const ex *a, const ex *b, int count, ex *);
 
@@ -75,7 +75,7 @@ double ex_nearest(const ex *, bool single);
 #define EX_ROUND_BOUND 0.5
 
 /* Returns the double hi nearest to a, and the double lo nearest to a - hi. The error of
- * hi + lo is at most EX_ROUND_BOUND u^2 |a|, u = 2^-53, if this bound is normal. */
+ * hi + lo is at most EX_ROUND_BOUND u^2 |a|, u = 2^-53, if the bound is normal. */
 dd ex_round(const ex *);
 
 #endif

@@ -144,7 +144,7 @@ void map_image(const struct map *m, int j, const struct sum p[4], struct sum *r)
 		sum_dot(4, p, &m->m[0][j], 4, r);
 		return;
 	}
-	struct sum q[5] = { [4] = p[3] }; /* p's difference from the origin */
+	struct sum q[5] = { [4] = p[3] }; /* factors of rows 0 to 4 */
 
 	for (int k = 0; k < 3; k++)
 		q[k] = sum_minor(p[k], sum_of_double(1), p[3],

@@ -15,15 +15,15 @@ struct sum vec3_length(const struct sum a[3]);
 bool vec3_is_zero(const struct sum a[3]);
 
 /* The image of a point p is (p, 1) m / divisor, by the first four rows of m. Elements
- * can have errors; the divisor is positive, and exact unless map_divide was given an
- * error. A map that is computed without angles and lengths is exact, and so is its
- * inverse. One divisor serves all columns, as it cancels in most images, which are
+ * can have errors; the divisor is positive, and exact unless map_divide was given a d
+ * with an error. A map that is computed without angles and lengths is exact, and so is
+ * its inverse. One divisor serves all columns, as it cancels in most images, which are
  * quotients of two columns.
  *
- * The origin is the eye or a window's centre. Images of points near it need many
- * digits: transform.h first subtracts the origin from points. Row 4 is the origin's
- * image: if the eye is far, the error of row 3 can exceed row 4. So map_image, and with
- * it map_multiply, use row 4 where its error is smaller. */
+ * `origin` is the eye or a window's centre. Images of points near it need many digits:
+ * transform.h first subtracts the origin from points. Row 4 is the origin's image: if
+ * the eye is far, the error of row 3 can exceed row 4. So map_image, and with it
+ * map_multiply, use row 4 where its error is smaller. */
 struct map {
 	struct sum m[5][4], divisor;
 	double origin[3];
@@ -34,17 +34,17 @@ void map_identity(struct map *);
 /* Makes the map of a matrix of given numbers, with origin 0. */
 void map_of_doubles(const double m[4][4], struct map *);
 
-/* Sets the origin, 0 for NULL, and computes row 4 from the other rows. */
+/* Sets the origin, to 0 if `origin` is NULL, and computes row 4 from the other rows. */
 void map_set_origin(struct map *, const double origin[3]);
 
 /* Divide the images of the map, or only their coordinate j, by d. map_divide needs an
- * exact d, unless each image is a quotient of two columns. map_divide_column divides
- * column j by a power of two, or by a d with an error. By any other d it multiplies the
- * other columns and the divisor, which keeps the map exact. */
+ * exact d, unless it cancels: each image is a quotient of two columns.
+ * map_divide_column divides column j by a power of two, or by a d with an error. Else
+ * it multiplies the other columns and the divisor, which keeps the map exact. */
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 
-/* Replaces r by r * factor, which maps points by r and then by factor. If before is
+/* Replaces r by r * factor, which maps points by r and then by factor. If `before` is
  * set, replaces r by factor * r. */
 void map_multiply(struct map *r, const struct map *factor, bool before);
 
@@ -67,7 +67,7 @@ void map_image(const struct map *, int j, const struct sum p[4], struct sum *);
 /* Returns whether the last column / divisor is 0 0 0 1. */
 bool map_is_affine(const struct map *);
 
-/* The reason why a matrix that must be affine is refused. */
+/* Says in messages why a matrix that must be affine is refused. */
 #define NOT_AFFINE                                                             \
 	"its last column, as column vectors its last row, is not exactly 0 0 " \
 	"0 1; of 16 numbers the translation is 13, 14 and 15; write rows as "  \

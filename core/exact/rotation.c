@@ -114,8 +114,8 @@ enum rotation_result rotation_nearest(const double matrix[4][4],
 	return ROTATION_FOUND;
 }
 
-/* Uses Rodrigues' formula for a vector v of length t: I + a [v] + b [v]^2, where [v] p
- * = v x p, a = sin t / t and b = (1 - cos t) / t^2. */
+/* Uses Rodrigues' formula for the vector v of length t: I + a [v] + b [v]^2, where [v]
+ * p = v x p, a = sin t / t and b = (1 - cos t) / t^2. */
 bool rotation_about(const double vector[3], struct sum r[3][3])
 {
 	struct sum v[3], square[3], a, b;

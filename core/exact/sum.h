@@ -50,11 +50,11 @@ struct sum sum_quotient(struct sum, struct sum);
 /* Returns the minor a b - c d. */
 struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d);
 
-/* Computes the sum of the n <= 5 products a[k] b[k stride]. */
+/* Computes the sum of the n <= 5 products a[k] b[k * stride]. */
 void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
     struct sum *);
 
-/* Returns the root of a number >= 0. The root is exact if it fits in five words. */
+/* Returns the root of a number >= 0. It is exact if five words can hold it. */
 struct sum sum_sqrt(struct sum);
 
 /* Return the sign, -1, 0 or 1, of a sum or of a - b. The sign of a number that is not

@@ -71,7 +71,7 @@ static struct sum cut_rest(struct sum a)
 	return sum_with_error(ex_truncate(a.value, SINE_WORDS), 0);
 }
 
-/* Reduces an angle in degrees. fmod is exact, and so is the subtraction (Sterbenz). */
+/* Reduces degrees. fmod is exact, and so is the subtraction (Sterbenz's lemma). */
 static void reduce_degrees(double angle, struct reduced_angle *r)
 {
 	double rest = fmod(angle, 360), q = rint(rest / 90);

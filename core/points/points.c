@@ -59,7 +59,7 @@ static void map_one(const struct transform *t, enum precision precision,
 static bool map_alone(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
-	enum { COLUMN_MIN = 16 }; /* numbers a kernel reads for one point */
+	enum { COLUMN_MIN = 16 }; /* numbers read per column for 1 point */
 	COLUMN_ALIGNED double p[3][COLUMN_MIN], q[4][COLUMN_MIN];
 	const double *const from[3] = { p[0], p[1], p[2] };
 	double *const to[4] = { q[0], q[1], q[2], q[3] };
@@ -149,7 +149,7 @@ static bool map_nonfinite(const struct transform *t, bool single,
 bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
-	/* map_alone reads three columns, in 2D y twice */
+	/* map_alone reads three columns; in 2D the third is y again */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
 	approx_kernel kernel = kernels_chosen()->approx[precision][t->kind];

@@ -46,10 +46,10 @@ void transform_prepare(struct transform *t)
 		round_column(t, j, k);
 }
 
-/* Returns NULL, or a member and a reason if images would need more than EX_WORDS words.
- * Two products must be exact: a point's difference from the origin, a multiple of
- * 2^-1074, times a column; and the midpoint of two doubles times the divisor. The first
- * factors leave `room` words to the column and to the divisor. */
+/* Returns NULL, or a message (a member of the scene and a reason) if images would need
+ * more than EX_WORDS words. Two products must be exact: a point's difference from the
+ * origin, a multiple of 2^-1074, times a column; and the midpoint of two doubles times
+ * the divisor. The first factor of each leaves `room` words for the second. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;

@@ -7,19 +7,19 @@
 #include "kernel/kernel.h"
 #include "../scene/scene.h"
 
-/* The image of p is (p, 1) times the matrix of map, divided by the image's w if divide
- * is set. */
+/* The image of p is (p, 1) times the matrix of map, divided by the image's w if
+ * `divide` is set. */
 struct transform {
 	struct map map;
-	/* The matrix for exact images of points minus origin: rows 0, 1 and 2 of the
-	 * map, and row 4 if origin is the map's, or row 3 if origin is 0. Row 3 has the
-	 * smaller error if the camera's translation is given and not the eye. */
+	/* The matrix for exact images of points minus origin: rows 0 to 2 of the map,
+	 * then its image of `origin`: row 4 if this is map.origin, row 3 if it is 0.
+	 * Row 3 has the smaller error if the translation, not the eye, is given. */
 	struct sum relative[4][4];
 	double origin[3];
 	int in, out; /* numbers of coordinates: 2, 3, or 4 if homogeneous */
 	bool divide;
-	/* If front is set, a point has an image if its w is above 0: it is in front of
-	 * the eye. If not, a point has an image if its w is not 0. */
+	/* If `front` is set, a point has an image if its w is above 0: it is in front
+	 * of the eye. If not, a point has an image if its w is not 0. */
 	bool front;
 	bool reciprocal; /* points are device positions x y z 1/w */
 	enum kernel_kind kind;
@@ -27,8 +27,8 @@ struct transform {
 };
 
 /* Compute the transform from one space to another. If homogeneous, images are x y z w,
- * not divided, and points of device space are x y z 1/w. Return NULL or why there is no
- * transform: a member and the reason. */
+ * not divided, and points of device space are x y z 1/w. Return NULL, or why there is
+ * no transform: a member of the scene and a reason. */
 const char *scene_transform(const struct scene *, enum space from,
     enum space to, bool homogeneous, struct transform *);
 const char *flat_transform(const struct scene *, enum flat_space from,
@@ -38,7 +38,7 @@ const char *flat_transform(const struct scene *, enum flat_space from,
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
-/* Sets the members relative, origin and for_kernel, which follow from map. */
+/* Computes the members relative, origin and for_kernel from the member map. */
 void transform_prepare(struct transform *);
 
 /* Computes the images of n <= POINTS_BLOCK points. in and out are columns of
@@ -60,7 +60,7 @@ bool points_map_floats(const struct transform *, const char *in, char *out,
  * nan; all coordinates are nan if the point has no image. */
 void point_exact(const struct transform *, const double in[4], double out[4]);
 
-/* Returns the float nearest to exact coordinate j; image is the nearest double. */
+/* Returns the float nearest to the exact coordinate j, given the nearest double. */
 float point_single(const struct transform *, const double in[4], int j,
     double image);
 

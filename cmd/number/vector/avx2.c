@@ -34,7 +34,7 @@ static inline uint32_t in_set(const struct byte_set *set, const char *s)
 		_mm256_setzero_si256()));
 }
 
-/* Joins digits to numbers of two, four and eight digits by products and sums. */
+/* Joins digits to numbers of two, then four, then eight digits, by multiply-adds. */
 static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 {
 	__m256i x[2], y;

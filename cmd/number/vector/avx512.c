@@ -55,7 +55,7 @@ static inline uint64_t in_set(const struct byte_set *set, const char *s)
 	return _mm512_test_epi8_mask(low, high);
 }
 
-/* Joins digits to numbers of two, four and eight digits by products and sums. */
+/* Joins digits to numbers of two, then four, then eight digits, by multiply-adds. */
 static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 {
 	const __m512i order = _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7);

@@ -17,7 +17,7 @@
 #define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 
-/* Returns a mask of low, then high: bit i is set if byte i is 255, not if it is 0. */
+/* Returns a mask: bit i is set if byte i of low, high is 255, and clear if it is 0. */
 static inline uint32_t mask(uint8x16_t low, uint8x16_t high)
 {
 	const uint8x16_t bit = vreinterpretq_u8_u64(
@@ -51,7 +51,7 @@ static inline int any_top_bit(const uint8_t *x)
 	return vmaxvq_u8(vorrq_u8(vld1q_u8(x), vld1q_u8(x + 16))) > 127;
 }
 
-/* Joins digits to numbers of two, four and eight digits by products and sums. */
+/* Joins digits to numbers of two, then four, then eight digits, by multiply-adds. */
 static inline uint64x2_t join_row(const uint8_t *row)
 {
 	uint8x16_t x = vmulq_u8(vld1q_u8(row),

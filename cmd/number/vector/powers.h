@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The powers 10^-11 to 10^20 as hi + lo: hi is the double nearest to the power, lo the
- * double nearest to the power less hi. From 10^0 on hi is the power. Below, hi + lo has
- * a relative error of at most POWER_ERROR. (digits_test.t recomputes all.) */
+ * double nearest to the power minus hi. From 10^0 on hi is exact. Below, hi + lo has a
+ * relative error of at most POWER_ERROR. (digits_test.t recomputes all.) */
 #ifndef POWERS_H
 #define POWERS_H
 

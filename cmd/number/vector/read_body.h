@@ -12,10 +12,10 @@
  *	ANY_TOP_BIT(x)	whether one of 32 bytes has its top bit set
  *
  * A row holds the 32 bytes before the end of a number, for ROW_NUMBERS numbers side by
- * side. A file may define these operations in place of those of read_rows.h:
+ * side. A file may define these in place of the definitions in read_rows.h:
  *
- *	ROW_NUMBERS, row, row_mask, ROW_BEFORE(end, n)
- *			the bytes from end[i] - n on for number i of the row
+ *	ROW_NUMBERS	how many numbers a row holds; then also the types row, row_mask
+ *	ROW_BEFORE(end, n) a row: the 32 bytes from end[i] - n on for its number i
  *	LAST_KEYS(n)	keys for LAST_BYTES from a vector of counts up to 32
  *	LAST_BYTES(keys) a mask of the last bytes of numbers, as many as the counts
  *	PICK(m, a, b)	m ? a : b for each byte
@@ -23,7 +23,7 @@
  *	ANY_ABOVE_9(row) whether a byte of the row is above 9
  *	LEADING_ZEROS(x) the number of leading zero bits, in integers of 32 bits
  *
- * With any WIDTH a number goes through the same operations of IEEE 754. */
+ * For any WIDTH the same operations of IEEE 754 compute a number: the same bits. */
 #include "read_rows.h"
 
 /* Returns a mask; bit i is set if lanes i of a and b differ. A nan differs from all. */
@@ -38,7 +38,7 @@ static inline V double_of(I u)
 	return (V)(u | ALL_BITS(0x4330000000000000)) - ALL(0x1p52);
 }
 
-/* An integer hi + lo in each lane. bad has a bit for each lane that is not read. */
+/* An integer hi + lo in each lane. Bit i of `bad` is set if lane i is not read. */
 struct integer {
 	V hi, lo;
 	unsigned bad;
@@ -212,7 +212,7 @@ static uint64_t reader_read(const struct plain_places *at, size_t n,
 	return bad == 0 ? 0 : read_exponential(at, bad, v);
 }
 
-/* Writes base + i to at for each bit i of bits that is set, eight at a time. Returns
+/* Writes base + i to `at` for each bit i of bits that is set, eight at a time. Returns
  * the end of these numbers; the next call overwrites the surplus. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {

@@ -11,7 +11,7 @@
 #include "../plain.h"
 
 /* The digits of numbers, right-aligned, and the divisors of the integers that these
- * digits make, negative for a minus. A byte above 9 was another character. */
+ * digits make, negative for a minus. A byte above 9 was no digit. */
 struct digit_rows {
 	_Alignas(64) uint8_t digits[PLAIN_BATCH][32];
 	double divisor[PLAIN_BATCH];

@@ -48,7 +48,7 @@ INLINE I opaque(I c)
  * less than 1/10^4, 1/100 or 1/10 too large: its whole part is right.
  *
  * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and x
- * - 10^4 a, in two quarters. The lanes are doubles; x << 16 drops the exponent. */
+ * - 10^4 a, in two quarters. Lanes are doubles 2^52 + x; x << 16 drops the 2^52. */
 INLINE I split_8(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
@@ -77,9 +77,9 @@ INLINE I split_2(I x)
 }
 
 /* Writes the DIGITS digits of f->whole < 2^53. FLOOR gives the right quotient by 10^8:
- * 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9 too large.
- * Rounding adds at most 7.5e-9, half a unit in the last place below 2^27. Only an error
- * of 1e-8 could reach the next whole number. */
+ * The double 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9
+ * too large. Rounding adds at most 7.5e-9, half a unit in the last place below 2^27.
+ * Only an error of 1e-8 could reach the next whole number. */
 INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
     const struct batch_digits *f)
 {
@@ -151,7 +151,7 @@ INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
 	}
 }
 
-/* Makes the texts of count numbers. NUMBER_DECIMALS keeps zeros at the end. */
+/* Makes the texts of count numbers. The kind NUMBER_DECIMALS keeps zeros at the end. */
 INLINE void write_all(const double *v, size_t count, enum number_kind kind,
     int n, bool single, struct number_text *t)
 {

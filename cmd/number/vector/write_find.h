@@ -132,7 +132,7 @@ INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
 	};
 }
 
-/* Returns log2 of a power of two, less place. The shift moves its biased exponent to
+/* Returns log2 of a power of two, minus `place`. The shift moves its biased exponent to
  * the lowest bits of the double 2^52. */
 INLINE V log2_minus(V power, double place)
 {

@@ -3,15 +3,15 @@
  * file for each of the two. p is a point's difference from the map's origin.
  *
  * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
- * point's difference from the origin has an error of u, a matrix element one of u, and
- * a chain of three products and sums one of 3 u. So the error of a column is at most 5
- * u S. A quotient N / W of columns, whose S are S_N and S_W, has their errors, and u
- * each for the reciprocal of W and its product with N:
+ * point's difference from the origin has a relative error of u, a matrix element one of
+ * u, and a chain of three products and sums one of 3 u. So the error of a column is at
+ * most 5 u S. A quotient N / W of columns, whose S are S_N and S_W, has their errors,
+ * plus u each for the reciprocal of W and its product with N:
  *
  *	|error of N/W| <= APPROX_BOUND u (S_N + |N/W| S_W) / |W|
  *
- * The errors of columns take 5 u of this, the quotient 2 u, and the shortest digits
- * printed 1 u, together 8 u. The error of a depth a + b/W (KERNEL_DEPTH) is at most
+ * The errors of columns take 5 u of this, the quotient 2 u, and printing the shortest
+ * digits 1 u, together 8 u. The error of a depth a + b/W (KERNEL_DEPTH) is at most
  * APPROX_BOUND u (|a| + |b/W| S_W / |W|). If S_W is |W|, W takes 5 u of this, and b,
  * the reciprocal, the fused product and sum, and printing u each, together 9 u. If S_W
  * is larger, W has a larger relative error, up to 1/32, as error_bound.c requires
@@ -21,7 +21,7 @@
  * normal number. A value that overflows never becomes finite again, unless it is w,
  * whose reciprocal would be 0: from w = W_MAX on the image is nan. */
 
-/* Returns column k of the image of p. */
+/* Returns the product of (p, 1) and column k of the matrix; p has `terms` elements. */
 static inline REAL NAME(
     column)(const struct kernel_map *m, int k, const REAL p[3], int terms)
 {

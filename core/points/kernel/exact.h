@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels of PRECISION_EXACT, written once for the vectors that copy.h describes. A
- * coordinate is a sum hi + lo with a bound of its error. If all numbers within the
- * bound round to the same double, this double is the result; if not, point.c computes
- * the point. Variables named sure are positive if the rounding is certain. Noise, the
- * error up to which a difference counts as 0, is in struct kernel_map (kernel.h).
+ * coordinate is a sum hi + lo with a bound of its error. If all numbers within this
+ * bound of hi + lo round to one double, it is the result; if not, point.c computes the
+ * point. Variables named sure are positive if the rounding is certain. Noise, the error
+ * up to which a difference counts as 0, is in struct kernel_map (kernel.h).
  *
  * To cut a number is to round it to few bits; the difference is its rest. Let 2^e be
  * above the differences of a block's points from the origin in one coordinate; each
@@ -16,10 +16,10 @@
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
  * The three first terms are up to 2^-27 B each, the other three up to 2^-25 B. The
- * origin's rests add three up to 2^-27 B: no partial sum is above 9 times 2^-26 B. The
- * errors are (coordinate's rest) (element's lo of struct kernel_map), which is left
- * out, and the roundings of sums, products, rests, and lo plus its bound: together 49 u
- * 2^-26 B < 2^-73.3 B, where u = 2^-53. `make prove` counts them. */
+ * origin's rests add three terms of up to 2^-27 B: no partial sum is above 9 times
+ * 2^-26 B. The errors are (coordinate's rest) (element's lo of struct kernel_map),
+ * which is left out, and the roundings of sums, products, rests, and lo plus its bound:
+ * together 49 u * 2^-26 B < 2^-73.3 B, where u = 2^-53. `make prove` counts them. */
 #include "kernel.h"
 
 /* DIGITS is the number of binary digits of a double, and COLUMN_BOUND the bound of a
@@ -30,7 +30,7 @@
 #define COLUMN_BOUND 0x1p-72
 #define MODERATE 0x1p200
 #endif
-/* Stands for a product that underflows, and is larger: the least normal number. */
+/* Replaces a product that underflows, as its upper bound: the least normal number. */
 #define TINY 0x1p-1022
 
 /* The numbers of bits of a cut coordinate and of a cut element. */
@@ -77,13 +77,13 @@ static bool is_product(double a, double b, double product)
 
 /* The differences d of a block's points from the origin in one coordinate. An origin
  * below 2^(e+23) is cut as the points are: its cut part is subtracted from their cut
- * parts, and its rest times the element from the column's image of the origin. A larger
- * origin is subtracted whole: the points are so near that the differences are exact. */
+ * parts, and the product of its rest and the element from the column's image of the
+ * origin. A larger origin is subtracted whole: differences from it are exact. */
 struct kernel_range {
 	double largest;         /* the largest |d|, rounded up */
 	double power, inverse;  /* 2^e > largest, and 2^-e */
 	double rounder;         /* rounds to multiples of 2^(e-26) */
-	double whole, rest;     /* the origin and 0, or 0 and its rest */
+	double whole, rest;     /* (origin, 0) or (0, its rest) */
 	double rounder_and_cut; /* rounder + the origin's cut part */
 };
 
@@ -147,7 +147,7 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
  * to rest, unless all of them together are within the noise. */
 struct column_cut {
 	double high[4], rest[4], element[4];
-	double bound;       /* of the error */
+	double bound;       /* of the column's error */
 	bool exact;         /* rest has no error beyond the noise */
 	double noisy_below; /* 2^56 times the noise */
 };
@@ -292,8 +292,8 @@ static inline vdd column_sum(const struct column_cut *c, const V cut[3],
 	return (vdd){ hi, lo };
 }
 
-/* Returns 0 if a is 0, or if |a| is above 2^56 times the noise, which then is too small
- * to change the rounding of a. If not, returns a positive number. */
+/* Returns 0 if a is 0, or if |a| is above noisy_below, 2^56 times the noise, which then
+ * is too small to change the rounding of a. If not, returns a positive number. */
 static inline V inexact_if_noisy(V a, double noisy_below)
 {
 	return IF_POSITIVE(ABS(a) - ALL(noisy_below), ALL(0), ABS(a));
@@ -338,11 +338,11 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 }
 
 /* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. The first
- * quotient q is within 4 u |q| of n / w, so that the residual n - q w is at most 4 u
- * |n|. The correction of q, the residual over w, has an error of at most 24 u^2 |q| and
- * 3 u times the low parts, which are up to 9 times 2^-26 B. bound is above 2^-74 |n|,
- * and w_bound above 2^-74 w. The errors of the quotient and of both columns leave a sixth
- * of the bounds unused, even if the exact divisor is less than w. w is above w_bound. */
+ * quotient q is within 4 u |q| of n / w; the residual n - q w is at most 4 u |n|. q's
+ * correction, the residual over w, has an error of at most 24 u^2 |q| plus 3 u (|n.lo|
+ * + |q w.lo|) / w; low parts are up to 9 times 2^-26 of their column's B. `bound` is
+ * above 2^-74 |n|, and w_bound above 2^-74 w. All errors leave a sixth of the bounds
+ * unused, even if the exact divisor is less than w. w is above w_bound. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -358,7 +358,7 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 
 /* Rounds undivided columns once more, now with error 0 for each column that is exact:
  * an exact column is often midway between two doubles, where any other error would
- * prevent rounding. Each lane of the result is positive if all columns are sure. */
+ * prevent rounding. Each lane of the result is positive if all roundings are sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {

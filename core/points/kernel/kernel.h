@@ -54,9 +54,9 @@ struct kernel_map {
 	/* The sum of the magnitudes of the products in column j is at most slope[j]
 	 * (|x|+|y|+|z|) + offset[j], for x, y, z relative to the origin. */
 	double slope[4], offset[4];
-	/* The errors of the elements (struct sum) change column j by at most noise[j]
-	 * max(1, d) if |x|, |y| and |z| are at most d. Values of the column that differ
-	 * by this noise or less count as equal. */
+	/* The errors of the exact map's elements (struct sum) change column j by at
+	 * most noise[j] max(1, d) if |x|, |y| and |z| are at most d. Values of the
+	 * column that differ by this noise or less count as equal. */
 	double noise[4];
 	/* A lower bound of the noise of column j at any point. */
 	double least_noise[4];
@@ -79,11 +79,11 @@ typedef int (*approx_kernel)(const struct kernel_map *,
 typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
     char *out, size_t n);
 
-/* The bound of approx_kernel's errors, in units of roundoff; approx.h derives it. */
+/* The factor of u in the bound of approx_kernel's errors, which approx.h derives. */
 #define APPROX_BOUND 10
 
 /* Copies points from rows of floats or doubles to columns of doubles. Returns true if
- * no magnitude is above max. A nan is not above max. */
+ * no magnitude is above `max`. A nan is not above it. */
 typedef int (*to_columns_kernel)(const char *rows,
     double (*columns)[POINTS_BLOCK], size_t n, double max);
 
@@ -94,7 +94,7 @@ typedef int (
 
 /* A map in doubles, with the matrix m, whose columns estimate the columns of an exact
  * map. Let size be |x| + |y| + |z|, relative to the origin. If low <= size < high, an
- * estimate whose magnitude is above slope size + floor has the sign of the exact
+ * estimate whose magnitude is above slope * size + floor has the sign of the exact
  * column. slope and floor are those of the column with the largest errors: one bound
  * for all columns takes less time, but leaves the signs of a few more points unsure. */
 struct estimate {
@@ -115,7 +115,7 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 	return x * m[0][j] + y * m[1][j] + z * m[2][j] + m[3][j];
 }
 
-/* Adds weight 2^j to word[i] for each point i and each of the 3 or 4 columns j whose
+/* Adds weight * 2^j to word[i] for each point i and each of the 3 or 4 columns j whose
  * sign is negative. Adds SIGNS_UNSURE to word[i] if the sign of a column is not sure.
  * The words are doubles, as vectors of doubles can add them. */
 typedef void (*signs_kernel)(const struct estimate *, int columns,
