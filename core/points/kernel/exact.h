@@ -339,10 +339,10 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 
 /* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. The first
  * quotient q is within 4 u |q| of n / w; the residual n - q w is at most 4 u |n|. q's
- * correction, the residual over w, has an error of at most 24 u^2 |q| plus 3 u (|n.lo|
- * + |q w.lo|) / w; low parts are up to 9 times 2^-26 of their column's B. `bound` is
- * above 2^-74 |n|, and w_bound above 2^-74 w. All errors leave a sixth of the bounds
- * unused, even if the exact divisor is less than w. w is above w_bound. */
+ * correction, the residual over w, has an error of at most 24 u^2 |q| plus 3 u times the
+ * low parts, which are up to 9 times 2^-26 of their column's B. `bound` is above 2^-74
+ * |n|, and w_bound above 2^-74 w. All errors leave a sixth of the bounds unused, even if
+ * the exact divisor is less than w. w is above w_bound. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
