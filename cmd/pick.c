@@ -81,7 +81,7 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool computed = false; /* `outside`, and `view` if finite_near, set */
+	bool computed = false; /* `outside` is set, `view` if finite_near */
 
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {

@@ -83,7 +83,8 @@ void run_project(const struct options *o)
 
 	if (!o->ray && !plane)
 		project_check_alone(o, from, to);
-	if (!o->has_to && to == SPACE_NDC && d.scene.projection.type != 0 &&
+	if (!o->has_to && to == SPACE_NDC &&
+	    d.scene.projection.type != PROJECTION_NONE &&
 	    (d.scene.has_device || d.scene.has_window))
 		document_refuse(&d,
 		    "/viewport: missing; \"device\" and \"window\" are for two "

@@ -39,7 +39,7 @@ struct chunk {
 	size_t block_lines, block_points;
 	bool walk_planned, can_walk; /* walk_plan was called; returned true */
 	struct walk walk;
-	struct word flags[256]; /* chunk_flags's words, by outside; or empty */
+	struct word flags[256]; /* results of chunk_flags; empty until needed */
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
