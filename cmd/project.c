@@ -19,7 +19,7 @@ static void project_check(const struct options *o)
 	if (plane && o->plane.v[0] == 0 && o->plane.v[1] == 0 &&
 	    o->plane.v[2] == 0)
 		die(EXIT_USAGE,
-		    "--plane: A, B and C are all 0; write --plane 0,0,1,0");
+		    "--plane: A, B and C are all 0; z = 0 is --plane 0,0,1,0");
 	if ((o->ray && (plane || o->matrix)) ||
 	    ((o->ray || plane) && (o->homogeneous || o->flags || o->visible)))
 		die(EXIT_USAGE, "--%s excludes -H, --flags, --visible and %s",

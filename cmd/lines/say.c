@@ -155,8 +155,8 @@ bool say_empty_field(const struct layout *l, struct span f,
 	if (l->in.separator != ' ' || !format_of(l->in)->header || f.s < f.end)
 		return false;
 	strcpy(reason,
-	    "has too few fields or an empty one; make blanks in a row one by "
-	    "sed 's/^ *//;s/ *$//' | tr -s ' ', or say -i text");
+	    "has too few fields or an empty one; for one blank between fields: "
+	    "sed 's/^ *//;s/ *$//' | tr -s ' '; or, without a header, -i text");
 	return true;
 }
 

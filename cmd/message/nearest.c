@@ -65,6 +65,8 @@ static const struct {
 	    ": \"fovx\" is 2 atan(sensor width / 2 / focal length)" },
 	{ "size imagesize windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
+	{ "euler rotationeuler",
+	    ": give the quaternion of these angles as \"orientation\"" },
 	{ "zoom", ": only a window has it; in 3D give a smaller \"fovy\"" },
 	{ "scale", ": only a viewport has it; \"world\" can scale points" },
 };

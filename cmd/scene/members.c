@@ -17,10 +17,9 @@ static const struct member camera_members[] = {
 	    .aliases = "direction dir forward",
 	    .about = "direction in which the camera looks, of any length"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
-	    .aliases = "rotation rotationquaternion quaternion quat qvec q qw "
-		       "euler rotationeuler",
-	    .note = " (x, y, z, w from view to world axes, with w last; from "
-		    "world to view, negate x, y, z; a 3x3 R is in \"matrix\")",
+	    .aliases = "rotation rotationquaternion quaternion quat qvec q qw",
+	    .note = " (x, y, z, w, view to world; if world to view, negate "
+		    "x, y, z; a 3x3 R is in \"matrix\")",
 	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
@@ -185,7 +184,7 @@ static const struct member window_members[] = {
 	    .about = "point that zoom does not move; if absent, the centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
 	    .fallback = "\"stretch\"",
-	    .about = "on a device of other shape: stretch, show more or less"),
+	    .about = "if the device's shape differs: distort, show more, less"),
 	{ .name = NULL },
 };
 

@@ -69,7 +69,7 @@ const struct member projection_members[] = {
 	    .fallback = "45", .shown = true,
 	    .about = "direction in the picture of lines along the gaze"),
 	LENGTH(OBLIQUE, "plane", plane, .fallback = "0",
-	    .about = "depth at which the slant moves no point"),
+	    .about = "distance along the gaze of points that do not shear"),
 	ANGLE(PERSP, "fovy", angle, .range = &fov_range,
 	    .aliases = "fov yfov vfov verticalfov fieldofview cameraangley",
 	    .note = GLTF,
@@ -234,7 +234,7 @@ static void read_type(const struct value *v, struct projection *p)
 	else if (implied == PROJECTION_NONE)
 		refuse_missing_type(v);
 	if (implied != PROJECTION_NONE && p->type != implied)
-		value_refuse(&m, "is \"%s\", but the command is %s",
+		value_refuse(&m, "is \"%s\", not \"%s\"; project takes any",
 		    projection_types[p->type - 1],
 		    projection_types[implied - 1]);
 }

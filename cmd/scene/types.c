@@ -283,7 +283,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	}
 	if (n == 16 || (n == 4 && columns == 4))
 		value_refuse(v,
-		    "is 4x4; leave out the last row, and of K the last "
+		    "is 4x4; leave out the last row and, if it is K, the last "
 		    "column; a 4x4 from view to clip is of type \"matrix\"");
 	if (nested ? n != 3 : n != 9 && n != 12)
 		value_refuse(v, "is none of " INTRINSICS_FORMS);

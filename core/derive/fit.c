@@ -6,8 +6,8 @@
 #include "frustum.h"
 
 #define NOT_IN_RANGE                                                        \
-	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
-	"1e-150; choose another unit"
+	"/bounds: the scene that fit computes has numbers beyond 1e150 or " \
+	"sizes below 1e-150; choose another unit"
 
 /* Sets gaze and up from to_world, the map from view to world space; also the eye, if
  * the camera is not given by its eye. A matrix is replaced by its nearest rotation. */

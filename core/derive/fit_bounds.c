@@ -9,9 +9,9 @@
 const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 {
 	static const char *const less_than_min[3] = {
-		"/bounds/max/0: less than min's; give the lower corner as min",
-		"/bounds/max/1: less than min's; give the lower corner as min",
-		"/bounds/max/2: less than min's; give the lower corner as min",
+		"/bounds/max/0: less than min's; give the least x, y, z as min",
+		"/bounds/max/1: less than min's; give the least x, y, z as min",
+		"/bounds/max/2: less than min's; give the least x, y, z as min",
 	};
 
 	*h = (struct hull){ .n = b->n > 0 ? b->n : 1 << dimensions };
@@ -98,7 +98,7 @@ const char *extents_widen(struct extents *r, int n)
 	}
 	return sum_sign(most) > 0 ?
 	    NULL :
-	    "/bounds: a single point; what has an extent is wanted";
+	    "/bounds: no extent; points that differ are wanted";
 }
 
 const char *fit_axes(const struct scene *s, struct map *xy, struct map *depth)
