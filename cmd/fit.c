@@ -5,13 +5,13 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* The directions along which fit measures, and the farthest points along each. */
+/* The directions along which fit measures, and the farthest point along each. */
 struct fit {
 	struct directions directions;
 	struct extremes extremes;
 };
 
-/* Adds the points c->in of a block to the extremes of the chunk, stored in c->out. */
+/* Adds the points of a block, c->in, to the chunk's struct extremes, in c->out. */
 static void fit_take_block(const struct job *j, struct chunk *c)
 {
 	const struct fit *fit = j->data;
@@ -63,8 +63,8 @@ static void fit_read_points(const struct options *o, struct document *d)
 		document_refuse(d, "/bounds: missing, and there are no points");
 }
 
-/* Refuses a scene for the reason that core/ returned. If the bounds were computed from
- * points, the message for a reason about /bounds names the points instead. */
+/* Refuses a scene for a reason that fit_window or fit_scene returned. If the reason is
+ * about /bounds, and the bounds are those of points, the message names the points. */
 static _Noreturn void refuse_fit(const struct options *o,
     const struct document *d, const char *reason)
 {

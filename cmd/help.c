@@ -17,8 +17,8 @@ static void put_heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
-/* Prints a member's name, type, unit, meaning and default. `types` may be NULL; if not,
- * it has the names of the object's types: prints those types that have the member. */
+/* Prints a member's name, type, unit, meaning and default. If `types` is not NULL, it
+ * names the types of the object: also prints which of these types have the member. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LIST_ROOM], type[2 * LIST_ROOM];
@@ -43,8 +43,8 @@ static void print_member(const struct member *row, const char *const *types)
 	print("%s\n", *before == ',' ? ")" : "");
 }
 
-/* Prints the rows of a table whose bits are set and that objects of the kind have. If
- * kind < 0, prints the rows of all kinds. */
+/* Prints the rows of a table that are set in `bits` and that objects of the kind have.
+ * A kind < 0 stands for all kinds. */
 static void print_members(const struct member *table, int kind, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
@@ -115,8 +115,8 @@ void help_command(const struct command *c)
 	print(" projcalc %s %s\n", c->name, c->example);
 }
 
-/* Prints a row of the table of conventions: `name`, then a column for each member: the
- * word that choices[m->offset] selects or, if `choices` is NULL, the member's name. */
+/* Prints `name` and, for each member m of a convention, the word that is selected by
+ * choices[m->offset]. If `choices` is NULL, prints the names of the members instead. */
 static void print_convention_row(const char *name, const bool *choices)
 {
 	print("  %-8s", name);

@@ -15,7 +15,7 @@ static void put_text_member(struct printer *p, const char *name, const char *s)
 		put_literal(p, "null");
 }
 
-/* Puts a member with an array of the words that `bits` selects; `words` may be NULL. */
+/* Puts a member with an array of those words whose bit is set. `words` may be NULL. */
 static void put_words(struct printer *p, const char *name,
     const char *const *words, unsigned bits)
 {
@@ -52,7 +52,7 @@ static void put_command(struct printer *p, const struct command *c)
 	put_close(p, "]");
 	if (c->kind != HELP) {
 		put_words(p, "reads", names, document_used_members(&c->wants));
-		/* 2D and 3D documents have no needed member in common */
+		/* a command for 2D and 3D documents needs no member in both */
 		put_words(p, "needs", names,
 		    c->wants.flat_members != 0 ? 0 : c->wants.needed);
 		put_words(p, "alone", names, c->wants.lone_member);
@@ -89,8 +89,8 @@ static void put_range(struct printer *p, const struct value_range *r)
 	put_number(p, r->max);
 }
 
-/* Puts the row of a member: of the scene or, if `object` is not NULL, of the scene's
- * member called `object`. `types` has the names of the object's types. */
+/* Puts the row of a member of the scene or, if `object` is not NULL, of the object with
+ * this name in the scene. `types` has the names of the object's types. */
 static void put_member(struct printer *p, const struct member *row,
     const char *object, const char *const *types)
 {

@@ -16,7 +16,7 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
-/* In the order of enum note. Each says what is wrong, and what to try. */
+/* The texts of enum note, in its order: what is wrong, and what to try. */
 static const char *const notes[NOTES] = {
 	"mirrored: the picture is a mirror image, as the determinant says; "
 	"negate x or y in the matrix, or try another \"convention\"",
@@ -78,7 +78,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-/* Puts for each of the first `sides` names one number or, if n > 0, an array of n. */
+/* Puts an object with members names[0..sides): numbers or, if n > 0, arrays of n. */
 static void put_sides(struct printer *p, const char *name, int sides,
     const double *v, int n)
 {

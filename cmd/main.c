@@ -19,14 +19,14 @@
 	.lone_member = SCENE_##member, .needed = SCENE_##member,           \
 	.used = SCENE_##member | SCENE_POINTS | (others)
 
-/* The command is for one type of projection. A viewport may determine the aspect. */
+/* The command is for one type of projection. A viewport may determine its aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX_3D, run_matrix,                                             \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
 	    .source.implied_type = type },                                 \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
-/* A window adapts to the device if the document has one. */
+/* A window adapts to the device if the document has a device. */
 #define NEEDS_WINDOW NEEDS_ONE(WINDOW, SCENE_DEVICE)
 #define NEEDS_DEVICE NEEDS_ONE(DEVICE, 0)
 #define NEEDS_WINDOW_AND_DEVICE                                            \
@@ -141,7 +141,7 @@ int main(int argc, char **argv)
 {
 	struct options o = { .params = "-", .separator = ',' };
 
-	/* if linked with -ffast-math, startup code flushes subnormals: undoes this */
+	/* undoes the startup code of -ffast-math, which flushes subnormals */
 	fesetenv(FE_DFL_ENV);
 	options_read_first(argv + 1);
 	if (argc < 2)

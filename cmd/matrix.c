@@ -7,7 +7,7 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* kept_axes[n - 3]: indices of the n rows, or columns, of a map that are printed. */
+/* kept_axes[n - 3]: the n rows or columns of a map that are printed; in 2D no z. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -46,8 +46,8 @@ static void put_matrix(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* Returns the elements of the matrix of t, for column vectors if `column` is true, as
- * nearest doubles; if `floats` is true, as floats, and refuses those out of range. */
+/* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
+ * to double or, if `floats` is true, to float, and refuses elements out of range. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {

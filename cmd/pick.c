@@ -16,7 +16,7 @@ struct hit {
 	double distance, point[4];
 	long long line;
 	size_t size;
-	char text[]; /* what is printed; in JSON, what follows "line" */
+	char text[]; /* the output; in JSON without {"line":NUMBER, */
 };
 
 struct hits {
@@ -42,7 +42,7 @@ static struct hit *hit_at(char *buffer, size_t at)
 	return (void *)(buffer + at);
 }
 
-/* Appends a hit with its text: the line of input or, for JSON, what follows "line". */
+/* Appends a hit and its text: the line of input or, in JSON, all but {"line":NUMBER, */
 static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
@@ -81,7 +81,7 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool computed = false; /* `outside` is set, `view` if finite_near */
+	bool computed = false; /* outside is set; if finite_near, view, too */
 
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -159,8 +159,8 @@ static int hit_compare(const void *a, const void *b)
 	return order != 0 ? order : (p > q) - (p < q);
 }
 
-/* Sorts hits, the nearest first: by the doubles of their distances, then hits of equal
- * doubles by exact distances, unless they are in that order already. */
+/* Sorts hits, the nearest first: all by the doubles of their distances, then each run
+ * of equal doubles by exact distances, if it is not in this order already. */
 static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 {
 	hit_picker = NULL;
@@ -191,11 +191,10 @@ static size_t hits_first_printed(struct hit *const *hit, size_t n)
 	return differ || i == 0 ? i : i - 1;
 }
 
-/* Prints the hits, the nearest first. */
 static void print_hits(const struct job *j)
 {
 	struct hits *h = j->data;
-	/* large enough: {"line":NUMBER, is shorter than a struct hit without text */
+	/* h->size is enough: struct hit without text is larger than {"line":NUMBER, */
 	char *const out = xrealloc(NULL, h->size), *at = out;
 	struct hit **hit = xrealloc(NULL, (h->n + 1) * sizeof(struct hit *));
 

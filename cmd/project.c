@@ -26,7 +26,7 @@ static void project_check(const struct options *o)
 		    plane ? "plane" : "ray", plane ? "--ray" : "-m");
 }
 
-/* Sets in *j what depends on the scene. Returns NULL, or the reason why this fails. */
+/* Sets the members of *j that depend on the scene. Returns NULL, or why it can't. */
 static const char *project_prepare(const struct scene *s,
     const struct options *o, enum space from, enum space to, struct job *j)
 {

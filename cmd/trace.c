@@ -23,7 +23,7 @@ struct images {
 	unsigned char outside[BATCH];
 };
 
-/* Transforms points p to p + n - 1 of the block to all spaces, and makes the texts. */
+/* Computes all members of m for points p to p + n - 1 of the block. */
 static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {
@@ -44,8 +44,8 @@ static void images_transform(struct images *m, const struct job *j,
 }
 
 /* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
- * number beyond the range of doubles (with -p single, of floats) is nan or, in JSON,
- * null; if m is NULL, every number is. In JSON, an array of only nulls becomes null. */
+ * number beyond the range of doubles (with -p single, of floats), and each number if m
+ * is NULL, becomes nan or, in JSON, null. An array of only nulls becomes null. */
 static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {
@@ -73,8 +73,8 @@ static char *trace_put_image(char *at, const struct job *j,
 	return at;
 }
 
-/* Appends the output for a line: the images of point p of m or, if the line is bad and
- * m is NULL, nan or null. The output as text begins with a blank line. */
+/* Appends the output for a line: the images of point p of m or, for a bad line with m
+ * NULL, nan or null. In the format text the output begins with a blank line. */
 static void trace_put_point(const struct job *j, struct chunk *c,
     const struct line *line, const struct images *m, size_t p)
 {
@@ -102,7 +102,6 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 	c->size = (size_t)(at - c->out);
 }
 
-/* Appends the output for a block of lines. */
 static void trace_take_block(const struct job *j, struct chunk *c)
 {
 	/* too large for a thread's stack */

@@ -10,8 +10,8 @@
 struct options;
 struct transform;
 
-/* Commands of one kind take the same options. Kinds are bits: option_row.kinds has the
- * bits of all kinds of commands that take the option. */
+/* Commands of one kind take the same options. Each kind is a bit, so that the member
+ * `kinds` of struct option_row can name several kinds. */
 enum command_kind {
 	MATRIX_3D = 1, /* prints a 3D matrix, or the images of points */
 	PROJECT = 2,
@@ -27,14 +27,14 @@ struct command {
 	const char *name;
 	const char *about; /* one line of help */
 	enum command_kind kind;
-	/* Reads the current scene and prints the answer. Does not return after errors. */
+	/* Reads the scene and prints the answer. Does not return after an error. */
 	void (*run)(const struct options *);
-	/* What the command needs of a document. read_document completes a copy by the
-	 * options and by the place of the document's text in its file. */
+	/* The command's needs of a document. To a copy of them, read_document adds what
+	 * the options need, and the place of the document's text in its file. */
 	struct document_wants wants;
-	/* For matrix commands: the matrix maps space `from` to space `to`, and points
-	 * are printed in space points_to. Values are of enum flat_space for MATRIX_2D,
-	 * of enum space for MATRIX_3D. */
+	/* For MATRIX_3D and MATRIX_2D: the matrix maps the space `from` to the space
+	 * `to`, and points are printed in the space `points_to`. The values are of enum
+	 * space for MATRIX_3D, of enum flat_space for MATRIX_2D. */
 	int from, to, points_to;
 	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;
@@ -47,9 +47,9 @@ void run_pick(const struct options *);
 void run_fit(const struct options *);
 void run_inspect(const struct options *);
 
-/* Prints the matrix of a transform in the format and precision of the options, for the
- * row or column vectors of the answer's convention. The matrix has no row or column for
- * z of a space whose points have two coordinates. */
+/* Prints the matrix of a transform in the format and precision of the options, for row
+ * or column vectors as the convention of the answer says. For a space whose points have
+ * two coordinates, the matrix lacks the row or column of z. */
 void print_matrix(const struct options *, const struct document *,
     const struct transform *);
 

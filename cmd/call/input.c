@@ -26,8 +26,7 @@ char first_nonblank(const char *s)
 	return *s;
 }
 
-/* Opens a file and returns its descriptor, or -1. The descriptor is not that of a
- * standard stream, even if a standard stream is closed. */
+/* Opens a file. Returns -1 or a descriptor above 2: not that of a standard stream. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;

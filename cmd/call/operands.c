@@ -10,8 +10,8 @@
 #include "../message/message.h"
 
 /* Refuses `word`, an operand that is no file, for the reason `why`. The message ends
- * with `hint` or, if `word` is an option's name, with that option. The name may follow
- * characters from U+2010 to U+201F, such as the dash that editors make of "--". */
+ * with `hint` or, if `word` is the name of an option of c, suggests this option. Skips
+ * characters from U+2010 to U+201F before the name, as editors make a dash of "--". */
 static _Noreturn void refuse_no_file(const struct command *c, const char *word,
     const char *why, const char *hint)
 {
@@ -27,7 +27,7 @@ static _Noreturn void refuse_no_file(const struct command *c, const char *word,
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 
-/* Refuses a file that can't be read; the message ends as that of refuse_no_file. */
+/* Refuses a file that can't be read. `hint` is used as in refuse_no_file. */
 static void check_file(const struct command *c, const char *name,
     const char *hint)
 {
@@ -86,8 +86,8 @@ bool has_points(const struct options *o, const struct document *d)
 	return !none;
 }
 
-/* Returns whether path is the name of a member that the output adds, or a JSON pointer
- * whose first token is such a name. */
+/* Returns whether `path` is the name of a member that the output adds, or is a JSON
+ * pointer that begins with the name of such a member. */
 static bool is_added_member(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
@@ -135,8 +135,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses options that exclude each other. If `printed` is true, the command prints
- * images of points: if the output has binary records, an image has to fit into one. */
+/* Refuses options that exclude each other. `printed` is true if the command prints
+ * images of points; binary records of the output must then have room for the images. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
@@ -243,8 +243,8 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Does the job on the points of a text that document_points or document_read made:
- * lines of JSON, whatever --input says. Messages call the text `name`. */
+/* Does the job on `text`, lines of JSON that document_points or document_read made; the
+ * format of --input does not count. Messages call the text `name`. */
 static void run_json_points(const struct options *o, struct job *j,
     const char *name, const char *text, size_t size)
 {

@@ -6,31 +6,30 @@
 #include "options.h"
 #include "../stream/job.h"
 
-/* Ends a message of pick about a point of two numbers: was it meant for --at? */
+/* A hint that ends the messages of pick about a point of two numbers. */
 #define POSITION_HINT "; --at 320,240 is the position"
 
-/* Refuses operands that the command does not take or that can't be opened. Runs before
- * anything is printed. */
+/* Refuses wrong operands and files that can't be opened, before anything is printed. */
 void operands_check(const struct options *);
 
-/* Moves to the next document of PARAMS and returns whether there is one. Without
- * --scenes there is one; with --scenes, messages begin with the document's number. */
+/* Moves to the next document of PARAMS and returns whether there is one. With --scenes,
+ * PARAMS may have several, and messages begin with the number of the document. */
 bool params_next(const struct options *);
 
-/* Reads the current document for the command and the options. document.points stays
- * valid until the next call of params_next. */
+/* Reads from the current document what the command and the options need. The points in
+ * struct document stay valid until the next call of params_next. */
 void read_document(const struct options *, struct document *);
 
 /* Returns whether there are points, as operands or in the document. If there are none,
  * refuses options that are only for points. */
 bool has_points(const struct options *, const struct document *);
 
-/* Completes the job by the options, and does it on all points: those of the operands,
- * else of the document, else of standard input. The caller has set job.transform, or
- * job.rays and job.ray. Operands are read once for all documents of --scenes. */
+/* Completes the job by the options, and does it on the points of the operands; without
+ * operands, on those of the document or, if it has none, of standard input. The caller
+ * has set job.transform, or job.rays and job.ray. --scenes reads operands only once. */
 void run_points(const struct options *, const struct document *, struct job *);
 
-/* A text of size bytes at s. s has memory for room bytes and PIECE_MARGIN more, as the
+/* A text of `size` bytes at `s`. `room` + PIECE_MARGIN bytes are allocated, as the
  * readers of points read past the end of the text. */
 struct text {
 	char *s; /* NULL at first */
@@ -42,8 +41,8 @@ bool is_stdin(const char *operand);
 /* Returns the first character that is not white space; 0 if there is none. */
 char first_nonblank(const char *);
 
-/* Returns whether fstat(fd), or stat(name) if fd < 0, succeeds. Refuses with status 2 a
- * directory, and the file that is standard output, as output would become input. */
+/* Returns false if fstat(fd) or, for fd < 0, stat(name) fails. Refuses, with status 2,
+ * a directory, and the file to which standard output goes: it can't be input, too. */
 bool check_input(const char *name, int fd);
 
 /* Returns a descriptor of a file, or of standard input for "-". Refuses with exit

@@ -75,7 +75,7 @@ static void option_read_format(struct options *o, const struct option_row *r,
 	option_read_word(o, r, word);
 }
 
-/* Reads a number from SIZE_MIN to MAGNITUDE_MAX to the option's member. */
+/* Sets the option's member to a number from SIZE_MIN to MAGNITUDE_MAX. */
 static void option_read_size(struct options *o, const struct option_row *r,
     char *word)
 {

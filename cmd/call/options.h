@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads the options of a command, and suggests names for unknown ones. */
+/* Reads the options of a command. Refuses unknown words with a hint. */
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
@@ -24,12 +24,12 @@ struct number_list {
 };
 
 struct options {
-	const struct command *command; /* whose options these are */
+	const struct command *command; /* the command of this call */
 	unsigned convention;           /* index in conventions[], by -c */
 	bool has_convention;           /* -c was given */
 	bool help, version;
 	enum format in, out;
-	int in_record, out_record; /* numbers in a record; 0: no records */
+	int in_record, out_record; /* numbers in a binary record, or 0 */
 	bool has_out;              /* -o was given; if not, out is text */
 	char separator;            /* of csv, a comma by default */
 	bool header, no_header;    /* neither: the first line's fields decide */
@@ -85,7 +85,7 @@ extern const struct option_row option_rows[];
  * other words, as they decide how messages about the other words look. */
 void options_read_first(char **words);
 
-/* Returns the option called `name`, which ends at NUL, = or a blank; or NULL. */
+/* Returns the option called `name`, or NULL. A NUL, = or blank ends the name. */
 const struct option_row *option_named(const char *name);
 
 /* Returns whether the command takes the option. Either may be NULL. */
@@ -94,11 +94,11 @@ bool option_is_for(const struct option_row *, const struct command *);
 /* Reads the options and operands behind a command's name, up to --help or --version. */
 void options_read(struct options *, char **words);
 
-/* Returns how many coordinates the command reads of a point, by the options alone: the
- * result ignores that points have two if the document has two dimensions. */
+/* Returns how many coordinates of a point the command reads, by the options alone. If
+ * the document is 2D, the command reads two coordinates, whatever the result is. */
 int coordinates_of(const struct options *);
 
-/* Returns the format of printed points: by -o, else that of the input. */
+/* Returns the format of printed points: the argument of -o, else the input's format. */
 enum format options_output(const struct options *);
 
 /* Returns the style of the numbers in a matrix and in the output of inspect and pick.
@@ -107,9 +107,9 @@ struct number_style options_style(const struct options *);
 
 struct member;
 
-/* Searches all members of scenes and of their objects, from the last object to the
- * first. Returns the member called `name`, else one with this alias, else NULL. Sets
- * *object to the member of the scene that is the result or contains the result. */
+/* Returns the member called `name` of a scene or of one of its objects; else a member
+ * with the alias `name`; else NULL. Searches from the last object to the first. Sets
+ * *object to the member of the scene that is the result or contains it. */
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
@@ -118,8 +118,8 @@ const struct member *synonym_find(const char *name,
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses `option`, such as "--eye" or "-eye", if `name` is an option or member, or has
- * a hint by synonym_of. `name` is `option` without dashes, or a letter's long name. */
+/* Refuses the word `option`, such as "--eye", if `name` is an option or member, or has
+ * a hint by synonym_of. `name` is the word without dashes or, for "-t", "tolerance". */
 void synonym_check_option(const struct command *, const char *option,
     const char *name);
 

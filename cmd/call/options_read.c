@@ -23,7 +23,7 @@ static int option_names(const struct command *c, const char *word,
 }
 
 /* Refuses `word`, an option that c does not take. `name` is `word` without dashes or,
- * if `word` is the letter of an option of other commands, the option's long name. */
+ * if `word` is a letter such as "-t" that other commands take, its long name. */
 static _Noreturn void refuse_option(const struct command *c, const char *word,
     const char *name)
 {
@@ -60,7 +60,7 @@ static const struct option_row *find_long_option(const struct command *c,
 	return option_named(names[0]);
 }
 
-/* Returns the command's option with the letter. Refuses any other letter. */
+/* Returns c's option with this letter. Refuses a letter that no option of c has. */
 static const struct option_row *find_letter_option(const struct command *c,
     char letter)
 {
@@ -74,8 +74,8 @@ static const struct option_row *find_letter_option(const struct command *c,
 	return r;
 }
 
-/* Sets an option. Its argument, if it takes one, is `value` or, if `value` is NULL, the
- * word **next, and *next then moves past the word. */
+/* Sets an option. An option that takes an argument gets `value`. If `value` is NULL, it
+ * gets the next word, **next, and *next moves past this word. */
 static void set_option(struct options *o, const struct option_row *r,
     char *value, char ***next)
 {
@@ -94,7 +94,7 @@ static void set_option(struct options *o, const struct option_row *r,
 }
 
 /* Sets the options of a word such as "--name=value", or "-md3" for -m -d 3. Refuses the
- * name of an option or member behind one dash: "-to" would mean -t with argument o. */
+ * name of an option or member after one dash: "-to" is not -t with the argument o. */
 static void set_options_of_word(struct options *o, char *word, char ***next)
 {
 	const struct command *c = o->command;
@@ -120,7 +120,7 @@ static void set_options_of_word(struct options *o, char *word, char ***next)
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
-/* Returns whether a word is an operand: no option, or "-", or a negative number. */
+/* Returns whether a word is an operand, not an option. "-" and "-1.5" are operands. */
 static bool is_operand(const char *word)
 {
 	return *word != '-' || word[1] == '\0' || word[1] == '.' ||

@@ -25,7 +25,7 @@ static struct {
 	long long line, end_line;
 	size_t column, end_column;
 	long level;           /* number of brackets open at `end` */
-	bool quoted, escaped; /* `end` is in a string; is after a backslash */
+	bool quoted, escaped; /* `end` is in a string; follows a backslash */
 } params = { .line = 1, .column = 1, .end_line = 1, .end_column = 1 };
 
 static void params_open(const struct options *o)
@@ -38,7 +38,7 @@ static void params_open(const struct options *o)
 		params.text = text_of_operand(o->params);
 }
 
-/* Appends more of PARAMS to text. Returns false at the end of PARAMS. */
+/* Appends more of PARAMS to params.text. Returns false at the end of PARAMS. */
 static bool params_more(void)
 {
 	struct text *t = &params.text;
@@ -62,8 +62,8 @@ static bool params_more(void)
 	return false;
 }
 
-/* Moves `begin` past white space and byte order marks, which stand between concatenated
- * files. Returns false if text ends at `begin` or within a byte order mark. */
+/* Moves params.begin past white space and byte order marks, which may stand between
+ * concatenated files. Returns false if params.text ends there, or in such a mark. */
 static bool params_skip_blanks(void)
 {
 	const char *s, *next = params.text.s + params.begin;
@@ -79,7 +79,7 @@ static bool params_skip_blanks(void)
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
-/* Searches the rest of text for the document's end. Returns false if there is none. */
+/* Moves params.end to the document's end. Returns false if the text ends before it. */
 static bool params_find_end(void)
 {
 	if (params.end == params.begin && !params_skip_blanks())
@@ -140,9 +140,9 @@ bool params_next(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses PARAMS if it holds points, with EXIT_USAGE: the call is wrong, not the file.
- * A number at its beginning, after blank lines and comments, shows points. If the
- * operands POINTS are given, so does [ or, with binary input, any byte but {. */
+/* Refuses PARAMS if it looks like points, with EXIT_USAGE: the call is wrong, not the
+ * file. Points begin with a number, after blank lines and comments. If the operands
+ * POINTS are given, [ also begins points and so does any byte but { of binary input. */
 static void check_not_points(const struct options *o)
 {
 	const struct place place = { .file = params.name };

@@ -12,13 +12,14 @@
 
 enum {
 	NAMES_MAX = 240,    /* commands, members, and members of members */
-	UNKNOWN_ROOM = 512, /* for "unknown command ..." */
-	SHOWN_ROOM = 64,    /* for the name of a member or option */
+	UNKNOWN_ROOM = 512, /* bytes for "unknown command ..." */
+	SHOWN_ROOM = 64,    /* bytes for a member's name in quotes */
 };
 
-/* Returns the member called `name` or else, if `aliases` is true, a member with this
- * alias; or NULL. Searches the members of a scene whose bits `objects` has, from the
- * last on, and their members of the kind. Sets *object as synonym_find does. */
+/* Returns the member called `name`; if there is none and `aliases` is true, a member
+ * with the alias `name`; else NULL. Searches the members of a scene that have bits in
+ * `objects`, from the last to the first, and the members of each that objects of `kind`
+ * have. Sets *object as synonym_find does. */
 static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool aliases, const struct member **object)
 {
@@ -50,10 +51,10 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that names m: a member of the scene if m is `object`, else a member of
- * `object`. The message is `unknown` ("unknown topic 'eye'"), then object->example if
- * it shows m, else the topic of help about m. `reads` has the members of the scene that
- * the command reads, as bits. */
+/* Refuses a word that means m. `object` is a member of the scene, and m is `object` or
+ * one of its members. The message begins with `unknown` ("unknown topic 'eye'"). It
+ * shows object->example if m is in this example, else the topic of help about `object`.
+ * `reads` has, as bits, the members of the scene that the command reads. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -74,7 +75,7 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Writes to list, and returns, the commands that take an option: "fit and trace". */
+/* Writes to `list` which commands take an option: "fit and trace". Returns `list`. */
 static const char *option_takers(const struct option_row *r,
     char list[LIST_ROOM])
 {
@@ -91,8 +92,9 @@ static const char *option_takers(const struct option_row *r,
 	return list_words(list, takers, " and ", "");
 }
 
-/* Refuses `name`. The message is `unknown`, then `hint`, from synonym_of. If it is an
- * option that c lacks, or c is NULL, lists the commands that take the option. */
+/* Refuses `name`. The message is `unknown`, then `hint`, a text like those that
+ * synonym_of returns. If the hint is an option, and c lacks it or is NULL, the message
+ * lists the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *name, const char *hint)
 {
@@ -114,8 +116,8 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	    option_takers(r, list));
 }
 
-/* Refuses `name` if it is an option's or a member's, or if synonym_of has a hint. The
- * user typed it as an option of c or, if c is NULL, as a command or a topic. */
+/* Refuses `name` if it means an option or a member, or if synonym_of has a hint for it.
+ * The user typed it as an option of c or, if c is NULL, as a command or a topic. */
 static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {
@@ -123,11 +125,11 @@ static void check_word(const struct command *c, const char *unknown,
 	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
 	const unsigned reads = c != NULL ? document_used_members(w) : 0;
 	const struct option_row *r = option_named(name);
-	/* if an option has the name, leaves out spatial members: --at of project is
+	/* skips SCENE_SPATIAL if an option has the name: in a call of project, --at is
 	 * more likely meant as the option of pick than as camera.at */
 	const unsigned objects[] = { w->lone_member,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
-	/* for a command with any type of projection, searches the members of persp */
+	/* searches the members of persp if the command implies no type of projection */
 	const int type = (int)w->source.implied_type,
 		  kind = type > 0 ? type - 1 : 0;
 	const struct member *m, *object;
@@ -165,7 +167,7 @@ void synonym_check_option(const struct command *c, const char *option,
 	check_word(c, unknown, name);
 }
 
-/* Returns what is nearest to `word`: a command, member, --help, --version; or NULL. */
+/* Returns the command, member, "--help" or "--version" nearest to `word`; or NULL. */
 static const char *nearest_known(const struct command *commands,
     const char *word)
 {
@@ -190,7 +192,7 @@ void synonym_refuse_word(const struct command *commands, bool topic,
 	const char first = first_nonblank(word), *near = NULL;
 	const bool option = *word == '-' &&
 	    (word[1] != '-' || option_named(word + 2) != NULL);
-	/* word looks like an option or operand; either has to follow a command */
+	/* `word` looks like an option or operand, which has to follow a command */
 	const bool early = !topic &&
 	    (option || first == '{' || first == '[' ||
 		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);

@@ -44,7 +44,7 @@ static bool in_token(char c)
 	    strchr(":[]{}\"'/#", c) == NULL;
 }
 
-/* Returns the end of the word, the number or else the character at s->at. */
+/* Returns the end of the word or number at s->at, or else of one character there. */
 static const char *token_end(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -97,8 +97,8 @@ static const char *hint_of(const struct json_check *s, const char *fallback)
 	return fallback;
 }
 
-/* Returns false. Writes to s->reason `wanted`, what is at s->at instead, and a hint:
- * that of hint_of or, if there is none, `hint`, which may be NULL. */
+/* Returns false. Writes to s->reason that `wanted` was expected, and what is at s->at.
+ * Adds the hint of hint_of or, if there is none, `hint`, which may be NULL. */
 static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
@@ -115,7 +115,7 @@ static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 }
 
 /* Checks an escape in a string. In a document, refuses \u0000, and half of a surrogate
- * pair (\ud800 to \udfff), of which json_unescape would make U+FFFD. */
+ * pair (\ud800 to \udfff) alone, for which json_unescape writes U+FFFD. */
 static bool check_escape(struct json_check *s)
 {
 	const char *p = s->at, *next = p;
@@ -234,8 +234,8 @@ static bool check_value(struct json_check *s, const char *path)
 	return good;
 }
 
-/* Returns `path` without its first token if the token is `name` or, if name.s is NULL,
- * `index`. Returns NULL if the token is another or `path` has none. */
+/* Returns `path` without its first token if this token is `name` or, if name.s is NULL,
+ * `index`. Returns NULL if the first token differs or `path` has no token. */
 static const char *path_after(const char *path, struct span name, long index)
 {
 	struct span token = { path, path };
@@ -298,7 +298,7 @@ static bool check_brackets(struct json_check *s, const char *path)
 	append_copy(s, s->at++, 1);
 	skip_space(s);
 
-	/* s->copy is NULL while a value that is left out of the copy is checked */
+	/* s->copy is NULL during the check of a value that the copy leaves out */
 	char *const copy_start = s->copy;
 	const bool omits = path != NULL && *path == '\0' && !object;
 	long index = 0;

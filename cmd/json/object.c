@@ -9,7 +9,7 @@
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether kinds has the bit 1 << kind, or is 0 (all), or kind is ANY_KIND. */
+/* Returns whether `kind` is ANY_KIND or in `kinds`, which is 0 (all kinds) or bits. */
 static bool has_kind(unsigned kinds, int kind)
 {
 	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
@@ -72,7 +72,7 @@ const char *member_type(const struct member *row, char out[LIST_ROOM])
 	return out;
 }
 
-/* Fills `names`, which NULL ends, with the members in `bits` that the kind has. */
+/* Fills `names` with the members in `bits` that objects of the kind have, and NULL. */
 static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
@@ -156,8 +156,8 @@ struct way_bits {
 	uint64_t required[WAYS_MAX]; /* of each way, without optional ones */
 };
 
-/* Returns the bits of a list of ways for a kind, and keeps them for the next call. The
- * tables have fewer pairs of a list and a kind than the array `kept` has elements. */
+/* Returns the bits of a list of ways for a kind of object. They stay in `kept`, which
+ * has more elements than the tables have pairs of a list and a kind. */
 static const struct way_bits *find_way_bits(const struct member *table,
     int kind, const char *const *list)
 {
@@ -202,9 +202,9 @@ static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
 	}
 }
 
-/* Refuses v because of m, the first member whose bit `members` has. If `way` is 0, m is
- * missing. If not, `way` has, as bits, the given members of a way that is complete, and
- * m does not belong to that way. */
+/* Refuses the object v because of m, the first member in `members`. If `way` is 0, v
+ * lacks m. If not, the given members complete a way, which m does not belong to; `way`
+ * has the given members of that way, as bits. */
 static _Noreturn void refuse_way(const struct value *v,
     const struct way_bits *b, uint64_t given, uint64_t members, uint64_t way)
 {

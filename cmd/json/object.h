@@ -14,7 +14,7 @@ struct member;
 /* All members of a table as bits: row i is bit i. */
 #define ALL_MEMBERS (~UINT64_C(0))
 
-/* The type of a member. read and print get the member's row and its field's address. */
+/* The type of a member. Both functions get the row and the address of the field. */
 struct type {
 	const char *name; /* in the help; NULL: see member_type */
 	void (*read)(const struct value *, const struct member *, void *);
@@ -40,16 +40,16 @@ struct member {
 	 * may have the same name if their kinds differ. */
 	unsigned kinds;
 	/* The default as JSON, with angles in degrees; or NULL. A member that has its
-	 * default is printed only if shown is set. */
+	 * default is printed only if `shown` is set. */
 	const char *fallback;
 	bool shown;
-	const char
-	    *default_from; /* "-c's": help shows it before fallback; or NULL */
+	/* The words "-c's" in "default -c's, else d3d" of the help; or NULL. */
+	const char *default_from;
 	/* Names of the member in other programs, in lower case without _ and -, with
 	 * blanks between the names; or NULL. */
 	const char *aliases;
-	const char *note; /* " (a hint for users who gave an alias)"; or NULL */
-	/* For the help. unit may be NULL; it is "degrees" for all angles. */
+	const char *note; /* a hint " (...)" for users of an alias; or NULL */
+	/* Texts of the help. `unit` is "degrees" for all angles, NULL for no unit. */
 	const char *unit, *about;
 	/* For an object of a scene: the table of its members, the ways to combine them,
 	 * an example of the object, and a command that reads the example. */
@@ -61,7 +61,7 @@ struct member {
 	bool in_any_document;
 };
 
-/* A row: the member with the name label is read to `field` of `struct object`. */
+/* A row: the member called `label` is read to the field `field` of struct `object`. */
 #define ROW(object, label, value_type, field, ...)                    \
 	{                                                             \
 		.name = label, .type = &(value_type),                 \
@@ -84,14 +84,14 @@ struct ways {
 	 * of the object's way; 0: there is no such field. */
 	size_t offset;
 	unsigned way_0;
-	bool own_plane; /* --plane takes the ways of fit_way, too */
+	bool own_plane; /* --plane, too, takes the ways of fit_way */
 };
 
-/* Reads an object of the kind to the struct at `base`: all defaults, the given members,
- * and for each struct ways of the row the index of the object's way. Returns the given
- * members as bits. If `base` is NULL, reads no values. `kind` is 0 if the table has no
- * kinds. Ignores $schema, members that begin with _, and those that any document may
- * have. Refuses members that are unknown or repeated, and objects that fit no way. */
+/* Reads an object of the kind, and returns its members as bits. Sets the struct at
+ * `base`, if not NULL: defaults, given members, and for each struct ways of the row the
+ * index of the object's way. `kind` is 0 if the table has no kinds. Ignores $schema,
+ * names that begin with _ and, in the outermost object, members that any document may
+ * have. Refuses unknown and repeated members, and objects that fit no way. */
 uint64_t object_read(const struct value *, const struct member *row, int kind,
     void *base);
 
@@ -99,8 +99,8 @@ uint64_t object_read(const struct value *, const struct member *row, int kind,
 void object_read_member(const struct value *, const struct member *,
     void *base);
 
-/* Prints the struct at `base` as an object with those members in `bits` that the kind
- * has. Leaves out defaults, sizes of 0, which were not given, and members that belong
+/* Prints the struct at `base` as an object with those members in `bits` that objects of
+ * the kind have. Leaves out defaults, sizes of 0 (not given), and members that belong
  * only to ways other than the struct's. */
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
@@ -116,13 +116,13 @@ const struct member *member_named(const struct member *, int kind,
  * or right". The words may be written to `out`. */
 const char *member_type(const struct member *, char out[LIST_ROOM]);
 
-/* Returns, as bits, the members in `names`, which is a way of struct ways, that objects
- * of the kind have. If `required` is true, leaves out optional members. */
+/* Returns, as bits, those members of a way that objects of the kind have. `names` is a
+ * way, as in struct ways. If `required` is true, leaves out optional members. */
 uint64_t member_bits(const struct member *, int kind, const char *names,
     bool required);
 
 /* Returns the index of the object's way. `given` has the object's members as bits.
- * Refuses an object that fits no way: a member is missing, or is only in other ways. */
+ * Refuses an object that fits no way: it lacks a member, or has one of other ways. */
 int object_way(const struct value *, const struct member *, int kind,
     uint64_t given, const struct ways *);
 

@@ -24,7 +24,7 @@ struct printer {
 /* Prints text as it is, without the separator before it. */
 void put_text(struct printer *, const char *);
 
-/* Print the brackets that open and close an array or object. */
+/* put_open begins an array or object with a bracket; put_close ends it with another. */
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 

@@ -85,7 +85,7 @@ enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
 
 /* Reads the hexadecimal digits at s, which follow \u, to *code. If they are the first
  * half of a surrogate pair, also reads the escape of the second half. *code becomes
- * U+FFFD for half a pair alone. Returns the end of the text that was read. */
+ * U+FFFD for a half without the other. Returns the end of the text that was read. */
 static const char *unescape_unicode(const char *s, const char *end,
     unsigned *code)
 {

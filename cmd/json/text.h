@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the ends of the parts of JSON text (RFC 8259). Checked text is text that
- * json_check accepts, as a document or as a line. A function takes any text unless its
- * comment asks for checked text. Bytes at end and after it are not read. */
+/* Checks JSON text (RFC 8259), and finds the ends of its parts. Checked text is text
+ * that json_check accepts; the functions here take any text. No byte at or after `end`
+ * is read. */
 #ifndef JSON_TEXT_H
 #define JSON_TEXT_H
 
@@ -27,43 +27,43 @@ static inline const char *json_skip_blanks(const char *s, const char *end)
 	return s;
 }
 
-/* Returns the end of the string whose opening quote is at s; end if none closes it. */
+/* Returns the end of the string that the quote at s opens; `end` if none closes it. */
 const char *json_string_end(const char *s, const char *end);
 
 /* Returns the end of the value or member at s: the comma after it, the ] or } that
- * closes the array or object around it, or end. In unchecked text ] can close {. */
+ * closes the array or object around it, or `end`. In unchecked text ] can close {. */
 const char *json_item_end(const char *s, const char *end);
 
 /* Reads at most four hexadecimal digits at s to *code, and returns their end. */
 const char *json_hex4(const char *s, const char *end, unsigned *code);
 
 /* Writes to out the character for which the escape at s stands, as *n bytes of UTF-8,
- * and returns the end of the escape. Half of a surrogate pair becomes U+FFFD. In text
- * that is not checked, \u may have fewer than four digits. */
+ * and returns the end of the escape. One half of a surrogate pair without the other
+ * becomes U+FFFD. In unchecked text, \u may have fewer than four digits. */
 const char *json_unescape(const char *s, const char *end, char out[4], int *n);
 
-/* Returns whether a JSON string, given with its quotes, is the name. If pointer is set,
- * the name is a token of a JSON pointer (RFC 6901), in which ~1 is / and ~0 is ~. */
+/* Returns whether a JSON string with its quotes stands for `name`. If `pointer` is set,
+ * `name` is a token of a JSON pointer (RFC 6901), in which ~1 is / and ~0 is ~. */
 bool json_is_name(struct span string, struct span name, bool pointer);
 
 /* Two kinds of text are checked. A document is UTF-8, and its strings hold neither
  * \u0000 nor half of a surrogate pair. A line of points has no newline. The strings of
- * a line are copied without being read, so they may hold any bytes but control
- * characters, and any \u. */
+ * a line are copied without being read, so they may hold any \u escape, and any bytes
+ * but control characters. */
 enum json_kind { JSON_DOCUMENT, JSON_LINE };
 
 struct json_check {
 	enum json_kind kind;
-	const char *text, *end; /* bytes at end and after it are not read */
+	const char *text, *end; /* the bytes from text to end - 1 are checked */
 	long line;              /* the number of the first line of text */
-	/* A JSON pointer (RFC 6901) or NULL. found becomes the value to which the
-	 * pointer leads or, if that is missing, the last value on the path. */
+	/* A JSON pointer (RFC 6901) or NULL. `found` becomes the value to which the
+	 * pointer leads or, if there is none, the last value on the way there. */
 	const char *pointer;
 	struct span found;
-	/* NULL, or room for a copy, as many bytes as text has; json_check moves copy to
-	 * the end of what it writes. cJSON parses the copy in less memory, as it has no
-	 * blanks, no members whose names begin with _, no elements of an array to which
-	 * the pointer leads, and no number that is too long for cJSON. */
+	/* NULL, or memory for a copy as large as the text. json_check writes the copy
+	 * and moves `copy` to its end. To save memory when cJSON parses it, the copy
+	 * lacks blanks, members whose names begin with _, and the elements of an array
+	 * to which the pointer leads. Numbers too long for cJSON are shortened. */
 	char *copy;
 	const char *at; /* the next character; after an error, the wrong one */
 	char reason[256]; /* what is wrong, after an error */
@@ -76,8 +76,8 @@ bool json_check(struct json_check *);
 /* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
 const char *json_scalar_end(const char *p, const char *end);
 
-/* Moves *line and *column from the place of text to that of at. A column is a number of
- * bytes, counted from 1. */
+/* Changes *line and *column, which say where `text` is in its file, so that they say
+ * where `at` is. Columns are counted in bytes from 1. */
 void json_count_lines(const char *text, const char *at, long long *line,
     size_t *column);
 

@@ -18,7 +18,7 @@ const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* Returns the place of the byte *at in the file of source. text is the whole text. */
+/* Returns the place in the source's file of the byte *at. text is the whole text. */
 static struct place source_place_at(const struct source *source,
     const char *text, const char *at)
 {
@@ -47,7 +47,7 @@ struct place source_place(const struct source *source, const char *pointer)
 struct value value_parse_document(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
-	/* static, as a refusal jumps out of the function without freeing them */
+	/* static: the next call frees them, even after a refusal by longjmp */
 	static cJSON *parsed;
 	static char *texts[2];
 	char **kept = &texts[source->is_operand], *copy = xrealloc(NULL, size);
@@ -209,8 +209,8 @@ void value_refuse_type(const struct value *v, const char *wanted)
 }
 
 /* Returns whether x is in the range. In radians, limits of 180 and 90 degrees become
- * the doubles PI and PI / 2. As these are below pi and pi/2, x may be equal to them even
- * where the limit itself is excluded. */
+ * the doubles PI and PI / 2. As these are below pi and pi/2, x may be equal to them,
+ * even if the limit is excluded. */
 static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;

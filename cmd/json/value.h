@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Values of a JSON document, and messages with the pointer to a value, such as
+/* Values of a JSON document, and messages with the JSON pointer to a value, such as
  * /camera/eye/0. Only value.c includes cJSON. */
 #ifndef VALUE_H
 #define VALUE_H
@@ -15,18 +15,18 @@ struct source {
 	const char *name;    /* of the file, for messages */
 	long lines_before;   /* lines of the file before the text */
 	size_t bytes_before; /* bytes before the text on its first line */
-	/* A copy of the text, as the reader of points may change the text itself; NULL
-	 * if messages give no line and column. */
+	/* A copy of the text, because reading the points may change the text itself;
+	 * NULL if messages give no line and column. */
 	const char *text, *end;
 	bool column_vectors;   /* matrices are for column, not row, vectors */
 	unsigned unit;         /* of angles: an enum angle_unit */
-	unsigned implied_type; /* of a projection without "type"; or 0 */
+	unsigned implied_type; /* type of a projection without "type"; or 0 */
 	bool for_fit;          /* members that fit computes may be missing */
 	bool for_plane;        /* near and far may be missing, for --plane */
 	bool flat;             /* the document is of two dimensions */
 	bool has_axes;         /* a convention gives the view axes */
-	bool is_operand;       /* from POINTS: not skipped by --keep-going */
-	const char *two_numbers_hint; /* about points of two numbers; or NULL */
+	bool is_operand;       /* is POINTS, which --keep-going never skips */
+	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	const struct member *scene_members; /* for hints in messages */
 };
 
@@ -54,7 +54,7 @@ struct value {
 /* The range that the number of a value must be in. */
 struct value_range {
 	double min, max;
-	const char *wanted; /* for a message: "a number ... is wanted" */
+	const char *wanted; /* ends a message: "a number ... is wanted" */
 	const char *wanted_radians; /* for angles in radians; or NULL */
 	bool min_excluded, max_excluded;
 };
@@ -69,17 +69,17 @@ extern const struct value_range range_any, range_positive;
 struct value value_parse_document(struct source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
-/* Sets the type and number of *v, and nothing else, to those of the value at s, in text
- * that json_check accepts. They are valid until the next call. Returns the end of the
- * value, unless the value is an array or object. */
+/* Sets v->item to the type and, for a number, the number of the value at s. The other
+ * members of *v stay. The item is valid until the next call. json_check must accept the
+ * text. Returns the end of the value, but a wrong end for an array or object. */
 const char *value_peek(struct value *v, const char *s, const char *end);
 
-/* Returns the value of text, a literal of the program, such as a default. Each of at
- * most LITERALS_MAX literals is parsed once and kept. */
+/* Returns the value of JSON text that the program has as a string literal, such as a
+ * default. Each of at most LITERALS_MAX literals is parsed once and kept. */
 enum { LITERALS_MAX = 64 };
 struct value value_literal(const char *text);
 
-/* Returns the first element or member of a value; its item is NULL if there is none. */
+/* Returns the first element or member of a value, with item NULL if there is none. */
 struct value value_child(const struct value *);
 
 /* Replaces *v by the next element or member; after the last, v->item becomes NULL. */
@@ -101,7 +101,7 @@ bool value_is(const struct value *, enum json_type);
 /* Returns the text of a string, or NULL for other values. */
 const char *value_string(const struct value *);
 
-size_t value_count(const struct value *); /* elements of an array; or 0 */
+size_t value_count(const struct value *); /* elements of an array; else 0 */
 
 /* Returns the place of the value to which a pointer leads or, if the value is missing,
  * of the object or array that lacks it. */
@@ -122,10 +122,10 @@ double value_number(const struct value *, const struct value_range *);
 void value_numbers(const struct value *, const struct value_range *, size_t n,
     double *);
 
-/* Returns the index of a string in words, which NULL ends; refuses other values. */
+/* Returns the index of a string in words[], which NULL ends; refuses other values. */
 int value_word(const struct value *, const char *const *words);
 
-/* Writes the words, which NULL ends, as a list such as "a", "b" or "c". `quote` is put
+/* Writes words[], which NULL ends, as a list such as "a", "b" or "c". Writes `quote`
  * before and after each word, and `last`, such as " or ", before the last word. A list
  * is cut at LIST_ROOM bytes. Returns out. */
 enum { LIST_ROOM = 512 };
