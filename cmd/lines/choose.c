@@ -49,8 +49,8 @@ size_t cursor_count(struct cursor c)
 	return n;
 }
 
-/* The route to a field that choose looks for in a line or JSON value: path is its name
- * or JSON pointer. If path is NULL, index counts the fields before it; -1: no route. */
+/* The route to a field that choose looks for: path is the field's name or JSON pointer.
+ * If path is NULL, index is the field's index, from 0; -1: the route leads nowhere. */
 struct route {
 	const char *path;
 	long index;
@@ -99,20 +99,20 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 			    pointer && is_index(token, k);
 }
 
-/* A search for the first n elements of struct chosen. */
+/* A search for elements 0 to n - 1 of the arrays of struct chosen. */
 struct search {
 	const struct layout *l;
 	int n;
-	bool text; /* the fields are text, and found by index */
+	bool text; /* FORMAT_TEXT, whose fields are found by index */
 	long last; /* the index of the last field that is looked at */
-	int separators, commas; /* separators counted; those with a comma */
+	int separators, commas; /* counted separators; those with a comma */
 	struct chosen *out;
 };
 
-/* Returns whether the separator before f, field k of text, counts for mixed_commas:
- * each before the last coordinate does, and the next one if f may be the decimals of
- * that coordinate: f is a number, and there are two coordinates or only a comma is
- * before f. */
+/* Returns whether mixed_commas depends on the separator before f, field k of a line.
+ * It depends on each separator before the last coordinate. It depends on the separator
+ * after the last coordinate if f may be the decimals of this coordinate: f is a number,
+ * and points have two coordinates or the separator is a comma without blanks. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {
@@ -133,7 +133,7 @@ static void search_fields(struct search *r, struct cursor c,
     const struct route routes[SOUGHT_MAX])
 {
 	struct chosen *out = r->out;
-	int fields[SOUGHT_MAX] = { 0 }; /* how many routes[i] leads to */
+	int fields[SOUGHT_MAX] = { 0 }; /* how many fields routes[i] leads to */
 	struct field f;
 
 	for (long k = 0; k <= r->last && cursor_next(&c, &f); k++) {
@@ -220,7 +220,7 @@ void choose_parts(const struct layout *l, const struct chosen *c,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
 
-		/* in bad csv, nan replaces a coordinate with its quotes */
+		/* in a bad line of csv, nan replaces a coordinate and its quotes */
 		line->at[i] = c->times[i] == 0 ? part_missing :
 		    !whole                     ? line_part(line, f->value) :
 			     line_part(line, trimmed(l->in, f->whole));

@@ -67,7 +67,8 @@ static bool json_line_check(struct dialect d, struct span line,
 	return false;
 }
 
-/* Sets *f to the next field of text, up to a blank or, unless c->no_commas, a comma. */
+/* Sets *f to the next field of FORMAT_TEXT, up to a blank or, unless c->no_commas is
+ * set, a comma. */
 static void next_of_text(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *after;
@@ -84,8 +85,8 @@ static void next_of_text(struct cursor *c, struct field *f)
 	f->next = after == c->end && !c->comma ? NULL : after;
 }
 
-/* Sets *f to the next field of csv. If it begins with a quote, separators in it are
- * text, and "" is a quote, up to the closing quote. In other fields quotes are text. */
+/* Sets *f to the next field of csv. If the field begins with a quote, separators and
+ * doubled quotes before the closing quote are in it. Other quotes are plain bytes. */
 static void next_of_csv(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
@@ -165,7 +166,7 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 }
 
 /* Returns whether the unquoted field f can be copied to the dialect d: to JSON if f is
- * a finite number, to csv if f has no quote or separator, to text always. */
+ * a finite number, to csv if f has no quote or separator, to FORMAT_TEXT always. */
 static bool can_copy(struct dialect d, struct span f)
 {
 	const struct format_row *to = format_of(d);
@@ -242,7 +243,7 @@ static int decode(const char **s, const char *end, char escape, bool utf8,
 	return n;
 }
 
-/* Writes the text f, in quotes if out has quotes. `escape` escapes characters in f. */
+/* Writes f, in quotes if out has them. `escape` is the escape character in f, or 0. */
 static char *put_quoted(const struct format_row *out, struct span f,
     char escape, char *at)
 {

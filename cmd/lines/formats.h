@@ -22,19 +22,19 @@ enum format {
 /* A format with its separator. The dialect of tsv is FORMAT_CSV with a tab. */
 struct dialect {
 	enum format format;
-	char separator; /* between fields; in text only before added fields */
+	char separator; /* between fields; FORMAT_TEXT: only for added ones */
 };
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
-	/* the field less a member's name, quotes of csv and outer blanks */
+	/* the field without a member's name, quotes of csv and outer blanks */
 	struct span value;
-	struct span whole;        /* with name; in csv with quotes and blanks */
+	struct span whole;        /* the field with name, quotes and blanks */
 	struct span name;         /* a member's name, quoted; else s is NULL */
-	const char *previous_end; /* the end of the field before; NULL: none */
+	const char *previous_end; /* the end of the field before, or NULL */
 	const char *next;         /* where the next field begins; NULL: none */
-	bool comma;    /* in text: the separator before the field has a comma */
-	bool unclosed; /* in csv: the quote of the field is not closed */
+	bool comma;    /* FORMAT_TEXT: the separator before it has a comma */
+	bool unclosed; /* FORMAT_CSV: the quote of the field is not closed */
 };
 
 /* A cursor over the fields of a line, a JSON array or a JSON object. */
@@ -46,8 +46,8 @@ struct cursor {
 	const char *bracket;      /* the byte after [ or {; NULL: not JSON */
 	bool members;             /* the fields are members of a JSON object */
 	bool names;               /* the fields are names of a header */
-	bool no_commas;           /* fields of text end at blanks only */
-	bool comma; /* in text: the separator before s has a comma */
+	bool no_commas;           /* FORMAT_TEXT: fields end at blanks only */
+	bool comma; /* FORMAT_TEXT: the separator before s has a comma */
 };
 
 enum { REASON_MAX = 320 }; /* bytes of a message that says what is wrong */
@@ -61,7 +61,7 @@ struct format_row {
 	const char *nan_text;     /* how nan is written */
 	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int nan_words;            /* so many words of format_number mean nan */
+	int nan_words;            /* how many words of format_number mean nan */
 	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 
@@ -74,7 +74,7 @@ struct format_row {
 	void (*next)(struct cursor *c, struct field *);
 };
 
-/* The rows and the names of the formats, by enum format; NULL ends the names. */
+/* The rows and names of the formats, indexed by enum format. NULL ends the names. */
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
@@ -97,7 +97,7 @@ static inline bool is_binary(enum format f)
 	return format_rows[f].size > 0;
 }
 
-/* Returns the size in bytes of a binary point with so many coordinates. */
+/* Returns the size in bytes of a binary point that has `coordinates` numbers. */
 static inline size_t point_size(enum format f, int coordinates)
 {
 	return (size_t)coordinates * format_rows[f].size;
@@ -108,14 +108,14 @@ static inline size_t point_size(enum format f, int coordinates)
 const char *format_number(struct dialect, const char *s, const char *end,
     double *v);
 
-/* Writes the field f, which is in the dialect in, as a field of the dialect out.
- * Returns the end of the output: at most two quotes plus six bytes for each byte of f,
- * as JSON writes a control character as \u0001. */
+/* Writes the field f of the dialect `in` as a field of the dialect `out`. Returns the
+ * end of the output. The output has at most two quotes, and six bytes for each byte of
+ * f, because JSON writes a control character as \u0001. */
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
-/* Returns whether text follows a carriage return of the line, outside of quotes: then
- * carriage returns alone end the lines of the source. If so, writes the reason. */
+/* Returns whether a carriage return outside of quotes has more than blanks after it, as
+ * in a source whose lines end in carriage returns alone. If so, writes the reason. */
 bool format_cr_only(struct dialect, struct span line, char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */
@@ -124,7 +124,7 @@ static inline bool is_blank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
-/* Returns whether c is white space: not \v and \f in JSON, nor the separator of csv. */
+/* Returns is_blank(c), but false for \v and \f in JSON and for the separator of csv. */
 static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
     char c)
 {
@@ -155,7 +155,7 @@ static inline const char *skip_bom(const char *s, const char *end)
 	return end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? s + 3 : s;
 }
 
-/* Returns the end of the separator at s in text: blanks with at most one comma. */
+/* Returns the end of the FORMAT_TEXT separator at s: blanks with at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
 	const struct dialect text = { FORMAT_TEXT, ' ' };

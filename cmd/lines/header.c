@@ -22,7 +22,7 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	return c;
 }
 
-/* Returns the first coordinate whose name the header lacks, or l->reads if none. */
+/* Returns the first coordinate whose name the header lacks; l->reads if it has all. */
 static int find_missing_name(const struct layout *l, const struct chosen *c)
 {
 	int i = 0;
@@ -53,8 +53,8 @@ static bool is_usable(const struct layout *l, struct cursor header,
 	return i == 0 && !chosen_clashes(l, c, false, reason);
 }
 
-/* Returns whether the fields are an empty field, then 0, 1, 2 and so on: pandas writes
- * such a header for an array, but it may also be a point. If so, writes the reason. */
+/* Returns whether a line is an empty field, then at least l->reads fields 0, 1, 2 ...:
+ * pandas writes such a header, but the line may be a point. Then writes the reason. */
 static bool is_ambiguous(const struct layout *l, struct cursor c,
     char reason[REASON_MAX])
 {
@@ -74,7 +74,7 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
-/* Returns whether n fields follow the cursor, or n fields and an empty one. */
+/* Returns whether n fields follow the cursor, or n fields and a last, empty field. */
 static bool has_fields(struct cursor c, size_t n)
 {
 	struct field f;

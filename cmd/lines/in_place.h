@@ -54,8 +54,8 @@ static inline void find_order(const struct line *line, int n, int order[4])
 }
 
 /* Returns whether added values can be written directly after the last coordinate: they
- * have no names, no quote follows the coordinate, and in text the separator before the
- * coordinate is one byte. By --append, the line must not end in blanks. */
+ * have no names, no quote follows the coordinate, and in FORMAT_TEXT one byte is the
+ * separator before it. By --append, the line must not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
     const struct line *line)
 {
@@ -81,7 +81,7 @@ static inline char added_separator(const struct layout *l,
 }
 
 /* Copies the n bytes at s, which precede a coordinate or end the line. Copies the first
- * without a branch, even if n is 0, because n is mostly 1. */
+ * byte without a branch, even if n is 0, because n is mostly 1. */
 static inline char *put_gap(const char *s, size_t n, char *out)
 {
 	*out = *s;
@@ -90,9 +90,9 @@ static inline char *put_gap(const char *s, size_t n, char *out)
 	return out + n;
 }
 
-/* Writes a point. Replaces the coordinates, which are on the line in the order order[]
- * (if NULL: x, y, z, w), and adds the other values after the last coordinate. If append
- * is set, only adds all values after the line. Returns the end of the output. */
+/* Writes a point. If append is set, copies the line and adds all values at its end.
+ * Otherwise replaces the coordinates, which are on the line in the order order[] (NULL:
+ * x, y, z, w), and adds the other values after them. Returns the end of the output. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

@@ -21,9 +21,9 @@
 enum {
 	COORDINATES_MAX = 6, /* the most numbers written for a point */
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
-	WORD_MAX = 48,       /* the most bytes of the word of --flags */
+	WORD_MAX = 48,       /* bytes for the word of --flags, as left+near */
 	PREFIX_ROOM = 64, /* bytes for the separator and name before a value */
-	/* fields sought in a line: the elements of arrays of struct chosen */
+	/* array elements in struct chosen: 4 coordinates, then added fields */
 	SOUGHT_MAX = 4 + COORDINATES_MAX + 1,
 };
 
@@ -37,12 +37,12 @@ struct columns {
 	bool by_default; /* --columns is not given */
 };
 
-/* What is read next of a source. FIRST_BYTE: its beginning. FIRST_LINE: its first line
- * that is neither blank nor a comment. FIRST_ROW: the first row after a header.
- * FIRST_NONE: any later line. */
+/* The part of a source that is read next. FIRST_BYTE: the beginning. FIRST_LINE: the
+ * first line that is neither blank nor a comment. FIRST_ROW: the first row after a
+ * header. FIRST_NONE: any later line. */
 enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
-/* HEADER_FIRST by --header, HEADER_NONE by --no-header, else HEADER_MAYBE. */
+/* HEADER_FIRST: by --header. HEADER_NONE: by --no-header. HEADER_MAYBE: by neither. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* How points are read and written: the formats of their lines or records, the fields of
@@ -52,30 +52,28 @@ struct layout {
 	struct dialect in, out;
 	enum header header;
 	struct columns columns;
-	int reads, writes; /* numbers read for each point; written for it */
+	int reads, writes; /* numbers of a point in the input; in the output */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
 	/* The name of each written number and, last, of the word of --flags; ""
 	 * for a number or word that gets no name or is not written. */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
-	size_t header_fields; /* how many the header has; 0: no header */
-	/* how many the header or a longer first row has; 0: not known */
+	size_t header_fields; /* fields of the header; 0: no header */
+	/* fields of the header, or of a longer first row; 0: not known */
 	size_t max_fields;
 	bool reordered;    /* layout_in_order was false for the last header */
 	size_t first_line; /* the line number of FIRST_LINE, from 1 */
-	/* comment_names is the number of columns that a # comment above the first row
-	 * names; 0 if no comment does, or if its first names are those of the
-	 * coordinates. The first row is taken to lack a header if it has as many
-	 * fields, and a number in each field i, from 0, whose bit i is set in
-	 * comment_numbers. comment_reason is the message then. */
-	size_t comment_names;
-	uint32_t comment_numbers;
+	/* The columns that a # comment above the first row names. If the row has
+	 * comment_names fields, and numbers in the columns of comment_numbers, then it
+	 * lacks a header, and is refused with comment_reason. */
+	size_t comment_names; /* 0: no names, or the coordinates are first */
+	uint32_t comment_numbers; /* bit i: column i, from 0, needs a number */
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* records are written whole, with new coordinates */
 	const char *two_hint; /* ends the message that z is missing; or NULL */
 	bool single;          /* numbers are written as floats */
-	const char *from;     /* the name of the space of points, or NULL */
+	const char *from;     /* the input space, such as world; or NULL */
 	struct number_style style[COORDINATES_MAX];
 };
 
@@ -101,7 +99,7 @@ struct line {
 	enum line_kind kind;
 	bool newline;   /* the line ends in a newline */
 	bool object;    /* the line is a JSON object */
-	bool no_commas; /* only blanks end a field of text: 1,5 is one field */
+	bool no_commas; /* FORMAT_TEXT: only blanks end a field */
 	bool has_bom;   /* the line begins with a byte order mark */
 };
 
@@ -162,7 +160,7 @@ static inline int layout_field(const struct layout *l, int i)
 	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
-/* Returns whether the coordinates are the first fields, in their order. */
+/* Returns whether the coordinates are the first fields, in the order x, y, z, w. */
 static inline bool layout_in_order(const struct layout *l)
 {
 	for (int i = 0; i < l->reads; i++)
@@ -187,33 +185,33 @@ static inline const char *coordinate_name(int i)
 	return names[i];
 }
 
-/* Reads a line and its coordinates v. Writes to reason what is wrong with the line and
- * what would be right. *first says which line the text may be, and is set for the next
- * line. The first line may begin with a byte order mark, and in csv it may be a header,
- * which sets the columns of the layout. */
+/* Reads a line and its coordinates v. If the line is wrong, writes to reason why, and
+ * how to mend it. *first says which part of the source the line is, and is updated for
+ * the next line. The first line may begin with a byte order mark, and in csv it may be
+ * a header, which sets the columns of the layout. */
 void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
-/* Writes v, number k of a point, if number_texts made no text for v. nan becomes the
- * nan_text of the format. Returns the end of the output. */
+/* Writes v, number k of a point, for which number_texts (number.h) made no text. nan
+ * becomes the nan_text of the output's format. Returns the end of the output. */
 char *line_put_rare_number(const struct layout *, int k, double v, char *out);
 
 /* Returns the room that line_write needs for `lines` lines of `bytes` bytes in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
- * after the line. If the flags of the layout are set, the word of --flags follows the
+ * after the line. If `flags` of the layout is set, the word of --flags follows the
  * numbers. A LINE_LOST becomes the numbers alone. Blank lines and comments are copied.
  * A header loses the names of coordinates that are not written, and gets the names of
- * added values; in text the header becomes a comment. From JSON or to JSON, blank
- * lines, comments and headers are left out. Returns the end of the output. */
+ * added values; in FORMAT_TEXT the header becomes a comment. From JSON or to JSON,
+ * leaves out blank lines, comments and headers. Returns the end of the output. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
 /* Writes all fields that hold no coordinate, each after a separator of the output's
- * format. From text to text without --columns, copies the text after the coordinates.
- * Returns the end of the output, which has at most six bytes for each byte of the line
- * plus three for each field. */
+ * format. If both formats are FORMAT_TEXT and --columns is not given, copies all bytes
+ * after the coordinates. Returns the end of the output, which has at most six bytes for
+ * each byte of the line plus three for each field. */
 char *line_put_rest(const struct layout *, const struct line *, char *out);
 
 /* Returns a cursor before the first field of a line. A line of JSON has to be an array
@@ -233,10 +231,10 @@ size_t cursor_count(struct cursor);
  * element 4 + k for name k of the layout, if the output adds a field with this name. */
 struct chosen {
 	struct field field[SOUGHT_MAX]; /* the first field that is found */
-	int times[SOUGHT_MAX];          /* how many fields are found */
+	int times[SOUGHT_MAX];          /* the number of fields found */
 	/* the indexes, from 0, of the first and the second field found */
 	long index[SOUGHT_MAX], second_index[SOUGHT_MAX];
-	bool mixed_commas; /* only some separators of text have a comma */
+	bool mixed_commas; /* FORMAT_TEXT: only some separators have a comma */
 };
 
 /* Finds the fields of struct chosen in one pass over the fields after the cursor. */
@@ -245,28 +243,28 @@ void choose(const struct layout *, struct cursor, struct chosen *);
 /* Sets the parts of the line that hold its coordinates. */
 void choose_parts(const struct layout *, const struct chosen *, struct line *);
 
-/* Returns the index, from 0, of a coordinate whose value overlaps an earlier one: they
- * share a column, or one is inside of the other in JSON. Returns 0 if there is none. */
+/* Returns the index, from 0, of a coordinate whose value overlaps the value of an
+ * earlier coordinate, as in the same column or JSON element; 0 if there is none. */
 int chosen_overlap(const struct layout *, const struct chosen *);
 
-/* Returns whether a column of a header or a member of an object has a name that the
- * output adds; if so, writes the reason. */
+/* Returns whether a column of a header or, if `members` is set, a member of an object
+ * has a name that the output adds; if so, writes the reason. */
 bool chosen_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Returns whether f is a name: no digit or decimal point precedes its first letter. _
- * and other alphabets count as letters; signs such as U+2212 do not. */
+/* Returns whether f is a name: no digit or decimal point precedes its first letter.
+ * Underscores and other alphabets count as letters; signs such as U+2212 do not. */
 bool choose_is_name(struct span f);
 
-/* Returns whether a first line is a header: no field at a coordinate's index is a
- * number, and at least one is a name. */
+/* Returns whether a first line is a header: the fields at the indexes of coordinates
+ * include at least one name and no number. */
 bool choose_is_header(const struct layout *, struct cursor);
 
-/* Returns whether the token, of a JSON pointer, is k in decimal, less leading zeros. */
+/* Returns whether a token of a JSON pointer is k in decimal, without leading zeros. */
 bool is_index(struct span token, long k);
 
-/* Returns whether a line that begins with # is a comment. In csv the first line is a
- * header if # is a whole field or the names of all coordinates follow #. A later line,
+/* Returns whether a line that begins with # is a comment. In csv a first line is no
+ * comment if # is a whole field or the names of all coordinates follow #. A later line,
  * such as #N/A,2,3, is a row if it has as many fields as the header or first row. */
 bool header_is_comment(const struct layout *, struct span text, bool first);
 
@@ -279,10 +277,10 @@ void layout_begin_source(struct layout *);
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether a row of csv has more fields than max_fields; if so, writes the
- * reason. An empty last field does not count. A longer first row raises max_fields if
- * no coordinate has a name, unless it has one field more than the header: R writes such
- * tables, whose header lacks a name for the column of row names. */
+/* Returns whether a row below a header of csv has more than max_fields fields; if so,
+ * writes the reason. An empty last field does not count. A longer first row raises
+ * max_fields, unless a coordinate has a name, or the header lacks just one field: R
+ * writes such tables, whose header has no name for the column of row names. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
 
@@ -293,7 +291,7 @@ struct cursor header_cursor(struct dialect, struct span text);
 void say_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field of csv that has a blank as separator; if so,
+/* Returns whether f is an empty field of csv, and the separator is a blank; if so,
  * writes the reason. */
 bool say_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
@@ -306,15 +304,15 @@ void say_missing(const struct layout *, int i, struct cursor,
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
 void say_comment_columns(struct layout *, struct span text);
 
-/* Returns whether the first row lacks a header that it needs. With --columns by name
- * this is so if the row is a LINE_LOST (`lost`), which has a reason. Otherwise it is so
- * if an earlier file had a header that reordered the columns, or if the row fits a
- * comment that names columns: then writes the reason. */
+/* Returns whether the first row lacks a header that it needs. If --columns gives names,
+ * a LINE_LOST (`lost`) lacks a header, and already has a reason. Without --columns, a
+ * row lacks a header if the last header, in an earlier file, reordered the columns, or
+ * if the row fits comment_names and comment_numbers; then writes the reason. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that the first line of a source of text looks like a header, unless the reason
- * already has a remedy for the first field of the line. */
+/* Writes that a first line in FORMAT_TEXT looks like a header, unless its first field
+ * is a number, or the reason tells already how to mend this field. */
 void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 
@@ -323,8 +321,8 @@ void say_text_header(const struct layout *, struct span line,
  * finds the coordinates without looking at the bytes between the stops; vector code
  * then reads many numbers at once. A line that is not simple is left to line_read. */
 
-/* The most bytes of a stretch. So few bytes stay in the first-level cache until their
- * numbers are read, and the place of a stop fits into 16 bits. */
+/* The most bytes of a stretch. A stretch of this size stays in the first-level cache
+ * until its numbers are read, and the place of a stop fits into 16 bits. */
 enum { STRETCH = 1 << 14 };
 
 /* A stretch of text with its index. Places are counted in bytes from text. */
@@ -337,14 +335,14 @@ struct stretch {
 	uint16_t stop[STRETCH + 128]; /* the places of the stops */
 };
 
-/* path[i] leads from a JSON value to coordinate i: names or indexes, with / between.
- * The first has size[i] bytes. SIZE_MAX: the coordinate is not in the value. */
+/* path[i] leads from a JSON value to coordinate i, by names and indexes with / between.
+ * The first name or index has size[i] bytes; SIZE_MAX: coordinate i is elsewhere. */
 struct paths {
 	const char *path[4];
 	size_t size[4];
 };
 
-/* What simple lines have in common, and how their n coordinates are found. */
+/* The properties of simple lines, and the way to their n coordinates. */
 struct walk {
 	struct dialect in;
 	struct byte_set stops;
@@ -356,19 +354,19 @@ struct walk {
 	struct paths paths; /* the paths to the coordinates in an object */
 	/* NULL or, by --append, the names that an object must not have */
 	const char (*added_names)[NAME_ROOM];
-	bool by_column; /* coordinate i has index field[i]; false: i */
+	bool by_column; /* coordinate i is in column field[i], else column i */
 	int field[4];
 };
 
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Sets the stretch at text, and its index. Returns false if no newline is in it. */
+/* Begins a stretch at text and makes its index. Returns false if it has no newline. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
-/* Walks up to n <= PLAIN_BATCH lines, and sets the places of coordinate k of all lines
- * in element k of the plain_places. Sets bit i of *left if line i is left to line_read.
+/* Walks up to n <= PLAIN_BATCH lines. Stores the places of coordinate k of all lines in
+ * element k of the plain_places. Sets bit i of *left if line i is left to line_read.
  * Returns the number of lines walked; 0 only at the end of the stretch. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);

@@ -39,7 +39,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 	return true;
 }
 
-/* Returns whether a member `path` can be added: a short name that needs no escapes. */
+/* Returns whether `path` can name a new member: no pointer, short, without escapes. */
 static bool can_be_added(const char *path)
 {
 	char shown[JSON_ESCAPE_MAX * PREFIX_ROOM];

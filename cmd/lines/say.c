@@ -7,7 +7,7 @@
 
 #include "../message/utf8.h"
 
-/* Appends to the reason as much of the text as the reason has room for. */
+/* Appends to the reason the formatted text, cut where the reason is full. */
 static void __attribute__((format(printf, 2, 3)))
 say_more(char reason[REASON_MAX], const char *format, ...)
 {
@@ -28,9 +28,10 @@ static const char *find_byte(struct span f, char c)
  * blanks, which many fields have for other reasons. */
 static const char rare[] = ";|\t", frequent[] = ";|\t, ";
 
-/* Adds to the reason how to mend f, a line or field: if f begins with a mark of another
- * format (or is the mark, if that is a word), or else if f has one of the separators
- * before its last byte. Returns false if neither is so. */
+/* Adds to the reason how to mend f, a line or field. If f begins with one of marks[],
+ * adds the remedy for the mark; a mark that is a word has to be all of f. Otherwise, if
+ * f has one of the separators before its last byte, adds the option for the separator.
+ * Returns false if it adds nothing. */
 static bool say_mend(const struct layout *l, struct span f,
     const char *separators, char reason[REASON_MAX])
 {
@@ -41,7 +42,7 @@ static bool say_mend(const struct layout *l, struct span f,
 		{ "{", "; is it JSON? say -i json" },
 		{ "(", "; leave out such lines by grep -v '^('" },
 		{ "%", "; % begins no comment: sed 's/^%/#/'" },
-		/* lines that frame a table, from U+2500; U+2212, a minus */
+		/* U+2500 to U+253F, the frame of a table; U+2212, a minus */
 		{ "\xe2\x94",
 		    "; as ASCII: sed '/\xe2\x94\x80/d;s/\xe2\x94\x82/|/g'" },
 		{ "\xe2\x88\x92",
@@ -81,7 +82,7 @@ static bool say_mend(const struct layout *l, struct span f,
 }
 
 /* Adds to the reason how to mend f, a field of text or csv that is no number. Returns
- * false if nothing shows how. */
+ * false if it adds nothing. */
 static bool say_remedy(const struct layout *l, struct span f,
     char reason[REASON_MAX])
 {
@@ -115,7 +116,7 @@ static bool say_remedy(const struct layout *l, struct span f,
 	return true;
 }
 
-/* Returns how to mend a value of JSON that is no number, or "" if nothing shows how. */
+/* Returns how to mend f, a value of JSON that is no number; "" if no way is known. */
 static const char *json_remedy(const struct field *f)
 {
 	const char first = *f->value.s;
@@ -170,7 +171,7 @@ struct names {
 	bool omitted; /* there are more names, or longer ones */
 };
 
-/* Returns the name in f, a word of a comment, less quotes and unit: t of t[s]. */
+/* Returns the name in f, a word of a comment, without quotes and unit: t for t[s]. */
 static struct span name_word(struct span f)
 {
 	f.s += f.s < f.end && (*f.s == '"' || *f.s == '\'');
@@ -182,8 +183,8 @@ static struct span name_word(struct span f)
 	return (struct span){ f.s, s };
 }
 
-/* Copies the names of the fields after the cursor; name_word finds those of a
- * comment. */
+/* Copies the names of the fields after the cursor: names of members, of a header, or
+ * else the words of a comment, cut by name_word. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -211,8 +212,8 @@ static void copy_names(struct cursor c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the index in names of the name that is the first n bytes of a and then
- * `word`, whose case is ignored; -1 if there is none. */
+/* Returns the index of the name that consists of the first n bytes of a and then of
+ * `word` in upper or lower case; -1 if there is none. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -248,7 +249,7 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 		{ "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "hoehe", "h", "up", "w" };
-	/* w, the last of them, is no height if points have a w */
+	/* w, the last of heights[], is left out if points have a w */
 	const int usable = (int)(sizeof heights / sizeof *heights) -
 	    (reads > 3);
 	const int pairs = sizeof axes / sizeof *axes;
@@ -278,10 +279,10 @@ static bool guess_columns(const struct names *names, int reads, int *k,
 	return false;
 }
 
-/* Adds to the reason all that guess_columns finds: "; say --columns px,py,pz or
- * vx,vy,vz". If `numbers` is not NULL, writes column numbers, from 1, for names, and
- * sets bit i of *numbers for the column of index i. Returns false, and adds nothing, if
- * nothing is found or the text would not fit. */
+/* Adds to the reason the columns that guess_columns finds: "; say --columns px,py,pz or
+ * vx,vy,vz". If `numbers` is not NULL, writes column numbers, from 1, instead of names,
+ * and sets bit i of *numbers if column i, from 0, is found. Returns false, and adds
+ * nothing, if nothing is found or the reason has no room for the text. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
@@ -342,9 +343,9 @@ static void say_near(const struct layout *l, struct cursor c,
 	}
 }
 
-/* Adds to the reason the names of the columns or members after the cursor: "; it has x,
- * y, z". Adds first what say_near adds or, if typed is NULL, a guess, "; say --columns
- * lon,lat,h". Adds no names if the line has the mark of another format or separator. */
+/* Adds to the reason the result of say_near or, if typed is NULL, a guess, "; say
+ * --columns lon,lat,h"; without a guess, the remedy of say_mend. If say_mend has no
+ * remedy, adds the names of columns or members after the cursor, "; it has x, y". */
 static void say_names(const struct layout *l, struct cursor c,
     const char *typed, char reason[REASON_MAX])
 {

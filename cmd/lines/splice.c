@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes lines that in_place.h does not write. convert_point writes a point in another
- * format, and convert any other such line. append copies the line and adds values.
- * splice divides the line into fields, and copies, replaces or leaves out each field.
+/* Writes lines that in_place.h does not write. If the format changes, convert_point
+ * writes points without --append, and convert writes other lines. If the format stays,
+ * append copies the line and adds values; splice copies, replaces or drops each field.
  *
- * The values of a point are its written numbers and the word of --flags: value k is
- * number k if k < COORDINATES_MAX, and value FLAGS is the word. */
+ * The values of a point are the numbers written for it and the word of --flags: value k
+ * is number k if k < COORDINATES_MAX, and value FLAGS is the word. */
 #include <math.h>
 #include <string.h>
 
@@ -26,14 +26,14 @@ struct splice {
 	char *out;             /* the end of the output */
 	size_t fields;         /* the number of fields written so far */
 	unsigned due;          /* bit k is set while value k is to be written */
-	int last; /* the coordinate before added values; -1: the last field */
+	int last; /* added values follow this coordinate; -1: the last field */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
 	/* If the format changes, a byte of a field becomes up to six, as \u0001 in
 	 * JSON, and a separator up to three: a comma and two quotes. 2 * PREFIX_ROOM is
-	 * for what precedes the word, and for brackets, # and newline. */
+	 * for separator and name of the word of --flags, brackets, # and newline. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
 	    ((size_t)l->writes * (NUMBER_MAX + PREFIX_ROOM) + WORD_MAX +
@@ -58,7 +58,7 @@ static void copy_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns the name of value k. A coordinate of a bad JSON object keeps its own name. */
+/* Returns the name of value k. Coordinates of a bad object keep their input names. */
 static const char *value_name(const struct splice *w, int k)
 {
 	const struct layout *l = w->l;
@@ -83,8 +83,8 @@ static char *put_value(const struct splice *w, int k, char *out)
 			   put_word(l, w->flags, out);
 }
 
-/* Writes all values from k on that are due, in an object with their names. A separator
- * is before each value that is not the first field of the line. */
+/* Writes all values from k on that are due, with their names if `members` is set. A
+ * separator is before each value that is not the first field of the line. */
 static void put_values(struct splice *w, int k, bool members)
 {
 	size_t gap = (size_t)(w->separator.end - w->separator.s);
@@ -119,8 +119,8 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 }
 
 /* Returns the value that replaces the field f, or -1. A coordinate replaces its own
- * field, unless --append keeps the coordinates. An added value replaces a member that
- * has its name, if the member is of the line itself (outer), not of a value in it. */
+ * field, unless --append keeps the coordinates. An added value replaces a member of the
+ * same name, if f is a field of the line itself (outer), not of a value in the line. */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
 	const bool keeps = w->l->append;
@@ -138,8 +138,8 @@ static int value_for(const struct splice *w, const struct field *f, bool outer)
 	return -1;
 }
 
-/* Returns the separator for values that are added after the field f. In text this is
- * the separator before f or, if f is the first field, after f. */
+/* Returns the separator for values that are added after the field f: in the format
+ * text, the separator before f or, if f is the first field, the separator after f. */
 static struct span separator_at(const struct layout *l, const struct field *f)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
@@ -164,7 +164,7 @@ static void skip_field(struct splice *w, const struct field *f)
 	w->done = end > w->done ? end : w->done;
 }
 
-/* Writes value k in the place of the field f. In a header f itself, a name, stays. */
+/* Writes value k in the place of the field f. In a header f, which is a name, stays. */
 static void replace_field(struct splice *w, const struct field *f, int k)
 {
 	const bool coordinate = k < w->l->reads && !w->l->append;
@@ -179,7 +179,7 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 }
 
 /* Copies the fields of a line or, unless outer is set, of a JSON value in the line.
- * Replaces a field by the value for it, or leaves it out if that value is not due. */
+ * Replaces the field of value k by it; leaves the field out if value k is not due. */
 static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;
@@ -310,8 +310,7 @@ static void put_other_fields(struct splice *w)
 	const struct layout *l = w->l;
 	const struct line *line = w->line;
 	const struct format_row *in = format_of(l->in), *to = format_of(l->out);
-	/* an empty field of csv becomes "" in JSON, so that the next fields
-	 * keep their places in the array */
+	/* in JSON an empty csv field becomes "", so that fields keep their places */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
 	struct field f;
@@ -355,8 +354,8 @@ char *line_put_rest(const struct layout *l, const struct line *line, char *out)
 	return w.out;
 }
 
-/* Writes a line in another format, or a LINE_LOST: the values and then the other
- * fields, or by --append the fields and then the values. */
+/* Writes a line in another format, or a LINE_LOST. The values precede the other fields;
+ * by --append they follow all fields. */
 static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -400,7 +399,7 @@ char *line_write(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
-	/* in a bad object, values replace members of the same names */
+	/* in a bad object, splice replaces members that have the names of values */
 	bool appends = l->append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->append)

@@ -7,11 +7,11 @@
 #include "../../core/scene/scene.h"
 #include "../json/text.h"
 
-/* The functions of the walk are inlined once for each format, so that the compiler
- * removes the branches of other formats. */
+/* INLINE functions are compiled once for each format, so that the compiler removes the
+ * branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* Returns a dialect's stops: bytes that can end a field, or make a line not simple. */
+/* Returns a dialect's stops (line.h): the bytes that a walk has to look at. */
 static struct byte_set stops_of(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -20,7 +20,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* stops whose upper four bits agree share one of 8 bits */
+		/* stops with the same upper four bits share one bit in high and low */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 
@@ -89,7 +89,7 @@ struct walker {
 	const char *text;
 	uint32_t at;          /* the position, in bytes from text */
 	const uint16_t *stop; /* the first stop at or after `at` */
-	bool comma;           /* the last separator has a comma */
+	bool comma;           /* the separator passed last has a comma */
 	int found;            /* the number of coordinates passed */
 };
 
@@ -111,8 +111,8 @@ INLINE void pass_blanks(struct walker *p, struct dialect d)
 		pass_stop(p);
 }
 
-/* Passes a separator, in text as skip_separator does. Returns false if there is none.
- * Tries one byte first, because most separators have one. */
+/* Passes a separator, in the format text as skip_separator does. Returns false if there
+ * is none. Tries a single byte first, because most separators are a single byte. */
 INLINE bool pass_separator(struct walker *p, struct dialect d)
 {
 	bool text = d.format == FORMAT_TEXT;
@@ -174,7 +174,7 @@ INLINE bool is_json_number(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-/* Where to store the coordinates of line i of a batch, which begins at `begin`. */
+/* Line i of a batch. In the text of the struct walker it begins at byte `begin`. */
 struct target {
 	const struct walk *walk;
 	struct line *line;
@@ -217,8 +217,8 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes a field of text or csv that is not a coordinate. A quote inside of a quoted
- * field ends the field here: as no separator follows, the line is left to line_read. */
+/* Passes a field, in the formats text and csv, that is not a coordinate. A quote inside
+ * of a quoted field ends it here: as no separator follows, line_read reads the line. */
 INLINE bool pass_other_field(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
@@ -235,8 +235,8 @@ INLINE bool pass_other_field(struct walker *p, struct dialect d)
 	return true;
 }
 
-/* How coordinates are found. BY_ORDER: coordinate i is field i. BY_COLUMN: it is field
- * walk->field[i]. BY_PATH: it is at the end of path i. NO_LOOKUP: there are none. */
+/* The ways to find coordinate i. BY_ORDER: it is field i. BY_COLUMN: it is field
+ * walk->field[i]. BY_PATH: path i leads to it. NO_LOOKUP: no field is a coordinate. */
 enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 
 static bool pass_nested(struct walker *, const struct target *,
@@ -246,7 +246,7 @@ static bool pass_nested(struct walker *, const struct target *,
  * read the line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
-/* Returns path i less its first name or index, for each bit i that is set in leads. */
+/* Returns path i without its first name or index, for each bit i set in leads. */
 static struct paths paths_inside(const struct paths *t, unsigned leads)
 {
 	struct paths rest;
@@ -261,7 +261,7 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 }
 
 /* Returns the coordinate whose path ends at the field with this name or index, or
- * NO_COORDINATE. Sets bit i of leads if path i leads to the field. */
+ * NO_COORDINATE. Sets bit i of *leads if path i leads to the field or into it. */
 INLINE int follow_paths(const struct paths *t, int n, struct span name,
     unsigned *leads)
 {
@@ -328,9 +328,9 @@ INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 	return NO_COORDINATE;
 }
 
-/* Returns false if the separator after the n coordinates of text shows that a comma may
- * be decimal: 1 2 3,5 may be the point 1, 2, 3.5 and, if n is 2, 1,5 2 may be 1.5, 2.
- * `comma` says whether commas are between the coordinates. */
+/* Returns false if the separator after the n coordinates of a line in the format text
+ * shows that a comma may be decimal: "1 2 3,5" may be 1, 2, 3.5; if n is 2, "1,5 2" may
+ * be 1.5, 2. The parameter comma says whether commas are between the coordinates. */
 INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
     bool comma)
 {
@@ -365,8 +365,8 @@ struct fields {
 	int separators, commas;
 };
 
-/* Passes the name of field k, if it has one. Returns the coordinate that the field is,
- * NO_COORDINATE or NOT_SIMPLE. Sets bit i of leads if path i leads to the field. */
+/* Passes the name of field k, if it has one. Returns the coordinate that is field k, or
+ * NO_COORDINATE or NOT_SIMPLE. Sets *leads as follow_paths does. */
 INLINE int identify_field(struct walker *p, struct dialect d, struct fields *f,
     const struct walk *w, int k, unsigned *leads)
 {
@@ -394,7 +394,7 @@ INLINE int identify_field(struct walker *p, struct dialect d, struct fields *f,
 }
 
 /* Passes field k and the separator after it. Returns LAST_FIELD, MORE_FIELDS or
- * NOT_SIMPLE. The last coordinate of text counts as the last field. */
+ * NOT_SIMPLE. In the format text the last coordinate counts as the last field. */
 INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
     const struct target *t, int k)
 {
@@ -416,7 +416,7 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 	return MORE_FIELDS;
 }
 
-/* Passes fields up to a newline or closing bracket, in text to the last coordinate. */
+/* Passes all fields or, in the format text, the fields up to the last coordinate. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {
@@ -479,7 +479,7 @@ static bool pass_nested(struct walker *p, const struct target *t,
 /* The most levels of arrays and objects in a field of a simple line. */
 enum { LEVELS_MAX = 8 };
 
-/* Passes the line, in text up to its last coordinate, else up to its end. */
+/* Passes the line up to its end or, in the format text, to its last coordinate. */
 INLINE bool pass_line(struct walker *p, struct dialect d, int n,
     enum lookup lookup, const struct target *t)
 {
@@ -499,7 +499,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 	    (d.format == FORMAT_TEXT || stop_is(p, '\n'));
 }
 
-/* Sets the places of line i, left to line_read, to a byte that vector code may read. */
+/* Sets the places of line i, whose numbers are unknown, to a byte that may be read. */
 static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 {
 	static const char none[PLAIN_BEFORE + 1] = "";

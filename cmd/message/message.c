@@ -27,15 +27,15 @@ bool is_colored(int fd)
 	    strcmp(term, "dumb") != 0 && isatty(fd);
 }
 
-/* A message, file name or pointer is cut at MESSAGE_MAX bytes; no path that can be
- * opened is as long. A line has room for all three and as much fixed text as one of
- * them. Each byte of them may become JSON_ESCAPE_MAX bytes. */
+/* A line has room for a message, a file name, a JSON pointer and as much fixed text as
+ * one of the three. Each of the three is cut at MESSAGE_MAX bytes (no path that can be
+ * opened is as long), and each of its bytes may become JSON_ESCAPE_MAX bytes. */
 enum {
 	MESSAGE_MAX = 4096,
 	LINE_ROOM = 4 * JSON_ESCAPE_MAX * MESSAGE_MAX,
 };
 
-/* The line that print_line makes and writes at once, as other processes may write to
+/* The line that print_line writes by one call, as other processes may write to
  * standard error. It is too large for a thread's stack; flockfile(stderr) guards it. */
 static struct {
 	char s[LINE_ROOM];
@@ -58,7 +58,7 @@ static void add_escaped(const char *s)
 	    strnlen(s, MESSAGE_MAX), message_state.json, "");
 }
 
-/* Adds the message to `line` as text: place first or, if p->before_place, last. */
+/* Adds the message to `line` as text; the place is last if p->before_place is set. */
 static void add_text(int status, const struct place *p,
     struct scene_place scene, const char *message)
 {
@@ -115,7 +115,7 @@ static void add_member(const char *name, const char *s)
 	addf("\"");
 }
 
-/* Adds the message to `line` as a JSON object, up to the quote after reason or hint. */
+/* Adds the message to `line` as a JSON object without its end: status and bracket. */
 static void add_json(const struct place *p, struct scene_place scene,
     char *message)
 {
@@ -175,8 +175,8 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	va_end(args);
 }
 
-/* Returns in the first thread that calls it, and stops all others: if several threads
- * fail together, one prints its message and ends the program. */
+/* Returns in the first thread that calls it, and never in another: if several threads
+ * fail together, only the first prints a message and ends the program. */
 static void wait_unless_first(void)
 {
 	static atomic_flag ending = ATOMIC_FLAG_INIT;

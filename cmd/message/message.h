@@ -21,7 +21,7 @@ struct scene_place {
 struct place {
 	const char *file;
 	long long line;      /* from 1; text omits it if pointer is set */
-	size_t column;       /* in bytes from 1; shown in JSON alone */
+	size_t column;       /* in bytes from 1; text omits it */
 	bool of_points;      /* `line` is the index of a binary point, from 1 */
 	const char *pointer; /* into a JSON document: "/camera/eye" */
 	/* If scene.number is 0, message_state.scene is used instead. */
@@ -36,15 +36,15 @@ struct place {
 void say_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* When messages and help are coloured, by --color. */
+/* The choices of --color: whether messages and help are coloured. */
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
 
 extern struct message_state {
 	unsigned json;  /* 1: a message is a JSON object in one line */
 	unsigned color; /* an enum color */
 	struct scene_place scene; /* the current scene of --scenes */
-	/* Where die_at jumps if the place is of_scene, after a message with EXIT_INPUT.
-	 * NULL: die_at exits. Only the first thread jumps, while no other works. */
+	/* If set, die_at reports a place that is of_scene with status EXIT_INPUT, and
+	 * jumps here. Only the first thread jumps, while no other thread works. */
 	jmp_buf *on_refusal;
 } message_state;
 
@@ -52,7 +52,7 @@ extern struct message_state {
  * environment has NO_COLOR (no-color.org) or TERM=dumb. */
 bool is_colored(int fd);
 
-/* Print a message as say_at does, and exit with status. Any thread may call them. */
+/* die_at and vdie_at do what say_at does, and exit with status, from any thread. */
 _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 _Noreturn void vdie_at(int status, const struct place *, const char *format,
@@ -63,9 +63,9 @@ _Noreturn void quit(int status); /* without a message */
 /* Returns memory as realloc does, or exits with status 3. */
 void *xrealloc(void *old, size_t size);
 
-/* Returns whether to repeat a read or write of fd that failed with EINTR or EAGAIN.
- * After EAGAIN, as from a pipe that another process made non-blocking, first waits
- * until poll reports one of the events. */
+/* Returns whether to repeat a failed read or write of fd: true if errno is EINTR or
+ * EAGAIN. After EAGAIN, as from a pipe that another process made non-blocking, first
+ * waits until poll reports one of the events. */
 bool io_retry(int fd, short events);
 
 /* Enlarges the buffer of fd to size bytes if fd is a pipe and the system permits it, so
@@ -75,8 +75,8 @@ void pipe_enlarge(int fd, int size);
 /* Writes all bytes to standard output, or exits with status 3. */
 void output_write(const char *s, size_t size);
 
-/* Appends text, in the format of printf, to a buffer that output_close writes. If a
- * pipe is full, stdio would lose the rest of the text without an error. */
+/* Appends text, formatted as by printf, to a buffer that output_close writes. stdio is
+ * not used, because it loses text if a non-blocking pipe is full. */
 void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes the buffer of print, and closes standard output. Exits with status 3 if an

@@ -5,9 +5,9 @@
 #include <string.h>
 #include <strings.h>
 
-/* Words of other programs, with blanks between them, and the hint to give: an option
- * "--jobs", a remark ": ...", or a call "project -m"; * stands for the word itself. The
- * names that other programs have for members are in the tables of cmd/scene. */
+/* Words of other programs, with blanks between them, and the hint (synonym_of) for each
+ * of these words. Names that other programs have for members are in the tables of
+ * cmd/scene. */
 static const struct {
 	const char *words, *hint;
 } synonyms[] = {
@@ -90,7 +90,7 @@ static bool begins_with(const char *word, const char *start)
 	return n > 2 && strncasecmp(word, start, n) == 0;
 }
 
-/* Returns whether at most n edits (nearest_word) of different letters make b of a. */
+/* Returns whether at most n edits, which nearest_word defines, make b of a. */
 static bool edits_reach(const char *a, const char *b, int n)
 {
 	for (; *a != '\0' && strncasecmp(a, b, 1) == 0; a++)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "utf8.h"
 
-/* Refuses, as RFC 3629, section 4, forms longer than needed, halves of surrogate pairs,
- * and codes beyond U+10FFFF. */
+/* Refuses forms longer than needed, halves of surrogate pairs, and codes beyond
+ * U+10FFFF (RFC 3629, section 4). */
 int utf8_read(const char *s, const char *end, unsigned *code)
 {
 	static const unsigned least[] = { 0, 0, 0x80, 0x800, 0x10000 };

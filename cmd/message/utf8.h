@@ -26,34 +26,34 @@ enum { JSON_ESCAPE_MAX = 6 }; /* bytes that one character may become */
 
 /* Copies s[0..n) to out[0..room) with escapes. If json is true, also escapes quotes and
  * backslashes, as between the quotes of a JSON string, and writes U+FFFD for a byte
- * that is not UTF-8. A copy that does not fit is cut and ends in ellipsis. Returns the
- * length of the copy. */
+ * that is not UTF-8. A copy that does not fit is cut and ends in the string ellipsis.
+ * Returns the length of the copy. */
 size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
     const char *ellipsis);
 
-/* Copies s[0..n) with escapes, and with "..." if the copy is cut. Returns out. */
+/* escaped copies s[0..n) to out with escapes; a cut copy ends in "...". Returns out. */
 enum { ESCAPED_MAX = 64 };
 const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 
-/* Returns the code of the first invisible character that a copy escapes as \u, or 0. */
+/* Returns the code of the first invisible character that a text has as \u..., or 0. */
 unsigned escape_find_invisible(const char *);
 
-/* Returns the word of a list, which NULL ends, that `word` may mean: the last word of
- * its hint by synonym_of, or else the one that is the fewest edits from it. An edit
- * changes, adds or drops a letter, or swaps two neighbours. In a word of two to five
- * letters one edit is allowed, in one of up to eight two, in a longer one three. If no
- * word is so near, returns the first that begins with `word` or that `word` begins
- * with, if the shorter of the two has three letters, or else NULL. Case does not
- * count. */
+/* Returns the word in the list `words`, which NULL ends, that `word` may mean, or NULL.
+ * This is the last word of a hint for `word` (synonym_of) or, if the list lacks it, the
+ * word that is the fewest edits away: one edit is allowed if `word` has two to five
+ * letters, two edits up to eight letters, else three. An edit changes, adds or drops a
+ * letter, or swaps two neighbours. If no word is so near, returns the first word that
+ * begins with `word` or that `word` begins with, if the shorter of the two has at least
+ * three letters. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);
 
 /* Returns whether `word` is in `words`: lower-case words with blanks between them, or
  * NULL for no words. Ignores case, _ and -: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
 
-/* Returns the hint for a word that other programs have, or NULL: an option "--jobs", in
- * which * stands for the word, a remark ": ...", or a call "project -m". If `first` is
- * not NUL, only a hint that begins with this character is returned. */
+/* Returns the hint for a word of other programs, or NULL. The hint is an option
+ * ("--jobs"), a call ("project -m") or a remark (": ..."); a * stands for the word.
+ * If `first` is not NUL, ignores hints that do not begin with this character. */
 const char *synonym_of(const char *word, char first);
 
 #endif

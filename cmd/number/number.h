@@ -32,18 +32,18 @@ struct number_style {
  * large for a double is read as inf, a number that is too small as 0. */
 const char *number_read(const char *s, const char *end, double *v);
 
-/* Write v at s without a null byte and return the end of the text. Up to NUMBER_MAX
- * bytes from s may change. As in JavaScript, numbers below 1e-6 and from 1e21 on have
- * an exponent, but not with NUMBER_DECIMALS. -0 becomes 0; nan and inf become "nan".
- * The shortest text of a float is the shortest that reads back as the same float. */
+/* number_write and number_write_float write v at s without a null byte and return the
+ * end. Up to NUMBER_MAX bytes from s may change. As in JavaScript, numbers below 1e-6
+ * and from 1e21 on have an exponent, but not with NUMBER_DECIMALS. -0 becomes 0; nan
+ * and inf become "nan". The shortest text of a float has to read back as this float. */
 char *number_write(char *s, double v, struct number_style style);
 char *number_write_float(char *s, float v, struct number_style style);
 
 /* The text of a number, made by number_texts. layout has four bytes, from the lowest:
- * first, minus, before and size. The digits begin at chars + first. A minus stands
- * before them if minus is 1, and the point after the first `before` digits. The text
- * has size bytes, and one more with a minus. layout is 0 if number_write has to make
- * the text. Each text is in one line of the cache. */
+ * `first`, `minus`, `before` and `size`. The digits begin at chars + first. A minus
+ * precedes them if `minus` is 1; the point follows the first `before` digits. The text
+ * has `size` bytes without the minus. layout is 0 if number_write has to make the text.
+ * Each struct is in one line of the cache. */
 struct number_text {
 	char chars[60];
 	uint32_t layout;
@@ -53,7 +53,7 @@ enum { NUMBER_BATCH = 64 }; /* numbers that are read or written together */
 
 /* Makes the texts of n numbers, of floats if single is true. t and v have room for n
  * rounded up to a multiple of NUMBER_BATCH; the numbers in v after the first n are
- * ignored. If the kernels of baseline are chosen, all layouts become 0. */
+ * ignored. If number_loops (plain.h) returns NULL, all layouts become 0. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 

@@ -20,7 +20,7 @@ enum {
 	PLAIN_MAX = 32,    /* most characters of a plain number */
 	PLAIN_BEFORE = 37, /* bytes before a number's end that may be read */
 	PLAIN_BATCH = NUMBER_BATCH,
-	PLAIN_GROUP = 8, /* numbers that are read together */
+	PLAIN_GROUP = 8, /* numbers in a group, which is read as a whole */
 };
 
 /* Number i is the size[i] characters, 1 to PLAIN_MAX, before end[i]. */
@@ -30,16 +30,16 @@ struct plain_places {
 };
 
 struct number_loops {
-	/* Stores in `at` where text has bytes of the set; returns how many.
-	 * `at` has room for size, rounded up to a multiple of 64, plus 64. */
+	/* Stores in `at` the indexes of the bytes of text that are in the set; returns
+	 * how many. `at` has room for size rounded up to a multiple of 64, plus 64. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
 	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a
 	 * multiple of PLAIN_GROUP. Returns a mask: bit i is set if number i was not
-	 * read, because it is not plain, has more than 22 decimals, has more than 19
-	 * digits from the first that is not 0 on, or is midway between two doubles or
-	 * nearly so. An exponent is read if it has a sign and two digits, and if the
-	 * number of decimals less the exponent is 0 to 22. */
+	 * read. It is not read if it is not plain, has more than 22 decimals, has more
+	 * than 19 digits after leading zeros, or is too near to the middle between two
+	 * doubles. An exponent has to have a sign and two digits, and the number of
+	 * decimals less the exponent has to be 0 to 22. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
 	/* Does what number_texts does. */
@@ -50,7 +50,7 @@ struct number_loops {
 extern const struct number_loops number_loops_avx512, number_loops_avx2,
     number_loops_neon;
 
-/* Returns the loops for the processor whose kernels are chosen; NULL for baseline. */
+/* Returns the loops for the processor of kernels_chosen, or NULL if it has none. */
 const struct number_loops *number_loops(void);
 
 #endif

@@ -88,7 +88,7 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
 	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
-	/* a has digits of the numbers 0 and 2, b of 1 and 3 */
+	/* a has the digits of numbers 0 and 2, b the digits of 1 and 3 */
 	int in_a = _mm256_movemask_epi8(_mm256_cmpgt_epi8(a, zero));
 	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));
 

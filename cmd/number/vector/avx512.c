@@ -93,7 +93,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_LOW(a) _mm512_unpacklo_epi8(_mm512_setzero_si512(), a)
 #define BYTES_HIGH(a) _mm512_unpackhi_epi8(_mm512_setzero_si512(), a)
 
-/* Looks 10^scale up in registers: the compiler moves the loads of the table out of the
+/* power_of_ten looks 10^scale up in registers: compilers load the table outside of the
  * caller's loop. The lowest bits of the double 2^52 + index are the index. */
 #define POWERS_AT(i, order)                                  \
 	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, \
@@ -117,7 +117,7 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
 	const I zeros = _mm512_set1_epi8('0');
-	/* a has digits of the numbers 0, 2, 4, 6, b of 1, 3, 5, 7 */
+	/* a has the digits of numbers 0, 2, 4, 6, b the digits of 1, 3, 5, 7 */
 	__mmask64 in_a = _mm512_test_epi8_mask(a, a);
 	__mmask64 in_b = _mm512_test_epi8_mask(b, b);
 

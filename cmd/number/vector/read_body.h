@@ -5,8 +5,8 @@
  *
  *	IN_SET(set, s)	a mask of 64 bytes; bit i is set if s[i] is in the set
  *	join_digits(rows, half, &high, &low)
- *			makes integers of the first (half 0) or the last 16 digits
- *			(half 1) of WIDTH rows: high of the first 8, low of the last 8
+ *			reads 16 digits in each of WIDTH rows, the first 16 if half is
+ *			0, else the last: high is made of 8 digits, low of the next 8
  *	MATCH(row, c)	a mask; bit i is set if row[i] is c
  *	LARGER(a, b)	at each place the larger byte of the rows a and b
  *	ANY_TOP_BIT(x)	whether one of 32 bytes has its top bit set
@@ -14,19 +14,19 @@
  * A row holds the 32 bytes before the end of a number, for ROW_NUMBERS numbers side by
  * side. A file may define these in place of the definitions in read_rows.h:
  *
- *	ROW_NUMBERS	how many numbers a row holds; then also the types row, row_mask
+ *	ROW_NUMBERS	how many numbers a row holds; needs the types row and row_mask
  *	ROW_BEFORE(end, n) a row: the 32 bytes from end[i] - n on for its number i
- *	LAST_KEYS(n)	keys for LAST_BYTES from a vector of counts up to 32
- *	LAST_BYTES(keys) a mask of the last bytes of numbers, as many as the counts
+ *	LAST_KEYS(n)	a vector of keys, which LAST_BYTES needs, for counts n <= 32
+ *	LAST_BYTES(keys) a mask of the last n bytes of each number in a row
  *	PICK(m, a, b)	m ? a : b for each byte
  *	KEEP(m, a)	m ? a : 0 for each byte
  *	ANY_ABOVE_9(row) whether a byte of the row is above 9
  *	LEADING_ZEROS(x) the number of leading zero bits, in integers of 32 bits
  *
- * For any WIDTH the same operations of IEEE 754 compute a number: the same bits. */
+ * A number has the same bits for any WIDTH: the same operations compute it. */
 #include "read_rows.h"
 
-/* Returns a mask; bit i is set if lanes i of a and b differ. A nan differs from all. */
+/* Returns a mask; bit i is set if lanes i of a and b differ or are nan. */
 static inline unsigned different_lanes(V a, V b)
 {
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
@@ -57,10 +57,11 @@ static inline struct integer short_integer(const struct digit_rows *r, size_t i)
 	};
 }
 
-/* Returns the integers of WIDTH rows, of up to 19 digits; one with more digits is bad.
- * Three digits times 10^16 (top) are a multiple of 2^16 below 2^64, and exact. The sums
- * with the others (s, m.hi) are rounded to multiples of 2^11. Each rounding loses an
- * integer of at most 2^10; m.lo, the sum of both losses, is exact. */
+/* Returns the integers of WIDTH rows, of up to 19 digits; more digits make a lane bad.
+ * top, the first three of 19 digits times 10^16, is a multiple of 2^16 below 2^64, and
+ * exact. To top are added a, eight digits times 10^8, and b, the last eight digits. The
+ * sums, s and m.hi, are below 2^64, and rounded: each rounding loses an integer of at
+ * most 2^10. m.lo, the sum of both losses, is exact. */
 static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 {
 	struct integer m;
@@ -113,7 +114,7 @@ static inline unsigned nondigit_lanes(const struct digit_rows *r, size_t i)
 	return bad;
 }
 
-/* Reads the group of numbers from i on. Returns a mask of those that are not read. */
+/* Reads the group of numbers from i on. Returns a mask of numbers that are not read. */
 static inline uint64_t read_group(const struct digit_rows *r, size_t i,
     struct group_needs needs, double *v)
 {
@@ -133,9 +134,8 @@ static inline uint64_t read_group(const struct digit_rows *r, size_t i,
 }
 
 /* Reads n plain numbers and, if exponent is not NULL, multiplies number i by
- * 10^exponent[i]. Returns a mask of the numbers that are not read. The exponent makes
- * the divisor another power of ten; if no double is this power, the number is not read.
- */
+ * 10^exponent[i]. Returns a mask of the numbers that are not read. The exponent changes
+ * the divisor; number i is not read if the new divisor is not 1, 10, ... or 10^22. */
 static inline uint64_t read_plain(const struct plain_places *at, size_t n,
     const int8_t *exponent, double v[PLAIN_BATCH])
 {
@@ -156,8 +156,8 @@ static inline uint64_t read_plain(const struct plain_places *at, size_t n,
 	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;
 }
 
-/* Returns whether the size characters before end finish with a digit, e or E, a sign,
- * and two digits that make at most 22. Sets *exponent. */
+/* Returns whether the last five of the `size` characters before `end` are a digit, e or
+ * E, a sign, and two digits that make at most 22. Sets *exponent. */
 static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 {
 	unsigned tens = (unsigned char)end[-2] - '0';
@@ -170,8 +170,8 @@ static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 	    end[-5] >= '0' && end[-5] <= '9';
 }
 
-/* Reads the numbers of the mask bad that have an exponent. Returns the mask of those
- * numbers that are still not read. */
+/* Reads each number of the mask `bad` that has an exponent. Returns `bad` without the
+ * bits of the numbers that are read now. */
 static uint64_t read_exponential(const struct plain_places *at, uint64_t bad,
     double v[PLAIN_BATCH])
 {
@@ -212,8 +212,8 @@ static uint64_t reader_read(const struct plain_places *at, size_t n,
 	return bad == 0 ? 0 : read_exponential(at, bad, v);
 }
 
-/* Writes base + i to `at` for each bit i of bits that is set, eight at a time. Returns
- * the end of these numbers; the next call overwrites the surplus. */
+/* Writes base + i to `at` for each bit i that is set in `bits`, and returns the end of
+ * these numbers. Up to seven other numbers follow; the next call overwrites them. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);

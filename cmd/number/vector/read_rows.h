@@ -10,8 +10,8 @@
 
 #include "../plain.h"
 
-/* The digits of numbers, right-aligned, and the divisors of the integers that these
- * digits make, negative for a minus. A byte above 9 was no digit. */
+/* Number i is the integer of the right-aligned digits[i], divided by divisor[i], which
+ * is negative for a minus. A byte above 9 was no digit. */
 struct digit_rows {
 	_Alignas(64) uint8_t digits[PLAIN_BATCH][32];
 	double divisor[PLAIN_BATCH];
@@ -24,8 +24,8 @@ struct group_needs {
 };
 
 /* The divisors of positive numbers, indexed by the number of decimals, or by NO_POINT
- * if there is no point; then those of negative numbers. Powers of ten up to 10^22 are
- * doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
+ * if there is no point; then the divisors of negative numbers. Powers of ten to 10^22
+ * are doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
 enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
 #define BAD (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
@@ -38,6 +38,7 @@ static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
 typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
 
 #ifndef LAST_BYTES
+/* Rows of one number. The head of read_body.h says what each macro is. */
 #define LAST_BYTES(keys) last_bytes(*(keys))
 #define LAST_KEYS(n) (n)
 #define PICK(m, a, b) (((a) & (m)) | ((b) & ~(m)))
@@ -77,9 +78,9 @@ static inline row last_bytes(size_t n)
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
-/* Returns the number of leading zero bits of x, which is 0 or has one bit. Takes it
- * from the exponent of x as a float. If x has two bits, for two points as in 1.2.3,
- * which is no number, any result will do. */
+/* Returns the number of leading zero bits of each x, by the exponent of x as a float. x
+ * has at most one bit set, except for two points as in 1.2.3: then any result will do,
+ * because this is no number. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -89,14 +90,14 @@ static inline counts leading_zeros(counts x)
 }
 #endif
 
-/* The bits and counts of each number. points and minuses have a bit for each of the 32
- * bytes before its end. digits is the size of the number, and after count_digits the
- * key of its digits for LAST_BYTES; decimals is the key of its decimals; divisor is an
- * index of divisors. */
+/* The results of the first steps of set_rows, for each number. */
 struct marks {
+	/* bit i: byte i of the 32 before the number's end is a point, or a minus */
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
+	/* keys (LAST_KEYS) of how many digits and decimals the number has; before
+	 * count_digits, `digits` has the sizes of the numbers */
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
-	uint32_t divisor[PLAIN_BATCH];
+	uint32_t divisor[PLAIN_BATCH]; /* indexes of divisors[] */
 };
 
 static inline counts counts_at(const uint32_t *p)
@@ -107,8 +108,8 @@ static inline counts counts_at(const uint32_t *p)
 	return c;
 }
 
-/* Sets digits, decimals and divisor of the group of numbers from i on. Returns whether
- * a number of the group has more than 15 digits. */
+/* Sets m->digits, m->decimals and m->divisor for the group of numbers from i on.
+ * Returns whether a number of the group has more than 15 digits. */
 static inline bool count_digits(struct marks *m, size_t i)
 {
 	const counts zero = { 0 };
@@ -145,8 +146,8 @@ static inline row set_row(struct digit_rows *r, size_t i,
 }
 
 /* Sets the rows of n numbers and the needs of each group. Each step has a loop of its
- * own over all numbers: a vector that is loaded just after parts of it were stored
- * would wait for these stores. */
+ * own over all numbers: loading a vector just after its parts were stored takes
+ * long, because the load waits for these stores. */
 static inline void set_rows(struct digit_rows *r, struct group_needs *needs,
     size_t n, const struct plain_places *at)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them:
- * the processor overlaps the turns of a short loop, but in a long one it would wait for
- * the results of each. write_find.h finds the digits. They are stored at a fixed place
+ * the processor overlaps the turns of a short loop, but in a long loop it waits for the
+ * results of each turn. write_find.h finds the digits. They are stored at a fixed place
  * of a number_text, from which number_put copies them with a point between them.
  *
  * A file that includes this file has the vectors of doubles that
@@ -25,8 +25,8 @@
  *			the bytes of the lanes 0, 2, ... or of 1, 3, ..., each in
  *			the upper half of a quarter whose lower half is 0
  *	store_digits(to, step, nonzero, a, b)
- *			stores the digits of the numbers 0, 2, ..., which are a, and of
- *			1, 3, ..., which are b, to texts step bytes apart; sets bit i of
+ *			stores a, the digits of the numbers 0, 2, ..., and b, the digits
+ *			of 1, 3, ..., to texts that are step bytes apart; sets bit i of
  *			nonzero[k] if digit i of number k is not 0
  *
  * In each lane every operation on doubles rounds once, by IEEE 754. */
@@ -35,7 +35,7 @@
 /* The number of zeros that are stored before the DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
 
-/* Hides a constant from gcc, which would replace a product by up to five operations. */
+/* Hides a constant factor from gcc, which replaces MUL16 by up to five operations. */
 #define OPAQUE(c) opaque(ALL_BITS(c))
 INLINE I opaque(I c)
 {
@@ -133,7 +133,7 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 
 /* Writes the zeros before the digits, the 17th digit with zeros after it, and the
  * layout. With scale >= POWER_MIN a text needs at most six zeros on each side. If
- * keep_zeros is set, a text ends within its digits (see lay_out) and needs none behind. */
+ * keep_zeros is set, writes nothing behind the digits: no text needs it (lay_out). */
 INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
     const struct batch_digits *f, bool keep_zeros)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Finds the decimal digits of numbers by the operations on doubles that write_body.h
- * lists. Shortest digits of numbers from 2^-17 to 2^52, of floats to 2^23, are found
- * without rounding. If rounding could change other digits, number_write makes their
- * text. */
+ * lists. The shortest digits of numbers from 2^-17 to 2^52 (floats: to 2^23) are found
+ * without rounding. If rounding could change the digits of a number, number_write makes
+ * its text. */
 #ifndef WRITE_FIND_H
 #define WRITE_FIND_H
 
@@ -20,8 +20,8 @@
 /* The most digits that a whole number below 2^53 has. */
 enum { DIGITS = 16 };
 
-/* The most decimals or significant digits that a style may ask of these loops, and the
- * most zeros that they write between digits and the point. */
+/* These loops find at most MOST_DIGITS decimals or significant digits, and write at
+ * most MOST_ZEROS zeros between digits and the point. */
 enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
 /* The digits of a batch of numbers. whole has DIGITS digits; the point stands `scale`
@@ -51,13 +51,13 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
 }
 
 /* Returns the nearest whole number to x < 2^53, ties to even, if scale >= 0, where x is
- * p + e. *rest is x - i - 1/2, rounded, and has its sign:
+ * p + e. Sets *rest to x - i - 1/2, rounded, with the sign of the exact value:
  * - |e| is at most half a unit of p's last place.
  * - If p < 1/4, i is 0 and p - 1/2 is at most -1/4: e can't change its sign.
  * - If p >= 1/4, p - i - 1/2 is exact, so that only the sum with e is rounded.
- * If e = 0, *rest is 0 in a tie, and NEAREST(p) breaks the tie. A tie with another e
- * has |e| = 1/2, and p > 2^52 is whole: x is halfway between two doubles and was
- * rounded to the even one, p. Both branches return this p, as *rest is 0 or -1. */
+ * In a tie with e = 0, *rest is 0, and NEAREST(p) breaks the tie. In any other tie |e|
+ * is 1/2, and p > 2^52 is whole: x is halfway between two doubles and was rounded to
+ * the even one, p. Both branches return this p, as *rest is 0 or -1. */
 INLINE V nearest(struct scaled x, V *rest)
 {
 	*rest = (x.p - x.i - ALL(0.5)) + x.e;
@@ -102,8 +102,8 @@ struct digits {
  *	58	of tenths, less than 10: 10 times 5, and 8 as it is rounded
  *
  * so that a comparison is right if its sides differ by WRITE_MARGIN, 512 units. If
- * they differ by less, as in exact ties, which are frequent in numbers so large,
- * number_write makes the text. */
+ * they differ by less, number_write makes the text: for example in exact ties, which
+ * are frequent if scale < 0. */
 INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
     bool single, bool whole_powers)
 {
@@ -141,7 +141,6 @@ INLINE V log2_minus(V power, double place)
 	return biased - ALL(0x1p52 + 1023 + place);
 }
 
-/* Returns the greatest power of two that is at most a. */
 INLINE V power_of_two_up_to(V a)
 {
 	return (V)((I)(a) & (I)(ALL((double)INFINITY)));
@@ -174,7 +173,7 @@ INLINE void find_decimals(struct batch_digits *f, size_t i, int n, V v)
  * with the next power of ten corrects this. A power below 1 is rounded, but a number
  * equal to this double gives the same text with either log10: its n digits round to a
  * one and zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN (see
- * shortest), and number_write makes the texts of numbers nearer to a tie. */
+ * shortest); number_write makes the text if x is no farther than this from a tie. */
 INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 {
 	const V zero = ALL(0), one = ALL(1);
@@ -199,12 +198,12 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits of 0 and of numbers from 2^-17 to 1e21, of floats to 2^60.
- * For doubles below 2^-17 scale would be above POWER_MAX; floats have the same limit.
- * For floats from 2^60 on scale would be below POWER_MIN. From 1e21 on texts have an
- * exponent. Numbers outside these limits are computed as if they were 1, so that their
- * scale is in the table; number_write makes their texts. find_shortest sets exact only
- * if no number is outside and no scale is negative. */
+/* Finds the shortest digits of 0 and of numbers from 2^-17 to 1e21 (floats: to 2^60).
+ * Doubles below 2^-17 have a scale above POWER_MAX; floats get the same limit. Floats
+ * from 2^60 on have a scale below POWER_MIN. From 1e21 on texts have an exponent.
+ * Numbers outside these limits are computed as if they were 1, so that their scale is
+ * in the table; number_write makes their texts. find_shortest sets exact only if no
+ * number is outside and no scale is negative. */
 INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
     bool exact, V v)
 {
@@ -229,8 +228,8 @@ INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, or floats to
- * 2^23, no operation rounds, and find_in_range with exact = true is shorter. */
+/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52 (floats: to
+ * 2^23), no operation rounds, and find_in_range is shorter with exact = true. */
 INLINE void find_shortest(struct batch_digits *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
