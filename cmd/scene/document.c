@@ -8,7 +8,7 @@
 #include "types.h"
 #include "../message/message.h"
 
-/* The index of a member's row in scene_members; row i has bit i in scene_member. */
+/* The index of a member in scene_members[], and of its bit in enum scene_member. */
 #define ROW_OF(member) __builtin_ctz(SCENE_##member)
 
 enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
@@ -63,8 +63,8 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 
 /* Replaces the text of an array of points, or of one point, by a line for each point,
  * and returns the size of the lines. Refuses a value that is not an array. The lines
- * fit into the text, as each newline has the room of the comma or bracket before its
- * point. Only the newline of a single point may take the byte after the text. */
+ * fit into the text: in an array, a comma or bracket before each point leaves room for
+ * its newline. The newline of a single point may take the byte after the text. */
 static size_t write_points(const struct value *v, const struct span *array,
     int coordinates)
 {
@@ -88,7 +88,7 @@ static size_t write_points(const struct value *v, const struct span *array,
 }
 
 /* Sets m[i] to the member with bit i, and returns the members of the document as bits.
- * A document with no scene members but angle_unit is itself the w->lone_member. */
+ * If it has none, or only angle_unit, the document itself is w->lone_member. */
 static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
@@ -135,7 +135,7 @@ static void check_needed(const struct value *root,
 				   "");
 }
 
-/* Refuses a document of two dimensions if the command takes only those of three. */
+/* Refuses a document of two dimensions if the command needs three. */
 static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
@@ -159,8 +159,8 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns, as bits, the rows of convention_members that v, the member convention of the
- * document, gives: all if v is a name, none if v is missing. */
+/* Returns, as bits, the rows of convention_members that the document gives. v is its
+ * member "convention": a name gives all rows, a missing v none. */
 static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))
@@ -168,8 +168,8 @@ static uint64_t given_by_convention(const struct value *v)
 	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL);
 }
 
-/* Sets fields of *d that depend on several members. The default origin of a device is
- * that of the convention of -c or, without -c, that in the document's convention. */
+/* Sets fields of *d that depend on several members. A device without "origin" takes it
+ * from the convention of -c or, without -c, from the document's if that gives one. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {

@@ -45,11 +45,11 @@ struct document {
 	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
 	struct source source; /* the text, for messages */
-	/* The name of the member, such as camera, that is the whole document; or NULL.
-	 * Pointers in messages leave the name out. */
+	/* If the whole document is one member of a scene, such as a camera, the name of
+	 * this member, which JSON pointers in messages leave out; else NULL. */
 	const char *lone_member;
-	/* The member points, rewritten in the text of the document as lines like those
-	 * of document_points; or NULL. */
+	/* The lines that document_read makes of the member points, as document_points
+	 * does; or NULL. */
 	const char *points;
 	size_t points_size;
 };
@@ -64,25 +64,24 @@ struct document_wants {
 	/* The members that the command uses, as bits. In a member that is not used,
 	 * numbers may be out of range, and a projection may lack its aspect. */
 	unsigned used;
-	/* A document is flat, of two dimensions, if it has any of these members, as
+	/* A document is flat, of two dimensions, if it has one of these members, as
 	 * bits, and no projection. The command then needs no other member, uses none
-	 * of SCENE_SPATIAL, and reads points of two coordinates. 0: the command takes
-	 * no flat documents. */
+	 * of SCENE_SPATIAL, and reads 2D points. 0: no document is flat. */
 	unsigned flat_members;
-	/* The document's source, of which the caller sets the place of the text,
-	 * two_numbers_hint, and the following. implied_type: a projection has only this
-	 * type, and may lack "type". for_fit: may be missing: the eye, near, far, a
-	 * parallel projection's width and height, and all of a flat document's window.
-	 * for_plane: far may be missing, and near if no size is given at near. */
+	/* The caller sets lines_before, bytes_before, two_numbers_hint, and:
+	 * - implied_type: projections have only this type, and may lack "type".
+	 * - for_fit: the eye, near, far, the width and height of a parallel projection,
+	 *   and all members of a window may be missing.
+	 * - for_plane: far may be missing, and near if no size or edges are there. */
 	struct source source;
-	/* The convention that the option -c names, or NULL. The answer has it, and a
-	 * document that names no convention has it, too. */
+	/* The convention that the option -c names, or NULL. It is the convention of the
+	 * output, and of a document that names none. */
 	const struct convention *convention;
-	/* How many coordinates a point has; 0: the member points is not read. */
+	/* How many coordinates a point has; 0: the document's points are not read. */
 	int coordinates;
 };
 
-/* Returns, as bits, the members that a command reads of any document, flat or not. */
+/* Returns, as bits, all members that the command may use, in a flat document or not. */
 unsigned document_used_members(const struct document_wants *);
 
 /* Reads the document text[0..size) into *d; changes `text`. Messages show `name`. */
@@ -91,23 +90,24 @@ void document_read(struct document *d, const char *name, char *text,
 
 /* Replaces text[0..size), a point or a list of points in JSON, by lines, and returns
  * the lines; sets *points_size to their size. Each line is a point's array without
- * blanks. An array must begin with as many numbers or nulls as `coordinates` says. */
+ * blanks. The first `coordinates` elements of an array must be numbers or null. */
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *two_numbers_hint, size_t *points_size);
 
-/* Prints "projcalc: FILE: REASON" and exits with status 1. The reason comes from a
- * function of core/, and may begin with a JSON pointer: "/camera/up: ...". */
+/* Prints "projcalc: FILE: REASON" and ends as value_refuse does. The reason, from a
+ * function of core/, may begin with a JSON pointer: "/camera/up: ...". */
 _Noreturn void document_refuse(const struct document *d, const char *reason);
 
 /* Calls document_refuse if the reason is not NULL. */
 void document_refuse_if(const struct document *d, const char *reason);
 
-/* Prints a document of the command fit, whose camera has a gaze and whose projection is
- * no matrix, with a line for each member or, if compact, in one line. The output reads
- * back as the same scene and pick. Of a flat document, leaves out SCENE_SPATIAL. */
+/* Prints a document of the command fit, with a line for each member or, if compact, in
+ * one line. Leaves SCENE_SPATIAL out of a flat document. If the camera has a gaze and
+ * the projection is no matrix, the output reads back as the same scene and pick. */
 void print_scene(const struct document *, bool compact);
 
-/* Print: a scene's convention and SCENE_SPATIAL, as members; a device, as an object. */
+/* put_scene prints an object with the convention and the members SCENE_SPATIAL of a
+ * scene. put_device prints a device as an object. */
 void put_scene(struct printer *, const struct scene *);
 void put_device(struct printer *, const struct device *);
 

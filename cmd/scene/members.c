@@ -250,8 +250,8 @@ static const struct value_range margin_range = { .min = 0,
 	.wanted = "a number from 0 to below 0.5 is wanted",
 	.max_excluded = true };
 
-/* The row of a member that is an object. It is read to `field` of struct scene, and
- * sets the bool has_`field` there. */
+/* The row of a member that is an object. It is read to the field `field` of struct
+ * scene, and sets the bool there whose name is has_ and `field`. */
 #define SCENE_OBJECT(label, field, table, sample, ...)                    \
 	ROW(document, label, type_object, scene.field, .example = sample, \
 	    .flag = offsetof(struct document, scene.has_##field),         \

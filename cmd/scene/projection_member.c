@@ -158,7 +158,7 @@ const struct member projection_members[] = {
 /* the index in projection_ways of the ways to give near and far */
 enum { WAYS_PLANES = 3 };
 
-/* The command fit computes width and height of parallel projections that lack them. */
+/* If a parallel projection lacks its width or height, the command fit computes it. */
 const struct ways projection_ways[] = {
 	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 	      "field aspect?", "width height edges_at?",
@@ -178,7 +178,7 @@ const struct ways projection_ways[] = {
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .offset = OFFSET(eye_given_by) },
 	{ { "z_near z_far" }, .own_fit = true, .kinds = VOLUME },
-	/* no fit_way, as fit_scene refuses a matrix with any members */
+	/* no fit_way, as fit_scene refuses every matrix */
 	{ { "matrix" }, .own_fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
@@ -206,7 +206,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 
 	for (int i = 0; projection_types[i] != NULL; i++) {
 		struct value m = value_child(v);
-		int count = 0; /* per member of v: a name 2, an alias 1 */
+		int count = 0; /* a name adds 2, an alias 1 */
 
 		for (; m.item != NULL; value_next(&m))
 			for (int alias = 0; alias < 2; alias++)
@@ -239,9 +239,9 @@ static void read_type(const struct value *v, struct projection *p)
 		    projection_types[implied - 1]);
 }
 
-/* Refuses a perspective that lacks near or far, except for fit, which computes both.
- * Intrinsics and --plane need neither; a missing far is then infinity. But a
- * cross-section given at near always needs near. */
+/* Refuses a perspective that lacks near or far. fit computes both. Intrinsics and
+ * --plane need neither, and far is infinity if it is missing. But a cross-section on
+ * the near plane always needs near. */
 static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
@@ -274,7 +274,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
 	read_type(v, p);
-	/* kinds are indices in projection_types, which lacks the enum's 0 */
+	/* an index in projection_types, which has no PROJECTION_NONE */
 	int kind = (int)p->type - 1;
 	uint64_t seen = object_read(v, row, kind, p);
 
@@ -286,7 +286,7 @@ static void read_projection(const struct value *v, const struct member *row,
 		check_planes(v, seen, p);
 	else if (v->source->for_plane && p->far == p->near &&
 	    !(is_given(p, seen, "near") && is_given(p, seen, "far")))
-		p->far = 1; /* near is 0 */
+		p->far = 1; /* both were 0 */
 	if (p->extent == EXTENT_ANGLES &&
 	    !(p->left < p->right && p->bottom < p->top))
 		value_refuse(VALUE_MISSING(v, "angles"),
@@ -320,7 +320,7 @@ static void set_image_size(const struct value *v,
 }
 
 /* Returns whether the projection depends on an aspect. In fit a parallel projection
- * does if it or the viewport has one: fit widens the projection to that aspect. */
+ * does if it has an aspect or there is a viewport: fit widens it to this aspect. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
@@ -363,8 +363,8 @@ static void print_projection(struct printer *printer, const struct member *row,
 	int kind = (int)p.type - 1;
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = ALL_MEMBERS;
-	/* members that are not printed: an aspect that the viewport gave, the default
-	 * direction, and members that the document cannot have given */
+	/* members that are not printed: an aspect from the viewport, the default
+	 * direction, and members in whose place the document has others */
 	const struct {
 		bool is_hidden;
 		const char *names;

@@ -170,8 +170,8 @@ static void read_rows(const struct value *v, size_t rows, size_t columns,
 			value_numbers(&row, &range_any, columns, out);
 }
 
-/* Reads a matrix. Rows for column vectors are transposed. A list of 16 numbers is not,
- * as its order is by rows for row vectors, and by columns for column vectors. */
+/* Reads a matrix. Rows for column vectors are transposed. A list of 16 numbers is not
+ * transposed: it lists rows for row vectors, but columns for column vectors. */
 static void read_matrix(const struct value *v, const struct member *member,
     void *out)
 {

@@ -40,7 +40,7 @@ void put_distance(struct printer *, double);
 /* An object with the members and ways of the row. */
 extern const struct type type_object;
 
-/* Points, which document.c reads as lines of text. */
+/* A point or a list of points. document.c makes lines of them for the job. */
 extern const struct type type_points;
 
 /* The members of struct document; row i has bit i in enum scene_member. */
@@ -54,8 +54,8 @@ extern const struct type type_projection;
 /* The names of the types of projections, from PROJECTION_PERSP on; NULL ends them. */
 extern const char *const projection_types[];
 
-/* Completes a projection that was read from the value. Sets a missing aspect and, for
- * intrinsics, the size of the image by the viewport, which may be NULL. */
+/* Completes a projection that was read from the value: takes a missing aspect and, for
+ * intrinsics, the size of the image from the viewport, which may be NULL. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
 
@@ -86,15 +86,15 @@ enum {
 extern const struct convention conventions[CONVENTIONS];
 extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends them */
 
-/* The members of a convention that is an object. Each has two words and is a bool of
- * struct convention: false for the first word, which d3d has, true for the second. */
+/* The members of a convention that is an object. Each has one of two words, and is a
+ * bool in struct convention: false for the first word, which d3d has, else true. */
 extern const struct member convention_members[];
 
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
-/* Refuses the object's member called name if neither the document nor the command line
- * has a convention: the numbers of the member depend on the view axes. */
+/* Refuses the object's member `name`, whose numbers depend on the view axes, if neither
+ * the document nor the command line gives a convention. */
 void require_convention(const struct value *object, const char *name);
 
 #endif

@@ -25,9 +25,9 @@ static struct {
 	bool on, asked;               /* see answer_start_progress */
 	bool to_terminal;             /* each display overwrites the last */
 	bool on_screen;               /* the terminal's line shows progress */
-	double start_time, last_time; /* counting began; last display */
-	long long lines;              /* done, of all sources */
-	long long bytes;              /* done, of this source */
+	double start_time, last_time; /* of counting; of the last display */
+	long long lines;              /* answered, of all sources */
+	long long bytes;              /* answered, of this source */
 	long long size;               /* bytes of this source; 0: unknown */
 } progress;
 
@@ -59,7 +59,6 @@ void answer_begin_source(const struct job *j, const struct point_source *s)
 	progress.size = s->size;
 }
 
-/* Clears the terminal's line of progress before a message. */
 static void clear_progress(void)
 {
 	if (progress.on_screen)

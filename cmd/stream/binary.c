@@ -19,7 +19,8 @@ size_t binary_size(const struct layout *l)
 	return l->keeps ? record_size(l) : point_size(l->out.format, l->writes);
 }
 
-/* Copies coordinates of size bytes of n points to rows, or to records if to_records. */
+/* Copies the coordinates of n points, each of `size` bytes, from records to rows or, if
+ * to_records is set, from rows to records. */
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool to_records, size_t n)
 {
@@ -66,7 +67,7 @@ static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
 	return (const char *)c->image;
 }
 
-/* Sets c->line[0..n) to n points of size bytes, which begin at text. */
+/* Sets c->line[0..n) to n binary points of `size` bytes each, the first at `text`. */
 static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 {
 	for (size_t i = 0; i < n; i++)

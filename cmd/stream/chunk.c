@@ -7,8 +7,8 @@
 
 struct chunk *chunk_new(void)
 {
-	/* Vector loops read beyond the last point, so calloc clears the chunk: it gets
-	 * so many bytes from the system, already cleared, and does not touch them. */
+	/* Vector loops read beyond the last point, so the chunk must be cleared. calloc
+	 * takes this much memory from the system, already cleared, and leaves it so. */
 	const size_t alignment = _Alignof(struct chunk);
 	char *memory = calloc(1, sizeof(struct chunk) + alignment);
 
@@ -18,8 +18,8 @@ struct chunk *chunk_new(void)
 	    (uintptr_t)memory % alignment);
 
 	piece_resize(&c->piece, PIECE_ROOM);
-	/* Most output fits. If a thread allocates more, the C library maps an arena
-	 * for the thread, which costs more than this room. */
+	/* Most output fits into this room. If a thread allocates more, the C library
+	 * maps an arena for the thread, which costs more than the room. */
 	c->room = 16 * PIECE_ROOM;
 	c->out = xrealloc(NULL, c->room);
 	/* cppcheck-suppress memleak; c keeps the allocated bytes */

@@ -9,7 +9,7 @@
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 
-/* Reads `text`, the next line, with line_read. Returns false if it ends the chunk. */
+/* Reads the next line, `text`, to the block. Returns false if the chunk ends there. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
 {
@@ -55,7 +55,7 @@ static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
 	return true;
 }
 
-/* Reads lines of the stretch into the block. Returns false if one ends the chunk. */
+/* Adds lines of the stretch to the block. Returns false if a bad one ends the chunk. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;
@@ -72,14 +72,14 @@ static bool block_walk(struct job *j, struct chunk *c)
 	return block_add_lines(j, c, n, unread, v);
 }
 
-/* Reads up to POINTS_BLOCK lines as a block, and their points to the columns. */
+/* Reads up to POINTS_BLOCK lines into the block, and their coordinates into c->in. */
 static void block_read(struct job *j, struct chunk *c)
 {
 	struct stretch *s = &c->stretch;
 	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* walk_plan needs the columns of a header that line_read read */
+		/* walk_plan needs the header's columns, which line_read sets */
 		if (!c->walk_planned && !c->first) {
 			c->walk_planned = true;
 			c->can_walk = number_loops() != NULL &&
@@ -102,7 +102,7 @@ static void block_read(struct job *j, struct chunk *c)
 }
 
 /* Transforms the block's points. Returns true only if all images are finite. Rays are
- * computed exactly in every precision; precision single rounds them to floats. */
+ * exact in every precision; if `single` is set, they are rounded to floats. */
 static bool block_transform(const struct job *j, struct chunk *c)
 {
 	bool single = j->precision == PRECISION_SINGLE ||
@@ -144,10 +144,10 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 struct writer {
 	const struct job *job;
 	struct chunk *chunk;
-	bool in_place;    /* an image replaces its point, or follows the line */
-	bool adds_values; /* values are added after those that were read */
+	bool in_place;    /* write_in_place may write the images */
+	bool adds_values; /* more values are written than were read */
 	int order[4];     /* of the coordinates on the previous line */
-	unsigned char outside[POINTS_BLOCK]; /* of point p, for chunk_flags */
+	unsigned char outside[POINTS_BLOCK]; /* frustum_outside of point p */
 
 	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
 	 * loops, and few enough for the first-level cache. */
@@ -155,7 +155,7 @@ struct writer {
 	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
 };
 
-/* Makes the texts of the batch that includes point p, unless w has them already. */
+/* Makes the texts of the batch of images that includes image p, unless w has them. */
 static void make_texts(struct writer *w, size_t p)
 {
 	const struct layout *l = &w->job->layout;
@@ -179,7 +179,7 @@ static inline struct numbers image_of(const struct writer *w, size_t p)
 }
 
 /* Writes the line of point p with the point's image. Returns the end of the line. Each
- * branch makes its struct numbers: a common one would take 3 % more time in text. */
+ * branch calls image_of, as a single call takes 3 % more time in the format text. */
 static char *put_image(struct writer *w, const struct line *line, size_t p,
     char *at)
 {
@@ -227,13 +227,13 @@ static char *put_line(struct writer *w, const struct line *line, size_t p,
 			   chunk_flags(w->chunk, OUT_NAN), at);
 }
 
-/* Appends the block's lines, with the images of its points, to the chunk's out. If
- * finite is true, all images are finite doubles. */
+/* Appends the block's lines, with the images of its points, to the chunk's out. The
+ * parameter finite may be true only if all images are finite doubles. */
 static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
 	const struct layout *l = &j->layout;
 	const size_t n = c->block_lines;
-	struct writer w; /* no initializer: it would clear the texts */
+	struct writer w; /* no initializer, as to clear the texts takes time */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 
 	if (n == 0)
@@ -267,9 +267,9 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(at - c->out);
 }
 
-/* Refuses a source that begins like a .npy file, UTF-16, an archive or a mesh, and text
- * that begins like binary points. Binary points may begin with any bytes, so they are
- * refused only if they are .npy, or UTF-16 with three ASCII characters. */
+/* Refuses a source of lines that begins like one of the formats in `others`, like .npy,
+ * or like binary points. Refuses a source of binary points, which may begin with any
+ * bytes, only if it begins like .npy or like three Latin-1 characters in UTF-16. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
 	static const char utf16[] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
@@ -300,7 +300,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		     k < count)
 		strcpy(reason, others[k][1]);
 	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
-		/* the header's size has two bytes in version 1, four in others */
+		/* the header's size has two bytes in version 1, later four */
 		snprintf(reason, sizeof reason,
 		    "is a .npy file of NumPy; tail -c +%d leaves its numbers: "
 		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "

@@ -37,7 +37,7 @@ struct chunk {
 
 	/* The block: lines that are transformed together, with columns of numbers. */
 	size_t block_lines, block_points;
-	bool walk_planned, can_walk; /* walk_plan was called; returned true */
+	bool walk_planned, can_walk; /* walk_plan: was called; returned true */
 	struct walk walk;
 	struct word flags[256]; /* results of chunk_flags; empty until needed */
 	COLUMN_ALIGNED struct stretch stretch;
@@ -65,7 +65,7 @@ struct job {
 	 * commands leave them NULL. take_block gets each block before its points are
 	 * transformed; it may append to the chunk's out, and runs in any thread.
 	 * collect_chunk gets the chunks in order. flush prints what was collected,
-	 * after the last chunk or before a bad line ends the program. */
+	 * after the last chunk or before an error ends the program. */
 	void (*take_block)(const struct job *, struct chunk *);
 	void (*collect_chunk)(const struct job *, const struct chunk *);
 	void (*flush)(const struct job *);
@@ -74,35 +74,36 @@ struct job {
 
 struct chunk *chunk_new(void);
 
-/* Returns out + size with room for n bytes. The caller adds those used to `size`. */
+/* Makes room for n more bytes in the chunk's out, and returns their address. The caller
+ * adds to the member size how many bytes it writes there. */
 char *chunk_reserve(struct chunk *, size_t n);
 
 /* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
  * of the frustum planes with bits set in `outside`. The word belongs to the chunk. */
 const struct word *chunk_flags(struct chunk *, unsigned outside);
 
-/* Adds a complaint on the block's next line. Returns false if that ends the chunk. */
+/* Adds a complaint on the block's next line. Returns false if the chunk ends there. */
 bool chunk_complain(const struct job *, struct chunk *, const char *reason);
 
-/* Writes to the chunk's out the output for its piece, which has whole lines or whole
- * binary points. Stops at the first bad one unless the job keeps going. */
+/* Does the job on the chunk's piece and writes the output to the chunk's out. Stops at
+ * the first bad line or binary point unless the job keeps going. */
 void job_do(struct job *, struct chunk *);
 
-/* Returns whether the job writes a binary point for each that it reads. */
+/* Returns whether the job writes a binary image for every binary point of its input. */
 bool binary_by_blocks(const struct job *);
 
 /* Reads a block of up to POINTS_BLOCK binary points. Sets the lines of the block only
  * if a point is bad or binary_by_blocks is false. */
 void binary_read(const struct job *, struct chunk *);
 
-/* Reads, transforms and writes a block of a job that maps f32 to f32 in single
- * precision and keeps no records. For another job, or if a point has no image, returns
- * false. */
+/* Reads, transforms and writes a block of points if they are f32 in input and output,
+ * the precision is single, and layout.keeps is false. If not, or if points_map_floats
+ * returns false, as for a point without image, reads nothing and returns false. */
 bool binary_map_floats(const struct job *, struct chunk *);
 
-/* Appends to out the images of the block, whose binary points begin at text. Returns
- * false if an image is not finite, or if point_single has to round a float; then only
- * the lines of the block are set. */
+/* Appends the images of the block to out. The block's binary points begin at `text`. If
+ * an image is not finite, or if point_single has to round a float, only sets the lines
+ * of the block, and returns false. */
 bool binary_write(const struct job *, struct chunk *, const char *text);
 
 /* Returns the number of bytes that are written for each point. */
@@ -117,28 +118,29 @@ char *binary_put(const struct layout *, const struct chunk *,
 /* Calls run(data), in a new thread if the stack may be too small, and waits for it. */
 void call_with_stack(void *(*run)(void *), void *data);
 
-/* Does the job on the points of a source. Before it waits for more, prints the output
- * for all points that were read. Prints errors and ends the program after them. Each
- * call must get the same struct job, whose contents may change between the calls. */
+/* Does the job on the points of a source. Before it waits for more input, prints the
+ * output for all points that were read. Prints errors and ends the program after them.
+ * Each call must get the same struct job; its contents may change between calls. */
 void stream(struct job *, struct point_source);
 /* answer.c prints the output of chunks in the order of their source, reports bad lines
  * and points without image, and shows progress on standard error. */
 
-/* Turns progress on, at the first call, if asked or if only stderr is a terminal. */
+/* At the first call, turns progress on if `asked`, or if only stderr is a terminal. */
 void answer_start_progress(bool asked);
 
-/* Begins a source, whose lines are counted from 1. */
+/* Says that the next chunks are of this source. Its lines are counted from 1. */
 void answer_begin_source(const struct job *, const struct point_source *);
 
-/* Prints the output of the next chunk, then reports its bad lines, which end the
- * program unless the job keeps going, and the error that ended its source, which always
+/* Prints the output of the next chunk. Then reports its bad lines, which end the
+ * program unless the job keeps going, and an error that ended its source, which always
  * ends the program. Any thread may call answer_chunk, but only one at a time. */
 void answer_chunk(const struct job *, struct chunk *);
 
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */
 void answer_refused_scene(enum format);
 
-/* Reports all counts, closes standard output, and returns the exit status. */
+/* Reports how many lines are bad and how many points have no image, closes standard
+ * output, and returns the exit status. */
 int answer_end(void);
 
 #endif

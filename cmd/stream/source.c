@@ -10,13 +10,13 @@
 #include "../lines/line.h"
 #include "../message/message.h"
 
-/* The bytes of the longest line of points, with its newline. */
+/* The most bytes that a line of points may have, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-/* The first pieces of a source have FIRST_PIECE bytes. Later ones have about 1 / PIECES
- * of the bytes before them, and at most PIECE_ROOM. A short source thus touches few
- * pages: the system needs more time for a fresh page than a thread for the points in
- * it. As the last pieces are small, too, all threads end at about the same time. */
+/* The first pieces of a source have FIRST_PIECE bytes. A later piece has about 1 /
+ * PIECES of the bytes read before it, and at most PIECE_ROOM. A short source thus uses
+ * little fresh memory, which costs the system more time than the points in it cost a
+ * thread. As the last pieces are small, too, all threads end at about the same time. */
 enum { FIRST_PIECE = 1 << 15, PIECES = 64 };
 
 void piece_resize(struct piece *p, size_t room)
@@ -46,7 +46,7 @@ static size_t begin_piece(struct piece *p, const struct point_source *s)
 	return full;
 }
 
-/* Reads up to `room` bytes, as read(2). Returns their number, 0 at the end, or -1. */
+/* Reads up to `room` bytes. Returns, as read(2), their number, 0 at the end, or -1. */
 static ssize_t read_some(struct point_source *s, char *to, size_t room)
 {
 	size_t left = (size_t)(s->text.end - s->text.s);
@@ -73,8 +73,8 @@ static bool would_wait(const struct point_source *s)
 	    (poll(&p, 1, 0) <= 0 || (p.revents & POLLNVAL) != 0);
 }
 
-/* Adds to p the n bytes that were read. Searches only these for a newline, as it would
- * take quadratic time to search a long line again after each read. */
+/* Updates the sizes of p after n bytes were read. Searches only these bytes for a
+ * newline: to search a long line again after each read would take quadratic time. */
 static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->size + n, whole = end;
@@ -89,8 +89,8 @@ static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 	p->size = end;
 }
 
-/* Reads until the source ends, or until the piece has a whole line and is full or the
- * next read would wait. */
+/* Reads until the source ends. Stops earlier if p has a whole line or point, and either
+ * p is full or the next read would wait. */
 static enum piece_state fill_piece(struct point_source *s,
     const struct layout *l, struct piece *p)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads a source of points in pieces that end with a whole line or binary point. */
+/* Reads a source of points in pieces of whole lines or whole binary points. */
 #ifndef SOURCE_H
 #define SOURCE_H
 
@@ -9,15 +9,15 @@
 
 struct layout;
 
-/* The bytes of a piece: enough that threads seldom wait, few enough for caches. */
+/* The size of a piece in bytes. With it threads seldom wait, and caches hold a piece. */
 enum { PIECE_ROOM = 1 << 17 };
 
-/* The size of pipes in bytes, so that one process writes a piece while another reads a
- * piece. Larger pipes would not stay in the cache. */
+/* The size of pipes in bytes: room for two pieces, so that one process writes a piece
+ * while another reads the other. A larger pipe would not stay in the cache. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
-/* The number of bytes that may be read after the end of a text. If the text is a JSON
- * document they may also be written: a point at its very end gets a newline there. */
+/* The number of bytes after the end of a text that the readers of points may read. In a
+ * JSON document they may also write them: a newline after a point at the very end. */
 enum { PIECE_MARGIN = 2 };
 
 enum piece_state {
@@ -33,18 +33,18 @@ struct piece {
 	char *text;        /* NULL before the first use */
 	size_t room;       /* bytes allocated, less PIECE_MARGIN */
 	size_t size;       /* bytes of text */
-	size_t whole_size; /* of these, bytes of whole lines or points */
+	size_t whole_size; /* bytes of the whole lines or points in text */
 	enum piece_state state;
 	int error; /* the errno of PIECE_FAILED */
 };
 
 struct point_source {
 	const char *name;
-	struct span text;  /* unread text in memory; s is NULL for a file */
-	int fd;            /* of a file */
-	off_t size;        /* bytes; 0: unknown */
+	struct span text;  /* unread text in memory; .s is NULL for a file */
+	int fd;            /* descriptor of a file */
+	off_t size;        /* bytes of the whole source; 0: unknown */
 	size_t bytes_read; /* bytes of all pieces read so far */
-	struct span rest;  /* the last piece after its whole lines or points */
+	struct span rest;  /* bytes of the last piece after its whole_size */
 };
 
 /* Allocates `room` bytes for the text of a piece, and keeps the text that fits. */
@@ -54,8 +54,8 @@ struct point_source source_of_file(const char *name, int fd);
 struct point_source source_of_text(const char *name, const char *text,
     size_t size);
 
-/* Reads the next piece, and may wait for input. The previous piece must still have its
- * text. Only one thread at a time may call source_read. */
+/* Reads the next piece, and may wait for input. Copies `rest` from the previous piece,
+ * whose text must still exist. Only one thread at a time may call source_read. */
 void source_read(struct point_source *, const struct layout *, struct piece *);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* With these macros headers declare sched_getaffinity and _SC_NPROCESSORS_ONLN. */
+/* These macros make headers declare sched_getaffinity and _SC_NPROCESSORS_ONLN. */
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
@@ -12,8 +12,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-/* The size of a thread's stack in bytes. By default some systems give 128 KB. inspect
- * needs up to 320 KB (measured), as each of its maps has 19 KB of exact numbers. */
+/* The size of a thread's stack in bytes. By default some systems give 128 KB. The
+ * command inspect needs up to 320 KB (measured), as each of its maps has 19 KB. */
 enum { STACK_SIZE = 1 << 20 };
 
 /* Starts a thread with STACK_SIZE. Returns 0 or an error, as pthread_create does. */
@@ -48,47 +48,47 @@ void call_with_stack(void *(*run)(void *), void *data)
 	pthread_join(t, NULL);
 }
 
-/* A thread is started for each BYTES_PER_THREAD bytes that were read of a source: to
- * start one for fewer would take more time than it saves. */
+/* One thread may be started for each BYTES_PER_THREAD bytes that were read of a source:
+ * for fewer bytes the start takes more time than the thread saves. */
 enum { BYTES_PER_THREAD = 1 << 16 };
 
-/* A thread without a chunk looks LOOKS_MAX times for one before it sleeps: to wake it
- * takes longer than another thread takes to read a piece of a file. Between two looks
- * it runs an empty loop PAUSE_LOOPS times. To yield the processor instead could cost
+/* A thread without a chunk looks LOOKS_MAX times for a chunk before it sleeps: to wake
+ * a thread takes longer than to read a piece of a file. Between two looks it runs an
+ * empty loop PAUSE_LOOPS times. A call of sched_yield instead of the loop could cost
  * milliseconds if other programs run. */
 enum { LOOKS_MAX = 100, PAUSE_LOOPS = 200 };
 
 /* Each thread repeats three steps: it begins the next chunk, which reads from the
  * source and may wait for input; it does the job on the chunk; and if no other thread
- * is answering, it answers all chunks that are done, in the order of the source. No
- * thread waits until another has answered, and no answer waits for the source.
+ * is answering, it answers (prints) chunks that are done, in the order of the source.
+ * No thread waits until another has answered, and no answer waits for the source.
  *
  * A chunk belongs to the thread that began it until it is done, then to the thread that
  * answers. The lock protects everything else. */
 static struct {
 	struct job *job;
-	int most_threads; /* that may be started */
+	int most_threads; /* the largest value that `started` may reach */
 
 	pthread_mutex_t lock;
 	pthread_cond_t changed; /* wakes threads that are asleep */
-	/* numbers of threads: all that were started; awake without a chunk; asleep */
+	/* numbers of threads: started so far; awake without a chunk; asleep */
 	int started, looking, asleep;
-	struct chunk *unused; /* a stack, so that the same few are used */
+	struct chunk *unused; /* a stack, so that few chunks are in use */
 
 	struct point_source *source;
 	bool can_read;    /* source has not ended, and no thread reads it */
 	bool answering;   /* a thread is answering chunks */
 	enum first first; /* see struct chunk */
-	struct chunk *oldest, **queue_end; /* chunks begun, not yet answered */
+	struct chunk *oldest, **queue_end; /* chunks begun but not answered */
 } pool = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.changed = PTHREAD_COND_INITIALIZER,
 	.queue_end = &pool.oldest,
 };
 
-/* The functions from can_begin_chunk to run_chunks are called, and return, with the
- * lock held. can_begin_chunk returns whether a thread can begin a chunk: until the
- * first row each chunk waits for the previous one, which may have the csv header. */
+/* Returns whether a thread can begin a chunk. Before the first row, a chunk waits until
+ * the previous chunk, which may have the csv header, is answered. The functions from
+ * here to run_chunks are called, and return, with the lock held. */
 static bool can_begin_chunk(void)
 {
 	return pool.can_read && pool.unused != NULL &&
@@ -108,8 +108,8 @@ static void add_unused(struct chunk *c)
 
 static void *thread_main(void *);
 
-/* Wakes a sleeping thread if it can begin a chunk. If none sleeps, starts a thread,
- * with two more chunks: it works on one while the other waits to be answered. */
+/* Wakes a sleeping thread if it can begin a chunk. If none sleeps, may start a thread
+ * with two more chunks: one to work on, one that waits to be answered. */
 static void wake_or_start_thread(void)
 {
 	pthread_t t;
@@ -153,7 +153,7 @@ static struct chunk *begin_chunk(void)
 	return c;
 }
 
-/* Answers the next chunks up to the first that is not done. */
+/* If no thread is answering, answers the oldest chunks, up to the first not done. */
 static void answer_done_chunks(void)
 {
 	struct chunk *c;
@@ -216,7 +216,7 @@ static void *thread_main(void *unused)
 	return unused;
 }
 
-/* Returns how many threads the job gets. Two on a processor would share its cache. */
+/* Returns how many threads to use: more than processors would have to share caches. */
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);
