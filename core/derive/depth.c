@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-/* Let n be the gradient of w or, if w is constant, of z. D of struct depth is measured
- * along n from the eye or, if w is constant, from the origin of view space. Let z0 and
- * w0 be the values of z and w at this point, and dz and dw the dot products of n with
- * the gradients of z and w. Then
+/* The depth of a point is z / w. Let n be the gradient of w or, if w is constant, of z.
+ * D (struct depth) is measured along n from the eye or, if w is constant, from the
+ * origin of view space. Let z0 and w0 be the values of z and w where D is 0, and dz and
+ * dw the dot products of n with the gradients of z and w. Then
  *
  *	depth = (z0 + D dz / |n|) / (w0 + D dw / |n|),
  *	D = |n| (w0 depth - z0) / (dz - dw depth).
  *
- * At the eye w0 is 0. Numerator and denominator of D are negated if the denominator
- * would be negative in front of the eye. D of a parallel projection grows along the
- * convention's gaze, but that of a parallel PROJECTION_MATRIX from near to far. */
+ * At the eye w0 is 0. Numerator and denominator of D are negated if this makes the
+ * denominator positive in front of the eye. D of a parallel projection grows along the
+ * convention's gaze; D of a parallel PROJECTION_MATRIX, from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;
@@ -58,7 +58,7 @@ void depth_of(const struct lens *l, struct depth *d)
 	d->den[1] = sum_negated_if(negated, vec3_dot(z, n));
 }
 
-/* Writes the depth of the near or far plane. All depths z are quotients z[0] / z[1]. */
+/* Writes the depth of the near or far plane. A depth is a quotient z[0] / z[1]. */
 static void depth_of_plane(const struct depth *d, bool far, struct sum z[2])
 {
 	z[0] = sum_of_double(far != d->reversed ? d->high : d->low);

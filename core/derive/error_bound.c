@@ -6,7 +6,7 @@
 struct arithmetic {
 	double u;     /* unit roundoff */
 	double tiny;  /* least normal number */
-	double limit; /* a bound is nan if 1/w or the image is above limit */
+	double limit; /* error bounds are nan if 1/w or an image is larger */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -61,8 +61,8 @@ static void set_image_bounds(const struct scene *s, struct error_analysis *to)
 	to->largest = fmax(fmax(max[0], max[1]), max[2]);
 }
 
-/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the column's
- * products (kernel/approx.h) plus the largest errors by underflow. */
+/* Returns S / w of column j in a corner: S is the sum of the magnitudes of the column's
+ * products, as in kernel/approx.h, plus the largest errors by underflow. */
 static double column_bound(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
@@ -73,9 +73,9 @@ static double column_bound(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* Returns the bound for the arithmetic *a, or nan if w could be less than its error, or
- * 1/w or the image above a->limit. No bound is needed if another number overflows: the
- * image is then not finite, and the program computes it exactly. */
+/* Returns the error bound for the arithmetic *a, or nan if w could be less than its
+ * error, or if 1/w, the image, k->a or k->b could be above a->limit. If another number
+ * overflows, no bound is needed: the image is not finite, and is computed exactly. */
 static double precision_bound(const struct error_analysis *v,
     const struct arithmetic *a)
 {

@@ -9,8 +9,8 @@
 	"/bounds: the scene that fit computes has numbers beyond 1e150 or " \
 	"sizes below 1e-150; choose another unit"
 
-/* Sets gaze and up from to_world, the map from view to world space; also the eye, if
- * the camera is not given by its eye. A matrix is replaced by its nearest rotation. */
+/* Sets gaze and up to those of the camera without roll; a matrix counts as its nearest
+ * rotation. If the eye is not given, sets it from to_world (view to world space). */
 static const char *gaze_from_axes(struct camera *c,
     const struct convention *convention, struct map *to_world)
 {
@@ -33,7 +33,7 @@ static const char *gaze_from_axes(struct camera *c,
 	return why;
 }
 
-/* Turns the position c->at into the gaze at - eye, rounded. A gaze with an element
+/* Replaces the position c->at by the gaze at - eye, rounded. A gaze with an element
  * above MAGNITUDE_MAX is halved. */
 static void gaze_from_at(struct camera *c)
 {
@@ -133,8 +133,8 @@ static void widen_sides(double *width, double *height, const double shape[2])
 		*height = fmax(*height, high);
 }
 
-/* Finds the side planes in view space, and the slope of each: how much the plane's
- * function falls at a fixed point while the eye moves by 1 along the gaze. */
+/* Finds the functions of the side planes (view_planes) in view space, and the slope of
+ * each: how much it falls at a fixed point while the eye moves by 1 along the gaze. */
 static const char *find_plane_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
@@ -153,8 +153,8 @@ static const char *find_plane_slopes(const struct scene *s, struct map *sides,
 	return why;
 }
 
-/* Finds step[1] and step[0], across the gaze, so that after the step the functions of
- * two opposite planes have the same least value on the bounds. step[2] is given. A step
+/* Finds step[1] and step[0], across the gaze; step[2] is given. After the step the
+ * functions of two opposite planes have the same least value on the bounds. A step
  * lowers a least value by the dot product of the step and the plane's normal. The
  * functions of bottom and top do not depend on x, so step[1] is found first. */
 static void center_between_planes(const struct map *sides,
@@ -177,8 +177,8 @@ static void center_between_planes(const struct map *sides,
 /* Finds the eye's step in view space, as far along the gaze as a side plane or
  * near_ratio allows. A step of t along the gaze lowers the least value of a plane's
  * function by t times the plane's slope. If center, the eye also moves across the gaze.
- * This does not change the sum of the least values of two opposite planes, so the sum
- * limits t. */
+ * Such a move does not change the sum of the least values of two opposite planes, so
+ * this sum limits t. */
 static const char *find_eye_step(const struct scene *s, const struct hull *h,
     bool center, struct sum step[3])
 {
@@ -221,8 +221,8 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
 }
 
-/* Scales sizes on the near plane from old_near to p->near, so that the side planes
- * stay. Rounds the sizes away from 0, so that the volume does not shrink. */
+/* Scales sizes on the near plane from old_near to p->near, so that the side planes do
+ * not move. Rounds the sizes away from 0, so that the volume does not shrink. */
 static void keep_side_planes(struct projection *p, double old_near)
 {
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
@@ -295,10 +295,10 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 	return NOT_IN_RANGE;
 }
 
-/* Moves the eye so that the bounds are in the middle of the picture. Without has_eye
- * the eye also moves along the gaze, until its distance from the middle of the bounds
- * is the bounds' extent along the gaze. In an oblique projection a step along the gaze
- * shifts the image; a step across the gaze undoes the shift. */
+/* Moves the eye so that the bounds are in the middle of the picture. If has_eye is
+ * false the eye also moves along the gaze, until its distance from the middle of the
+ * bounds is the bounds' extent along the gaze. In an oblique projection a step along
+ * the gaze shifts the image; a step across the gaze undoes the shift. */
 static const char *center_picture(struct scene *s, bool has_eye,
     const struct hull *h)
 {
@@ -358,8 +358,8 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Fits ortho and oblique. If the given projection has edges, edges replace width and
- * height, and mirror the image if the given edges did. */
+/* Fits ortho and oblique. If the projection was given by edges, sets edges in place of
+ * width and height. They mirror the image if the given edges did. */
 static const char *fit_parallel(struct scene *s, bool has_eye,
     const struct projection *given, const struct hull *h)
 {
@@ -378,7 +378,7 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves the near plane of a volume, if the eye is before far, until near's distance
+/* Moves the near plane of a volume, if the eye is not beyond far, until near's distance
  * from the eye is at least near_ratio times far's distance from the eye. */
 static void keep_near_ratio(struct projection *p)
 {
@@ -485,10 +485,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
-/* The farthest points along the directions added here suffice. hull_extents measures
- * along fit_axes, find_eye_step and hull_outside along the normals of the side planes.
- * A move of the eye does not change the normals, but keep_side_planes rounds sizes
- * outward: the points stay inside, and the margin may shrink by the rounding. */
+/* fit_scene needs only the points farthest along the directions added here: it measures
+ * bounds along fit_axes and along the normals of the side planes. A move of the eye
+ * does not change the normals, but keep_side_planes rounds sizes outward: the points
+ * stay inside, and the margin may shrink by the rounding. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
@@ -514,7 +514,7 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 }
 
 /* Sets the window's center along axis j to the rounded middle of the extent, and the
- * side to twice the largest distance of an end from the center, enlarged by the
+ * side to twice the distance from the center to the farther end, enlarged by the
  * margin. */
 static void enclose_axis(const struct extents *r, int j, double margin,
     double *center, double *side)

@@ -32,9 +32,9 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 	return NULL;
 }
 
-/* Returns lowest - first, values of column j (of its negative if `minus`): the least on
- * the hull, and that at the hull's first point. On a sphere, lowest is the value at the
- * centre minus the radius times the length of the column's gradient. */
+/* Returns lowest - first, where lowest is the least value on the hull of column j or,
+ * if `minus`, of its negative, and first the value at the hull's first point. A radius
+ * lowers it by the radius times the length of the column's gradient. */
 static struct sum lowest_offset(const struct hull *h, const struct map *m,
     int j, bool minus)
 {

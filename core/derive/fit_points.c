@@ -27,9 +27,9 @@ void directions_add(struct directions *all, const struct map *m, int j,
 }
 
 /* Returns an upper bound of the error of distance_along, if no |p[i]| is above
- * largest[i]. Each product has four roundings by u = 2^-53: of the element of m, of the
- * product, and of two sums: 4 u times the sum of the products' magnitudes. The bound of
- * 8 u also covers the sums in add_point and add_block; 2^-1000 covers underflow. */
+ * largest[i]. Each term is rounded by u = 2^-53 four times: the element of m, the
+ * product, and two sums, together 4 u times the sum of the terms' magnitudes. The bound
+ * of 8 u also covers the sums in add_point and add_block; 2^-1000 covers underflow. */
 static double distance_error(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -66,8 +66,8 @@ static double distance_along(const double m[3], const double p[3])
 	return p[0] * m[0] + p[1] * m[1] + p[2] * m[2];
 }
 
-/* Makes p the farthest point in direction j if p is farther. is_farther decides only if
- * the distances differ by less than their errors. */
+/* Makes p the farthest point in direction j if p is farther. If the distances differ by
+ * at most the sum of their error bounds, is_farther decides. `bound` is that of p. */
 static void add_point(struct extremes *e, const struct directions *all, int j,
     const double p[3], double bound)
 {
@@ -82,8 +82,8 @@ static void add_point(struct extremes *e, const struct directions *all, int j,
 }
 
 /* The number of points per call of the kernel. Small blocks need more calls. Large
- * blocks cost time, as each point of a block that may hold the farthest point is
- * examined. */
+ * blocks cost time, as all points of a block are examined if one may be the
+ * farthest. */
 enum { FIT_BLOCK = 128 };
 
 /* Adds at most FIT_BLOCK points. Passes to add_point only points whose distance, within

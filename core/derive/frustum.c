@@ -65,7 +65,7 @@ const char *view_planes(const struct scene *s, enum space from,
 	if (why != NULL)
 		return why;
 	planes_of_clip(s, &m, sides, ends);
-	/* w is 1 in ndc and device space; view space's w tells points behind the eye */
+	/* w is 1 in ndc and device; w of the map to view space is < 0 behind the eye */
 	if (from == SPACE_NDC || from == SPACE_DEVICE) {
 		why = scene_map(s, from, SPACE_VIEW, &m);
 		for (int i = 0; i < 5; i++)
@@ -125,9 +125,9 @@ unsigned frustum_outside(const struct frustum *f, const double in[4])
 
 /* Makes the estimate (kernel.h) of the signs of a transform's columns. The error of a
  * column is at most a sum of three: ESTIMATE_BOUND times the sum of its products'
- * magnitudes, its noise, and 2^-1074 times each coordinate whose element underflows.
- * `low` excludes sums of magnitudes below 2^-899, whose products could underflow;
- * `high` excludes sums that could overflow. */
+ * magnitudes, its noise (struct kernel_map), and 2^-1074 times each coordinate whose
+ * element underflows. `low` excludes sums of magnitudes below 2^-899, whose products
+ * could underflow; `high` excludes sums that could overflow. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;

@@ -17,8 +17,8 @@ enum {
 	OUT_NAN = 128,
 };
 
-/* A point is inside if no column of its images under the transforms is negative, and w
- * is positive. A 2D window, for which sides.in is 2, does not use `ends`. */
+/* A point is inside if no column of its images under `sides` and `ends` is negative,
+ * and w is positive. A 2D window, for which sides.in is 2, does not use `ends`. */
 struct frustum {
 	struct transform sides; /* to the columns left, right, bottom and top */
 	struct transform ends;  /* to the columns near, far and w */
@@ -28,9 +28,10 @@ struct frustum {
  * <= half[0] and |y| scale[1] <= half[1]. The scene's margin makes half smaller. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
-/* Make the planes of the view volume, as linear functions of a point in the space
- * `from`; none is negative inside. `sides` has the columns left, right, bottom and top,
- * `ends` near, far and w. If homogeneous, points are x y z w. Return NULL or why. */
+/* view_planes and frustum_of make the planes of the view volume, as linear functions of
+ * a point in the space `from`; inside no function is negative. `sides` has the columns
+ * left, right, bottom and top, `ends` near, far and w. If `homogeneous` is set, points
+ * are x y z w. Both return NULL, or the member at fault and why. */
 const char *view_planes(const struct scene *, enum space from,
     struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
@@ -45,16 +46,16 @@ const char *flat_frustum_of(const struct scene *, enum flat_space from,
  * point on a plane is not outside. With OUT_BEHIND or OUT_NAN no other bit is set. */
 unsigned frustum_outside(const struct frustum *, const double in[4]);
 
-/* Writes frustum_outside of n points; `in` has a column for each coordinate. */
+/* Writes frustum_outside of n points to `out`. `in` has one column per coordinate. */
 void frustum_outside_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
 /* The view volume in view space. sides and ends have the columns of view_planes. The
  * corners and the eye are homogeneous points, each computed as the point where three
- * planes meet. (The inverse of to_clip has errors relative to the whole volume, which
- * could exceed a small near plane.) The corners of near are 0 to 3, those of far 4 to
- * 7, in the order left-bottom, right-bottom, right-top, left-top. w of a corner is not
- * negative. Without near and far planes all corners are at infinity. */
+ * planes meet. (The inverse of to_clip has errors relative to the whole volume; they
+ * could exceed the size of a small near plane.) The corners of near are 0 to 3, those
+ * of far 4 to 7, in the order left-bottom, right-bottom, right-top, left-top. w of a
+ * corner is not negative. Without near and far planes all corners are at infinity. */
 struct volume {
 	struct map to_clip, sides, ends; /* from view space */
 	struct sum corner[8][4], eye[4];
@@ -64,8 +65,8 @@ struct volume {
 /* Makes the volume of a scene. Returns NULL, or the member at fault and why. */
 const char *volume_of(const struct scene *, struct volume *);
 
-/* Writes to bound[enum precision] an upper bound of the error of each coordinate of the
- * image of any model point in the view volume. The unit is that of the device or,
+/* Writes to bound[enum precision] an upper bound of the errors of the coordinates of
+ * images, for all model points in the view volume. The unit is that of the device or,
  * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if a
  * point's w could be less than its own error, or if 1/w is beyond the range of the
  * precision. Returns NULL, or the member at fault and why. */
@@ -96,7 +97,7 @@ bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
 const char *ray_plane_transform(const struct scene *, enum space from,
     enum space to, const double plane[4], struct transform *);
 
-/* A circle on the device, in which points are picked; they are ordered by `depth`. */
+/* A circle on the device. Points with images in it are picked, ordered by `depth`. */
 struct picker {
 	const struct transform *to_device; /* from model space */
 	struct transform depth; /* z of the image is the distance from near */
@@ -107,8 +108,8 @@ struct picker {
 const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 
-/* Returns whether the exact image of a point is in the picker's circle. device is the
- * nearest double of each coordinate of the image. */
+/* Returns whether the exact image of a point is in the picker's circle. `device` is the
+ * image rounded to the nearest doubles. */
 bool pick_is_within(const struct picker *, const double in[4],
     const double device[2]);
 

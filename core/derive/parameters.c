@@ -7,9 +7,9 @@
  * error of the given numbers. */
 #define NEGLIGIBLE 0x1p-40
 
-/* The map from view to clip space, in axes that make it upright: y and w do not depend
- * on X, nor w on Y. X is to the right, Y upward, and D along the gaze. Clip coordinates
- * are
+/* The map from view to clip space, in axes X, Y and D that make it upright: clip y and
+ * w do not depend on X, nor w on Y. X is to the right, Y upward, and D along the gaze.
+ * Clip coordinates are
  *
  *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
  *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = w[0] D + w[1],
@@ -24,7 +24,7 @@ struct upright {
 	bool tilted;           /* z depends on X or Y */
 };
 
-/* Returns whether answer_convention differs from the document's in handedness. The map
+/* Returns whether the handedness of answer_convention is not the document's. The map
  * from world to view space then mirrors. */
 static bool is_mirrored(const struct scene *s)
 {
@@ -61,7 +61,6 @@ static void normalise(struct sum v[3])
 		v[i] = sum_quotient(v[i], length);
 }
 
-/* Returns whether |a| is at most NEGLIGIBLE times |b|. */
 static bool is_negligible(struct sum a, struct sum b)
 {
 	return sum_compare(sum_abs(a), sum_scale(sum_abs(b), NEGLIGIBLE)) <= 0;
@@ -102,7 +101,7 @@ static void set_elements(const struct lens *l, struct upright *u)
 }
 
 /* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far is
- * against the gaze (if parallel), or the picture upside down (if without_camera). */
+ * against the gaze (if parallel), or the picture is upside down (if without_camera). */
 static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;
@@ -173,8 +172,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 	}
 }
 
-/* Returns whether R R' is the identity within 2^-20, and det R above 0 (if mirrored,
- * below). R is the upper 3x3 of the map over the divisor, and R' its transpose. */
+/* Returns whether R R' is the identity within 2^-20, and det R > 0 (if mirrored, < 0).
+ * R is the upper 3x3 of the map over the divisor, R' its transpose. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
@@ -208,10 +207,10 @@ static void set_camera(const struct lens *l, const struct upright *u,
 }
 
 /* Computes K of struct picture from half and scale (the margin is 0 here). In pixels
- * from the viewport's corner, x is half + scale x / w to the right, and y is half +
- * scale y / w upward or, if pixels count from the top, half - scale y / w downward. The
- * axes of K are X of *u, or -X if is_mirrored, Y of *u, or -Y if pixels count from the
- * top, and the gaze. */
+ * from the viewport's corner, clip x becomes half + scale x / w to the right, and clip
+ * y half + scale y / w upward or, if pixels count from the top, half - scale y / w
+ * downward. The axes of K are X of *u, or -X if is_mirrored, Y of *u, or -Y if pixels
+ * count from the top, and the gaze. */
 static void set_intrinsics(const struct lens *l, const struct upright *u,
     double k[3][3])
 {
@@ -233,8 +232,8 @@ static void set_intrinsics(const struct lens *l, const struct upright *u,
 }
 
 /* Sets left, right, bottom and top: X or Y where the side plane x = -w, x = w, y = -w
- * or y = w meets a plane of constant D. In a perspective this plane is near or, if far
- * is set, far. In a parallel projection the shear does not move its points. */
+ * or y = w meets a plane of constant D. In a perspective it is near or, if `far` is
+ * set, far; in a parallel projection, the plane that the shear does not move. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
@@ -279,8 +278,8 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->direction = -p->direction;
 }
 
-/* Sets the projection. In a perspective near becomes the plane nearer to the eye, even
- * if the picture's near is the other plane. */
+/* Sets the projection p. In a perspective p->near becomes the plane nearer to the eye,
+ * even if r->near is the other plane. */
 static void set_projection(const struct lens *l, const struct upright *u,
     struct picture *r)
 {

@@ -41,10 +41,10 @@ static struct sum square(struct sum a)
 }
 
 /* The exact image N / w is within the radius r of the position p if (N - p w)^2 is at
- * most (r w)^2. device is the image rounded to doubles, and d2 the square of its
- * distance from p. If r is above 2^-40 of the coordinates of p, the errors of device,
- * 2^-53 of its coordinates, are below 2^-12 r near the circle. They change d2 by less
- * than 2^-9 r^2, so d2 decides if it differs from r^2 by more than 2^-8 r^2. */
+ * most (r w)^2. d2 is the squared distance from p to `device`, the image rounded to
+ * doubles. If r is above 2^-40 of the coordinates of p, the errors of device, 2^-53 of
+ * its coordinates, are below 2^-12 r near the circle. They change d2 by less than 2^-9
+ * r^2, so a d2 that differs from r^2 by more than 2^-8 r^2 decides. */
 bool pick_is_within(const struct picker *k, const double in[4],
     const double device[2])
 {

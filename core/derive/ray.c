@@ -12,10 +12,10 @@
  *
  *	cross(x w - X, y w - Y) = x cross(Y, w) + y cross(w, X) + cross(X, Y)
  *
- * Device depth grows along this vector if the map's determinant is positive. The vector
- * is negated if that is not the direction from near to far. The cross product is exact
- * in view space even if the camera is not: r is first computed there, and then
- * multiplied by the map from view to world space. */
+ * Device depth grows along this vector if the determinant of the map from view space is
+ * positive. The vector is negated if it does not point from near to far. Errors of the
+ * camera do not enter the cross product in view space: r is computed there first, and
+ * then multiplied by the map from view to world space. */
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
@@ -45,8 +45,8 @@ static const char *set_direction_map(const struct scene *s, bool depth_falls,
 	return why;
 }
 
-/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map does not
- * fail: the map from the device, which exists, contains the map from clip space. */
+/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map cannot fail:
+ * the caller has made the map from the device, which contains the map from clip. */
 static void start_at_eye(const struct scene *s, struct transform *t)
 {
 	struct sum(*m)[4] = t->map.m;
@@ -100,8 +100,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	}
 }
 
-/* Returns whether a device position has a ray. If all of `point` is nan, either there
- * is no ray, or its point is beyond the range of doubles: the sign of w decides. */
+/* Returns whether a device position has a ray. If all of `point` is nan, there is a ray
+ * only if w is positive: its point is then beyond the range of doubles. */
 static bool ray_has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -186,8 +186,8 @@ bool rays_cast(const struct ray_maker *r, bool single,
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
  * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). Row i of r is the factor of q_i
- * times m_2 . p. In column j of the row, the terms of p_j cancel. Row 4 is made of m_4,
- * the origin's image, likewise: the origin's z m_2 cancels. */
+ * times m_2 . p. In column j of the row, the terms of p_j cancel. Row 4 follows in the
+ * same way from m_4, the origin's image: the origin's z, times m_2, cancels. */
 static void set_plane_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {

@@ -24,8 +24,8 @@ static enum kind axonometric_kind(const double f[3])
 	return same > 0 ? KIND_DIMETRIC : KIND_TRIMETRIC;
 }
 
-/* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction
- * d project a vector a to a - d (n . a) / (n . d) in a plane with the normal n. */
+/* Sets taxon, kind and foreshortening of a parallel projection. The projection of a
+ * vector a along d onto the plane with the normal n is a - d (n . a) / (n . d). */
 static void classify_parallel(const struct lens *l, struct picture *t)
 {
 	const struct sum *n = l->clip[2];
@@ -77,9 +77,9 @@ static enum kind perspective_kind(const struct lens *l)
 }
 
 /* Sets fov[0], the angle between the planes scale x = -half w and scale x = half w, and
- * fov[1], the same for y. The normals of the planes are half g + scale a and half g -
- * scale a, where g is the gradient of w and a the gradient of x. The tangent of the
- * angle is the length of the normals' cross product over the negated dot product. */
+ * fov[1], the same angle for y. The normals of the planes are half g + scale a and half
+ * g - scale a, where g and a are the gradients of w and x. The tangent of the angle is
+ * the length of the normals' cross product over their negated dot product. */
 static void set_fov(const struct lens *l, double fov[2])
 {
 	for (int k = 0; k < 2; k++) {
@@ -96,7 +96,7 @@ static void set_fov(const struct lens *l, double fov[2])
 }
 
 /* Sets kind, field of view and vanishing points of a perspective. The vanishing point
- * of a world axis is the image of the axis's direction, x y z 0. */
+ * of a world axis is the image of the axis's direction, the point x y z 0. */
 static void classify_perspective(const struct lens *l, struct picture *t)
 {
 	const struct scene *s = l->scene;
@@ -138,7 +138,7 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 
 	map_image(&v->ends, 1, v->eye, &far);
 	int side = sum_sign(far) * sum_sign(v->eye[3]);
-	bool against = side < 0; /* the gradient of w is against the gaze */
+	bool against = side < 0; /* the gradient of w is opposite to the gaze */
 
 	if (side != 0)
 		world_point(l, v->eye, t->eye);
@@ -151,7 +151,7 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 	}
 	lens_axis(l, l->clip[l->parallel ? 2 : 3], t->gaze);
 	for (int k = 0; k < 3 && against; k++)
-		t->gaze[k] = 0 - t->gaze[k]; /* not -0 */
+		t->gaze[k] = 0 - t->gaze[k]; /* 0 does not become -0 */
 	for (int i = 0; i < 8; i++)
 		if (sum_sign(v->corner[i][3]) > 0)
 			world_point(l, v->corner[i], t->corner[i]);

@@ -83,9 +83,9 @@ ex ex_power(int e)
 }
 
 /* Adds the product a b to sum[0..size), a number in two's complement. The product's
- * lowest word goes to sum[at]; if at is negative, words below sum[0] are cut off. If
- * the product is negative, each word q of the shorter factor is multiplied by the n
- * words w of the longer one as -q w = q ~w + q - q 2^(64 n). */
+ * lowest word goes to sum[at]; if `at` is negative, words below sum[0] are cut off. If
+ * the product is negative, each word q of the shorter factor is multiplied by -w, where
+ * w is the longer factor of n words: -q w = q ~w + q - q 2^(64 n). */
 static void add_product(uint64_t *sum, int size, int at, const ex *a,
     const ex *b)
 {
@@ -222,10 +222,10 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 	return rest == 0;
 }
 
-/* Computes the root by Newton's iteration, from the root of the double nearest to a, of
- * which 50 bits are correct. Each step doubles the correct bits, so that its quotient
- * needs 2, 4, 8, and then EX_QUOTIENT_WORDS words. The last result is rounded to
- * EX_QUOTIENT_WORDS words, so that roots of few words are exact. */
+/* Computes the root by Newton's iteration, which begins at the root of the double
+ * nearest to a. This root has 50 correct bits; each step doubles their number, so that
+ * its quotient needs 2, 4, 8, and then EX_QUOTIENT_WORDS words. The last result is
+ * rounded to EX_QUOTIENT_WORDS words, so that roots of few words are exact. */
 ex ex_sqrt(ex a)
 {
 	int top = a.e + a.n - 1;
@@ -261,7 +261,7 @@ double ex_nearest(const ex *a, bool single)
 	int lowest = 64 * a->e + __builtin_ctzll(a->word[0]);
 
 	m += tie & ((m & 1) | (lowest < last - 1));
-	double r = a->sign * ldexp((double)m, last) + 0.0; /* 0, not -0 */
+	double r = a->sign * ldexp((double)m, last) + 0.0; /* -0 becomes 0 */
 
 	return single ? (double)(float)r : r;
 }

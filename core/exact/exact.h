@@ -4,8 +4,8 @@
  * are exact, and therefore polynomials in the scene's parameters are, too. Quotients
  * and roots have a relative error of at most EX_ERROR.
  *
- * Sums of doubles, the alternative, would need a wider range of exponents, a fixed
- * rounding mode, several times the time, and a proof of their length. */
+ * The alternative, numbers as sums of doubles, needs a wider range of exponents, a
+ * fixed rounding mode, several times the time, and a proof of the sums' length. */
 #ifndef EXACT_H
 #define EXACT_H
 
@@ -23,7 +23,7 @@
  * core/points/transform.c refuses maps that leave too few words for points. */
 enum { EX_WORDS = 110 };
 
-/* The number is sign times the sum of word[i] 2^(64 (e + i)) over i < n. word[0] and
+/* An ex is sign times the sum of word[i] 2^(64 (e + i)) over i < n. word[0] and
  * word[n - 1] are not 0. The number 0 has sign, n and e 0. */
 typedef struct {
 	int sign, n, e;
@@ -33,9 +33,9 @@ typedef struct {
 ex ex_of(double a);
 ex ex_power(int e); /* 2^e */
 
-/* The bound of the relative error of quotients and roots. They keep EX_QUOTIENT_WORDS
- * words, of which the highest can be as small as 1. They are exact if five words can
- * hold the exact result. A quotient by 0 is a number beyond the range of doubles. */
+/* The bound of the relative error of quotients and roots. These have EX_QUOTIENT_WORDS
+ * words; the highest word can be as small as 1. They are exact if five words can hold
+ * the exact result. A quotient by 0 is a number beyond the range of doubles. */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT_WORDS = 12 };
 
@@ -55,7 +55,7 @@ static inline int ex_exponent(const ex *a)
 /* Returns whether, since the last call, a number of any thread exceeded EX_WORDS. */
 bool ex_has_overflowed(void);
 
-/* The functions below take pointers, to save copies: they are called for each point. */
+/* The functions from here on take pointers, to save copies for each point. */
 void ex_set(ex *, double a);
 
 enum { EX_MIN_WORDS = 7 };
@@ -74,8 +74,8 @@ double ex_nearest(const ex *, bool single);
 
 #define EX_ROUND_BOUND 0.5
 
-/* Returns the double hi nearest to a, and the double lo nearest to a - hi. The error of
- * hi + lo is at most EX_ROUND_BOUND u^2 |a|, u = 2^-53, if the bound is normal. */
+/* Returns the double hi nearest to a number a, and the double lo nearest to a - hi. If
+ * EX_ROUND_BOUND u^2 |a| (u = 2^-53) is a normal double, it bounds hi + lo's error. */
 dd ex_round(const ex *);
 
 #endif

@@ -76,8 +76,8 @@ static void divide_element(struct sum *a, const struct sum *d)
 		*a = sum_quotient(*a, *d);
 }
 
-/* If the divisor becomes a power of two, the elements are divided by it, and the
- * divisor becomes 1. */
+/* Multiplies the divisor by |d|, and the elements by the sign of d. If the divisor
+ * becomes a power of two, divides the elements by it, and sets the divisor to 1. */
 void map_divide(struct map *r, struct sum d)
 {
 	struct sum power = sum_of_double(d.value.sign);
@@ -123,7 +123,7 @@ static bool is_identity(const struct map *a)
 	return sum_is_one(&a->divisor);
 }
 
-/* Rounds only the quotients that can be 2^960 or more; the others are finite. */
+/* Rounds only elements / divisor that can be 2^960 or more; the others are finite. */
 bool map_is_finite(const struct map *a)
 {
 	int most = a->divisor.value.e + a->divisor.value.n + 14;

@@ -14,15 +14,15 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3]);
 struct sum vec3_length(const struct sum a[3]);
 bool vec3_is_zero(const struct sum a[3]);
 
-/* The image of a point p is (p, 1) m / divisor, by the first four rows of m. Elements
- * can have errors; the divisor is positive, and exact unless map_divide was given a d
- * with an error. A map that is computed without angles and lengths is exact, and so is
- * its inverse. One divisor serves all columns, as it cancels in most images, which are
+/* The image of a point p is (p, 1) times the first four rows of m, over the divisor.
+ * Elements can have errors; the divisor is positive, and exact unless map_divide was
+ * given a d with an error. A map computed without angles and lengths is exact, as is
+ * its inverse. One divisor serves all columns: it cancels in most images, which are
  * quotients of two columns.
  *
  * `origin` is the eye or a window's centre. Images of points near it need many digits:
- * transform.h first subtracts the origin from points. Row 4 is the origin's image: if
- * the eye is far, the error of row 3 can exceed row 4. So map_image, and with it
+ * transform.h first subtracts the origin from points. Row 4 of m is the origin's image.
+ * If the eye is far from 0, the error of row 3 can exceed row 4: map_image, and so
  * map_multiply, use row 4 where its error is smaller. */
 struct map {
 	struct sum m[5][4], divisor;
@@ -37,10 +37,10 @@ void map_of_doubles(const double m[4][4], struct map *);
 /* Sets the origin, to 0 if `origin` is NULL, and computes row 4 from the other rows. */
 void map_set_origin(struct map *, const double origin[3]);
 
-/* Divide the images of the map, or only their coordinate j, by d. map_divide needs an
- * exact d, unless it cancels: each image is a quotient of two columns.
- * map_divide_column divides column j by a power of two, or by a d with an error. Else
- * it multiplies the other columns and the divisor, which keeps the map exact. */
+/* map_divide divides the images of the map by d, which must be exact unless the images
+ * are quotients of two columns, in which it cancels. map_divide_column divides only
+ * coordinate j: if d is a power of two or has an error, it divides column j; if not, it
+ * multiplies the other columns and the divisor, which keeps the map exact. */
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 
@@ -49,7 +49,7 @@ void map_divide_column(struct map *, int j, struct sum d);
 void map_multiply(struct map *r, const struct map *factor, bool before);
 
 /* Computes the inverse of a matrix of given numbers. Returns false if the matrix is
- * singular. The origin is the last row if the matrix is affine, or else 0. */
+ * singular. The origin of the inverse is the last row of an affine m, or else 0. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 
 /* Returns the determinant of the n rows and n columns of m whose bits in the masks are
@@ -61,7 +61,7 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
 struct sum map_element(const struct map *, int i, int j);
 double map_nearest(const struct map *, int i, int j, bool single);
 
-/* Computes coordinate j of the image of a homogeneous point, times the divisor. */
+/* Computes coordinate j of a homogeneous point's image, not divided by the divisor. */
 void map_image(const struct map *, int j, const struct sum p[4], struct sum *);
 
 /* Returns whether the last column / divisor is 0 0 0 1. */

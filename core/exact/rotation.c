@@ -55,8 +55,8 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 
 /* Computes q, the eigenvector of K for the eigenvalue x, from k = K - x I: q is the
  * largest column of the adjugate of k, which is a multiple of q q'. The error of x,
- * below 2^-260 gap (see largest_root), adds multiples of the other eigenvectors: each
- * is less than 2^-260 of the adjugate and 2^-259 of its largest column. */
+ * below 2^-260 gap (see largest_root), adds multiples of the other eigenvectors; each
+ * is less than 2^-260 times the adjugate and 2^-259 times its largest column. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);
@@ -114,8 +114,8 @@ enum rotation_result rotation_nearest(const double matrix[4][4],
 	return ROTATION_FOUND;
 }
 
-/* Uses Rodrigues' formula for the vector v of length t: I + a [v] + b [v]^2, where [v]
- * p = v x p, a = sin t / t and b = (1 - cos t) / t^2. */
+/* Uses Rodrigues' formula I + a [v] + b [v]^2 for the vector v of length t. [v] is the
+ * matrix with [v] p = v x p; a = sin t / t and b = (1 - cos t) / t^2. */
 bool rotation_about(const double vector[3], struct sum r[3][3])
 {
 	struct sum v[3], square[3], a, b;

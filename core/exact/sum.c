@@ -4,8 +4,8 @@
 #include <limits.h>
 #include <string.h>
 
-/* The number of words of a quotient that decide its rounding. The highest can be as
- * small as 1; the last bit of the other is set if the quotient is not exact. */
+/* The number of words of a quotient that decide its rounding. The highest word can be
+ * as small as 1; ex_divide sets the last bit if the quotient is not exact. */
 enum { ROUNDED_WORDS = 2 };
 
 static const struct sum one = { { 1, 1, 0, { 1 } }, 0 };
@@ -19,8 +19,8 @@ static int ceil_log2(const ex *a)
 	return ex_exponent(a) - (a->n == 1 && (lowest & (lowest - 1)) == 0);
 }
 
-/* Returns the bound of a sum of n <= 15 errors; they are like `error` of struct sum.
- * Errors below 2^-40 of the largest are covered by the factor 1 + 2^-19 of sum.h. */
+/* Returns a bound of the sum of n <= 15 errors, all in the form of `error` of struct
+ * sum. The factor 1 + 2^-19 of sum.h covers errors below 2^-40 of the largest. */
 static int sum_bound(int n, const int error[])
 {
 	int most = EX_RANGE / 2, terms = 0, e = 0;
@@ -91,7 +91,7 @@ bool sum_is_exact_zero(const struct sum *a)
 
 /* Computes the sum of the n <= 5 products *a[k] *b[k]. The error of a product is |a|
  * times the error of b, plus |b| times the error of a, plus the product of both errors.
- * Words below 2^-20 of the error are dropped. */
+ * Words below 2^-20 of the sum's error are dropped. */
 static void dot_of_pointers(int n, const struct sum *const a[],
     const struct sum *const b[], struct sum *r)
 {
@@ -194,14 +194,14 @@ struct sum sum_quotient(struct sum a, struct sum b)
 
 struct sum sum_sqrt(struct sum a)
 {
-	/* the exact root is at most the root of a's error */
+	/* if the value is <= 0, the exact root is at most the root of a's error */
 	if (a.value.sign <= 0)
 		return (struct sum){ ex_of(0),
 			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
 	struct sum r = { ex_sqrt(a.value), 0 };
 
-	/* the lowest word of r * r has the index e = 2 r.e or 2 r.e + 1; if it is lower
-	 * than that of a, r is not exact */
+	/* the lowest word of r * r has the index e = 2 r.e or 2 r.e + 1; if this is
+	 * below the index of a's lowest word, r is not exact */
 	if (!sum_is_exact(&a) || 2 * r.value.e + 1 < a.value.e ||
 	    sum_compare(sum_mul(r, r), a) != 0)
 		r.error = sum_bound(2,
@@ -231,7 +231,7 @@ struct sum sum_snap_zero(struct sum a)
 	return counts_as_zero(&a) ? sum_of_double(0) : a;
 }
 
-/* Returns the double (if single, float) next to a: farther from 0 if `away`. */
+/* Returns the double or, if single, float next to a: toward 0 unless `away` is set. */
 static double neighbour(double a, bool away, bool single)
 {
 	double to = away ? copysign(HUGE_VAL, a) : 0;
@@ -241,14 +241,14 @@ static double neighbour(double a, bool away, bool single)
 }
 
 /* Returns the double or, if single, the float nearest to n / d, where n and d have
- * errors. q is the quotient of their values. The result is the double nearest to q, or
- * the next double on q's side. If q could be on the wrong side of the midpoint of these
- * two, the sign of n - midpoint d decides: a difference within its error is a tie. */
+ * errors. q is the quotient of their values; it lies between the neighbours `near` and
+ * `other`. If errors could move q across the midpoint of these two, the sign of n -
+ * midpoint d decides. If this difference is within its error, it is a tie. */
 static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
 	const double near = ex_nearest(q, single);
-	/* 0.9 of half an ulp; if n and d have small errors, q has less than 1/64 ulp */
+	/* 0.9 of half an ulp; small errors of n and d change q by less than 1/64 ulp */
 	const double sure = fabs(near) *
 	    (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54);
 	const int small = EX_RANGE - 62;

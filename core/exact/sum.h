@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Numbers with a bound of their error. Maps, and the images of points that the kernels
- * cannot round, are computed with them, and are then rounded to the nearest double. */
+ * cannot round, are computed as such numbers, and then rounded to nearest doubles. */
 #ifndef SUM_H
 #define SUM_H
 
@@ -32,10 +32,10 @@ void sum_set(struct sum *, double exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
-/* Returns value with the relative error SUM_QUOTIENT_ERROR, SUM_TRIG_ERROR or 0. */
+/* Returns a struct sum of this value; relative_error is SUM_*_ERROR, or 0 if exact. */
 struct sum sum_with_error(ex value, int relative_error);
 
-/* Returns a with the bound of its error increased by |e|. */
+/* Returns `a` with the bound of its error increased by |e|. */
 struct sum sum_add_error(struct sum a, struct sum e);
 
 struct sum sum_neg(struct sum);
@@ -57,13 +57,13 @@ void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
 /* Returns the root of a number >= 0. It is exact if five words can hold it. */
 struct sum sum_sqrt(struct sum);
 
-/* Return the sign, -1, 0 or 1, of a sum or of a - b. The sign of a number that is not
- * above its error is 0. */
+/* Return the sign, -1, 0 or 1, of a sum or of a - b. The sign of a number is 0 if its
+ * magnitude is not above its error. */
 int sum_sign(struct sum);
 int sum_compare(struct sum a, struct sum b);
 
-/* Return whether a sum is exact and is 0, 1, or a power of two of either sign, by which
- * sum_quotient divides exactly. */
+/* Return whether a sum is exact and is 0, is 1, or is plus or minus a power of two.
+ * sum_quotient divides by powers of two exactly. */
 bool sum_is_exact_zero(const struct sum *);
 bool sum_is_one(const struct sum *);
 bool sum_is_power_of_two(const struct sum *);
@@ -71,8 +71,8 @@ bool sum_is_power_of_two(const struct sum *);
 /* Returns the sum, or exact 0 if the sign of the sum is 0. */
 struct sum sum_snap_zero(struct sum);
 
-/* Return the double or, if single, the float that is nearest to the sum or to n / d.
- * Ties go to even; a number beyond the range becomes infinite. */
+/* Return the double nearest to a sum or to n / d; sum_nearest, if single, the nearest
+ * float. Ties go to even; a number beyond the range becomes infinite. */
 double sum_double(struct sum);
 double sum_ratio(struct sum n, struct sum d);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);

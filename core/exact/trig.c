@@ -21,7 +21,7 @@ enum { SINE_WORDS = 6 };
 /* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
  * this is cos x (n = 0), sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
  * scheme computes the sum as s / c, with the common denominator c. y and each s are cut
- * to `words` words, which loses less than one unit of the last word. */
+ * to `words` words; each cut loses less than one unit of the last word. */
 static ex series(ex y, int n, int last, int words)
 {
 	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, factor = c;
@@ -37,14 +37,14 @@ static ex series(ex y, int n, int last, int words)
 	return s;
 }
 
-/* The series' last power of x for |x| <= pi / 4. The first term left out, x^64/64!, is
- * below 2^-317. Cutting x^2 once and the sum 32 times loses less than 2^-319. */
+/* The last power of x in the series for |x| <= pi / 4. The first term left out is
+ * x^64/64! < 2^-317. Cutting x^2 once and the sum 32 times loses less than 2^-319. */
 enum { SINE_POWER = 62 };
 
-/* The series' last power of x for x^2 <= 4 pi^2, and the words of its terms, for an
- * absolute error of 2^-670: the first term left out, x^192/192!, is below 2^-675.
- * versinc, 0 at 2 pi, can be as small as 2^-330: the sum of the squares of three
- * doubles can be as near to 4 pi^2 as 2^-159. */
+/* The last power of x in the series for x^2 <= 4 pi^2, and the words of its terms, for
+ * an absolute error of 2^-670: the first term left out, x^192/192!, is below 2^-675.
+ * versinc is 0 at 2 pi. Near 2 pi it can be as small as 2^-330, as the sum of the
+ * squares of three doubles can be as near to 4 pi^2 as 2^-159. */
 enum { SINC_POWER = 190, SINC_WORDS = 12 };
 
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
@@ -149,8 +149,8 @@ struct sum trig_cot(double angle, enum angle_unit unit)
 
 #define DEGREES_PER_RADIAN 57.29577951308232
 
-/* Corrects the C library's atan2 by the small angle that remains. Two terms of the arc
- * tangent's series give this angle from its tangent; the third bounds the error. */
+/* Adds to the C library's atan2 the small angle that it lacks. Two terms of the arc
+ * tangent's series give this angle from its tangent; the third bounds their error. */
 double trig_atan2_degrees(struct sum y, struct sum x)
 {
 	x = sum_snap_zero(x);
