@@ -5,8 +5,8 @@
 
 #include "kernel/midway.h"
 
-/* Sets p to the point `in`, homogeneous and relative to the transform's origin, which
- * is 0 for points of clip space, whose w may differ from 1. */
+/* Sets p to the point `in`, homogeneous and relative to the transform's origin. The
+ * origin is 0 if the points are of clip space, as their w may differ from 1. */
 static void set_relative(const struct transform *t, const double in[4],
     struct sum p[4])
 {
@@ -24,7 +24,7 @@ struct sum point_column(const struct transform *t, int j, const double in[4])
 	return r;
 }
 
-/* Sets *d to what divides the image's columns. Returns false if p has no image. */
+/* Sets *d to the divisor of the image's columns. Returns false if p has no image. */
 static bool find_divisor(const struct transform *t, const double in[4],
     const struct sum p[4], struct sum *d)
 {

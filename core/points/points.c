@@ -8,9 +8,9 @@ static double rounded(double a, bool single)
 	return single ? (double)(float)a : a;
 }
 
-/* Computes the image of a point in double or, if single, in single precision, for maps
- * that have no kernel, such as those with four coordinates in or out. If t->front, a
- * point whose computed w is not positive has no image. */
+/* Computes the image of a point in double or, if `single`, in single precision. Serves
+ * maps that have no kernel, such as maps from or to x, y, z and w. If t->front is set,
+ * a point whose computed w is not positive has no image. */
 static void point_approx(const struct transform *t, bool single,
     const double in[4], double out[4])
 {
@@ -53,13 +53,13 @@ static void map_one(const struct transform *t, enum precision precision,
 		out[j][i] = q[j];
 }
 
-/* Computes the image of point i as a block of its own, whose error bounds are smaller.
- * Returns true if the kernel rounds the image with certainty. Four of five points that
- * are uncertain in their block are certain alone. */
+/* Computes the image of point i by a call of the kernel for this point alone. The error
+ * bounds of a call are smaller for one point than for a block. Returns true if rounding
+ * is certain, as it is for four of five points that are uncertain in their block. */
 static bool map_alone(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
-	enum { COLUMN_MIN = 16 }; /* numbers read per column for 1 point */
+	enum { COLUMN_MIN = 16 }; /* kernels may read 16 numbers for a point */
 	COLUMN_ALIGNED double p[3][COLUMN_MIN], q[4][COLUMN_MIN];
 	const double *const from[3] = { p[0], p[1], p[2] };
 	double *const to[4] = { q[0], q[1], q[2], q[3] };
@@ -82,8 +82,8 @@ static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 	    (t->out < 4 || isfinite(out[3][i]));
 }
 
-/* Computes the image of point i, for which the kernel wrote nan, or infinity if the
- * point has no image. Returns true if all coordinates are finite. */
+/* Completes image i. The kernel wrote infinity if the point has no image, or nan if the
+ * rounding is uncertain. Returns true if all coordinates are finite. */
 static bool map_undecided(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
@@ -149,7 +149,7 @@ static bool map_nonfinite(const struct transform *t, bool single,
 bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
-	/* map_alone reads three columns; in 2D the third is y again */
+	/* map_alone reads three columns: y takes the place of z in 2D */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
 	approx_kernel kernel = kernels_chosen()->approx[precision][t->kind];

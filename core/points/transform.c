@@ -12,7 +12,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 		struct sum a = map_element(&t->map, i < 3 ? i : 4, j);
 		dd e = sum_dd(a);
 
-		/* an element that underflows becomes the smallest double */
+		/* an element that underflows becomes 2^-1074 or -2^-1074 */
 		if (e.hi == 0)
 			e = (dd){ sum_sign(a) * 0x1p-1074, 0 };
 		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
@@ -46,10 +46,10 @@ void transform_prepare(struct transform *t)
 		round_column(t, j, k);
 }
 
-/* Returns NULL, or a message (a member of the scene and a reason) if images would need
- * more than EX_WORDS words. Two products must be exact: a point's difference from the
- * origin, a multiple of 2^-1074, times a column; and the midpoint of two doubles times
- * the divisor. The first factor of each leaves `room` words for the second. */
+/* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the
+ * scene and a reason. Two products must be exact: a column times a point's difference
+ * from the origin, a multiple of 2^-1074; and the divisor times the midpoint of two
+ * doubles. `room` is the number of words that the column or the divisor may have. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;
@@ -85,7 +85,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
 	t->in = from == SPACE_CLIP || t->reciprocal ? 4 : 3;
 	t->out = to == SPACE_CLIP || (homogeneous && !t->reciprocal) ? 4 : 3;
-	if (from == SPACE_CLIP) /* no origin, as w may differ from 1 */
+	if (from == SPACE_CLIP) /* origin 0, as w may differ from 1 */
 		map_set_origin(&t->map, NULL);
 	t->divide = t->reciprocal ||
 	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
@@ -99,7 +99,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 }
 
 /* Chooses KERNEL_DEPTH if w and depth depend on z of view space only, so that depth is
- * a + b / w. projection is the map from view space to the space of the images. */
+ * a + b / w. `projection` is the map from view space to the space of the images. */
 static void choose_depth_kernel(const struct map *projection,
     struct transform *t)
 {

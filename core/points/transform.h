@@ -7,16 +7,15 @@
 #include "kernel/kernel.h"
 #include "../scene/scene.h"
 
-/* The image of p is (p, 1) times the matrix of map, divided by the image's w if
- * `divide` is set. */
+/* The image of p is (p, 1) times the matrix of map, divided by its w if `divide`. */
 struct transform {
 	struct map map;
-	/* The matrix for exact images of points minus origin: rows 0 to 2 of the map,
-	 * then its image of `origin`: row 4 if this is map.origin, row 3 if it is 0.
-	 * Row 3 has the smaller error if the translation, not the eye, is given. */
+	/* Exact images are (p - origin, 1) times `relative`: rows 0 to 2 of the map and
+	 * its image of `origin`. `origin` is map.origin, or 0 if the image of 0 has the
+	 * smaller error, as it has if the translation, not the eye, is given. */
 	struct sum relative[4][4];
 	double origin[3];
-	int in, out; /* numbers of coordinates: 2, 3, or 4 if homogeneous */
+	int in, out; /* coordinates of a point and its image: 2, 3 or 4 */
 	bool divide;
 	/* If `front` is set, a point has an image if its w is above 0: it is in front
 	 * of the eye. If not, a point has an image if its w is not 0. */
@@ -26,15 +25,16 @@ struct transform {
 	struct kernel_map for_kernel;
 };
 
-/* Compute the transform from one space to another. If homogeneous, images are x y z w,
- * not divided, and points of device space are x y z 1/w. Return NULL, or why there is
- * no transform: a member of the scene and a reason. */
+/* scene_transform and flat_transform compute the transform from one space to another.
+ * If `homogeneous`, images are x y z w, not divided, and points of device space are
+ * x y z 1/w. Return NULL, or the member of the scene at fault and why. */
 const char *scene_transform(const struct scene *, enum space from,
     enum space to, bool homogeneous, struct transform *);
 const char *flat_transform(const struct scene *, enum flat_space from,
     enum flat_space to, struct transform *);
 
-/* Sets all members of the transform except map, which the caller has set. */
+/* Sets all members of the transform except map, which the caller has set. But if `from`
+ * is SPACE_CLIP, also sets the origin of map to 0. */
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
@@ -43,9 +43,9 @@ void transform_prepare(struct transform *);
 
 /* Computes the images of n <= POINTS_BLOCK points. in and out are columns of
  * POINTS_BLOCK numbers for x, y, z and w. Coordinates beyond the range of doubles, and
- * those of points without an image, are nan. In PRECISION_SINGLE coordinates are
- * floats, infinite beyond the range of floats. Returns true if all coordinates are
- * finite. */
+ * those of points without an image, are nan in PRECISION_EXACT, but may be infinite in
+ * other precisions. In PRECISION_SINGLE coordinates are floats, infinite beyond their
+ * range. Returns true if all coordinates are finite. */
 bool points_map(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);
 
@@ -60,7 +60,7 @@ bool points_map_floats(const struct transform *, const char *in, char *out,
  * nan; all coordinates are nan if the point has no image. */
 void point_exact(const struct transform *, const double in[4], double out[4]);
 
-/* Returns the float nearest to the exact coordinate j, given the nearest double. */
+/* Returns the float nearest to exact coordinate j; `image` is the nearest double. */
 float point_single(const struct transform *, const double in[4], int j,
     double image);
 

@@ -30,8 +30,8 @@ void convention_change(const struct convention *from,
 }
 
 /* The axes of view space: axis i is the unit vector v[i] / length[i]. v is not divided,
- * as its elements are polynomials, whose terms cancel exactly. If the length of axis y
- * is exact, all three are made equal, and become the map's divisor. */
+ * as its elements are polynomials, whose terms cancel exactly. If length[1] is exact,
+ * all axes are scaled to this length, which becomes the map's divisor. */
 struct axes {
 	struct sum v[3][3], length[3];
 };
@@ -139,7 +139,7 @@ static const char *axes_of_rvec(const struct camera *c, struct axes *a)
 	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
 
 /* Computes the axes of the rotation nearest to the upper 3x3 of the camera's matrix. An
- * element that is not above its error becomes 0. */
+ * element whose magnitude is at most its error becomes 0. */
 static const char *axes_of_matrix(const struct camera *c, struct axes *a)
 {
 	struct sum q[4];
@@ -158,8 +158,8 @@ static const char *axes_of_matrix(const struct camera *c, struct axes *a)
 	return NULL;
 }
 
-/* Sets the origin of a map to `eye`, or to 0 if `eye` is NULL. As an eye's image is 0,
- * an element of the image that is within its error of 0 becomes exact 0. */
+/* Sets the origin of a map to `eye`, or to 0 if `eye` is NULL. An element of its image
+ * that is within its error of 0 becomes exact 0: the eye's image in view space is 0. */
 static void set_eye(struct map *r, const double eye[3])
 {
 	map_set_origin(r, eye);
@@ -173,9 +173,9 @@ static void set_eye(struct map *r, const double eye[3])
  *	 x2  y2  z2  0		 z0  z1  z2  0
  *	 translation 1		 eye         1
  * `given` is the translation t, if is_translation, or else the eye. The other vector is
- * found: t = (-x.eye, -y.eye, -z.eye), or, if all axes have one length, eye = -t0 x -
- * t1 y - t2 z. Its elements are polynomials, divided once by a length. With rounded
- * axes, the product x.eye of an eye (1,2,3) that looks at 0 is -4.9e-32. */
+ * computed: t = (-x.eye, -y.eye, -z.eye), or, if all axes have the same length, eye =
+ * -t0 x - t1 y - t2 z. Its elements are polynomials, divided only at the end: with
+ * rounded axes, x.eye would be -4.9e-32, not 0, for an eye (1,2,3) that looks at 0. */
 static void map_of_axes(const struct axes *a, const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {
@@ -229,8 +229,8 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse,
 	map_multiply(r, &turn, inverse);
 }
 
-/* Computes the map from world to view space by the camera's matrix or pose, or its
- * inverse. If orthonormalize is set, the nearest rotation replaces the upper 3x3. */
+/* Computes, by the camera's matrix or pose, the map from world to view space or, if
+ * inverse, back. With orthonormalize, the nearest rotation replaces the upper 3x3. */
 static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {

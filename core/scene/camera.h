@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Conventions, in which graphics systems differ, and cameras, which map world to
- * view. */
+/* The conventions of graphics systems, and cameras, which map world to view space. */
 #ifndef CAMERA_H
 #define CAMERA_H
 
@@ -25,10 +24,10 @@ static inline bool looks_back(const struct convention *c)
 	return c->right_handed != c->view_y_down;
 }
 
-/* Changes the convention of a map's images or, if `input` is set, of the points it
- * maps. They are in view space or, if `clip`, in clip space. Negates y, and z of view
- * space, if the conventions give it opposite directions. If the depth range differs, a
- * depth z from 0 to w becomes 2 z - w, and one from -w to w becomes (z + w) / 2. */
+/* Changes the convention of a map's images or, if `input`, of the points that it maps,
+ * in view space or, if `clip`, in clip space. Negates an axis (y, or z of view space)
+ * if its direction differs. If the depth range differs, a depth z from 0 to w becomes
+ * 2 z - w, and a depth z from -w to w becomes (z + w) / 2. */
 void convention_change(const struct convention *from,
     const struct convention *to, bool clip, bool input, struct map *);
 
@@ -59,11 +58,11 @@ struct camera {
 
 /* Computes the map from world to view space, or its inverse, as projcalc(1), FORMULAS,
  * lookat says. Each element is exact or has a bound of its error, even if up is nearly
- * parallel to the gaze or a matrix nearly singular. An element of a nearest rotation
- * that is not above its error becomes 0. A roll turns view space about the eye, also if
- * the eye follows from a translation. The member origin of the map to view space is the
- * eye or, for a CAMERA_MATRIX that is not orthonormalized, 0. Returns NULL, or the
- * member and the reason. */
+ * parallel to the gaze or a matrix nearly singular. If a matrix is orthonormalized, an
+ * element of the rotation whose magnitude is at most its error becomes 0. A roll turns
+ * view space about the eye, also if a translation is given. The origin of the map to
+ * view space is the eye or, for a CAMERA_MATRIX that is not orthonormalized, 0. Returns
+ * NULL, or the member at fault and why. */
 const char *camera_map(const struct camera *, const struct convention *,
     bool inverse, struct map *);
 

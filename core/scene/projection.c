@@ -14,8 +14,8 @@ struct scaled_matrix {
 	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d;
 };
 
-/* Sets x / dx if sets_x, else y / dy, to scale / divisor. Sets the other quotient so
- * that y / dy is aspect[0] / aspect[1] times x / dx. */
+/* Sets one quotient, x / dx if sets_x, else y / dy, to scale / divisor. Sets the other
+ * quotient so that y / dy is aspect[0] / aspect[1] times x / dx. */
 static void set_scales(const double aspect[2], bool sets_x, struct sum scale,
     double divisor, struct scaled_matrix *f)
 {
@@ -46,8 +46,8 @@ static void tangents(double a, double b, enum angle_unit unit,
 	*edge_sum = sum_add(left, right);
 }
 
-/* Sets x / dx = 2 d / (r - l), sums[0] / dx = (l + r) / (r - l), and y likewise. l and
- * r are the left and right edge of the cross-section at distance d. */
+/* Sets x / dx = 2 d / (r - l) and sums[0] / dx = (l + r) / (r - l), where l and r are
+ * the left and right edge at distance d. Sets y, dy and sums[1] likewise. */
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum sums[2])
 {
@@ -102,8 +102,8 @@ static const char *cross_section(const struct projection *p, double d,
 }
 
 /* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) for near n and far f, or their limits
- * for an infinite f. reverse_z exchanges n and f. Without near and far planes n is 1
- * and f is infinite; with reverse_z, depth is then 1/w. */
+ * for an infinite f. reverse_z exchanges n and f. Without near and far planes n is
+ * 1, f is infinite and reverse_z is set, which makes depth 1/w. */
 static void depth_column(const struct projection *p, struct scaled_matrix *f)
 {
 	double n = projection_is_open(p) ? 1 : p->near;
@@ -361,9 +361,9 @@ static const char *projection_matrix_map(const struct projection *p,
 	return NULL;
 }
 
-/* Puts the affine map from view space (d3d) to the canonical space of u w, v w, w
- * (projection.h) before r or, if inverse, its inverse after r. Both spaces have y
- * upward: if device y points down, their y is -Y and -v w of struct projection. */
+/* Puts the affine map of P before r or, if inverse, its inverse after r. The map leads
+ * from view space (d3d) to the canonical space of u w, v w, w (projection.h). In both,
+ * y is upward: if device y points down, y is -Y in view space and -v w in the other. */
 static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
@@ -388,7 +388,7 @@ static const char *append_intrinsics(const struct projection *p,
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	/* f has the convention d3d, but the view space of a volume is that of c. */
+	/* the convention of f: d3d, except that a volume has the view space of c */
 	bool volume = p->type == PROJECTION_VOLUME;
 	const struct convention given = {
 		.right_handed = volume && c->right_handed,
@@ -429,9 +429,9 @@ const char *projection_map(const struct projection *p,
 	return why;
 }
 
-/* Returns whether a parallel projection's matrix contains a turned camera: depth
- * depends on x or y, or y on x; or, in a scene without a camera, one of x and y is
- * mirrored, as by half a turn. */
+/* Returns whether a parallel projection's matrix contains a turned camera. It does if
+ * depth depends on x or y, or if y depends on x. In a scene without a camera, it also
+ * does if just one of x and y is mirrored, as by half a turn. */
 static bool contains_camera(const struct projection *p,
     const struct convention *c)
 {

@@ -6,7 +6,7 @@
 #include "camera.h"
 
 /* The members that give the cross-section of persp, ortho and oblique, in the order of
- * projection_ways (cmd/scene). persp's cross-section is at edges_at or, if 0, near. */
+ * projection_ways (cmd/scene). In persp, sizes and edges are at distance edges_at. */
 enum extent {
 	EXTENT_FOVY,       /* angle from bottom to top, aspect */
 	EXTENT_FOVX,       /* angle from left to right, aspect */
@@ -36,34 +36,34 @@ struct projection {
 	double aspect[2];     /* width : height; [1] is 0 without an aspect */
 	double width, height; /* the cross-section's; with P, the viewport's */
 	double left, right, bottom, top;
-	double edges_at; /* the distance of the cross-section; 0: at near */
+	double edges_at; /* the distance of size and edges; 0: at near */
 	/* The 3x4 matrix P, which maps a point X Y Z 1 of view space to u w, v w, w. X
 	 * is to the right, Y along device y, and Z along the gaze. u and v are pixels
 	 * from the viewport's corner. With P, near and far are values of w. */
 	double intrinsics[3][4];
-	/* In persp, far may be INFINITY. near is 0 if there are no near and far planes;
-	 * reverse_z is then set, and depth is 1/w. */
+	/* In persp, far may be INFINITY. Without near and far planes, near is 0, and
+	 * reverse_z is set, so that depth is 1/w. */
 	double near, far;
 	bool reverse_z;    /* depth is larger at near than at far */
-	double near_ratio; /* the least near / far that fit makes */
+	double near_ratio; /* the command fit makes near / far at least this */
 
 	/* PROJECTION_OBLIQUE */
 	enum { OBLIQUE_ANGLE, OBLIQUE_CAVALIER, OBLIQUE_CABINET } kind;
 	double projector_angle; /* between projectors and the image plane */
-	double direction;       /* the angle from +x to receding lines */
+	double direction; /* in the picture, from +x to lines along the gaze */
 	enum angle_unit direction_unit;
-	double plane; /* distance along the gaze of points that do not shear */
+	double plane; /* points at this distance along the gaze stay put */
 
 	/* PROJECTION_VOLUME; with an aspect, half_width is half the smaller side */
 	double half_width, half_height, z_near, z_far;
-	double inverse_eye_z, tan_skew[2]; /* x/z, y/z of the volume's axis */
+	double inverse_eye_z, tan_skew[2]; /* tan_skew: x/z, y/z of the axis */
 	double eye[3];                     /* in view space */
 	/* The member that gives the eye: inverse_eye_z, eye, or angle (0 makes a
 	 * parallel projection). projection_ways (cmd/scene) has the same order. */
 	enum { EYE_BY_INVERSE_Z, EYE_BY_POINT, EYE_BY_ANGLE } eye_given_by;
 
 	double matrix[4][4];
-	bool without_camera; /* no camera is given; matrix may contain one */
+	bool without_camera; /* no camera is given; `matrix` may contain one */
 };
 
 /* Returns whether the projection is a persp without near and far planes. */
@@ -85,8 +85,8 @@ static inline bool projection_has_intrinsics(const struct projection *p)
 	return p->type == PROJECTION_PERSP && p->extent == EXTENT_INTRINSICS;
 }
 
-/* Returns whether P is tilted: whether its last row does not begin with 0 0 1. If P is
- * not tilted, w is the distance along the gaze plus intrinsics[2][3]. */
+/* Returns whether P is tilted. If its last row begins with 0 0 1, P is not tilted, and
+ * w is the distance along the gaze plus intrinsics[2][3]. */
 static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->intrinsics[2];
@@ -95,7 +95,7 @@ static inline bool projection_is_tilted(const struct projection *p)
 	    (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* Computes 1/z of a volume's eye, z in view space. The denominator is exact. */
+/* Computes 1/z of a volume's eye in view space. The denominator is exact. */
 void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
 
@@ -104,10 +104,10 @@ void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
-/* Returns whether the near plane has ndc depth 1. A matrix, or the identity without a
- * projection, does not say which plane is near. The near plane is then that of smaller
- * positive w or, if w is constant, the plane that the convention's gaze meets first. A
- * parallel matrix that contains a turned or mirrored camera is never reversed. */
+/* Returns whether the near plane has ndc depth 1. PROJECTION_MATRIX and PROJECTION_NONE
+ * do not say which plane is near: it is then the plane of smaller positive w or, if w
+ * is constant, the plane that the convention's gaze meets first. But a parallel matrix
+ * that contains a turned or mirrored camera is never reversed. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

@@ -17,8 +17,8 @@ static bool are_in_range(int n, const double *v)
 	return are;
 }
 
-/* Returns whether the cross-section is valid. Only sizes, edges and intrinsics can have
- * been computed; the reader of the document has checked the other extents. */
+/* Returns whether the cross-section is valid. Checks only sizes, edges and intrinsics,
+ * which may be computed; others are from a document, whose reader has checked them. */
 static bool has_valid_section(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -136,8 +136,8 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-/* Returns `err`, the reason why r was not made, if it is not NULL. If it is, returns
- * NULL or the reason why the map r is out of range. If `flat`, r maps a 2D window. */
+/* Returns `err` if it is not NULL: the reason why r was not computed. Otherwise returns
+ * NULL, or the reason if r is out of range. If `flat`, r maps a 2D window. */
 static const char *check_range(const char *err, const struct map *r, bool flat)
 {
 	if (err != NULL)

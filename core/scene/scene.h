@@ -7,8 +7,8 @@
 #include "projection.h"
 #include "window.h"
 
-/* Numbers of scene documents and points are at most MAGNITUDE_MAX in magnitude; sizes,
- * at least SIZE_MIN. Products of two sizes are in the range of doubles. */
+/* Numbers of scene documents and points are at most MAGNITUDE_MAX in magnitude. Sizes
+ * are at least SIZE_MIN. Products of two sizes are in the range of doubles. */
 #define MAGNITUDE_MAX 1e150
 #define SIZE_MIN 1e-150
 
@@ -42,9 +42,9 @@ struct scene {
 	struct viewport viewport;
 	struct window window;
 	struct device device;
-	/* For fit, the share of width and height that stays free at each side. */
+	/* The share of width and height that projcalc fit leaves free at each side. */
 	double margin;
-	/* known[s][inverse]: NULL, or the map from s to the next, or its inverse */
+	/* NULL, or known maps: [s][0] from space s to s + 1, [s][1] its inverse */
 	const struct map *known[SPACE_DEVICE][2];
 };
 
@@ -56,13 +56,13 @@ static inline const struct convention *answer_convention(const struct scene *s)
 /* Returns whether a number is from SIZE_MIN to MAGNITUDE_MAX. */
 bool scene_is_size(double);
 
-/* Returns whether a document may contain the scene's eye and projection, which were
- * computed: numbers are in range, near differs from far, and opposite edges differ. */
+/* Returns whether the scene's eye and projection, which were computed, are allowed in a
+ * document: numbers are in range, near differs from far, and opposite edges differ. */
 bool scene_is_valid(const struct scene *);
 
-/* Compute the map between two spaces, the product of the maps from each space to the
- * next. Images of points are homogeneous; transform.h divides them. Return NULL, or the
- * member, as a JSON pointer, and the reason. */
+/* scene_map and scene_flat_map compute the map between two spaces, the product of the
+ * maps from each space to the next. Images are homogeneous; transform.h divides them.
+ * Return NULL, or the member at fault, as a JSON pointer, and why. */
 const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_flat_map(const struct scene *, enum flat_space from,
@@ -77,9 +77,9 @@ struct window_extent {
 /* Computes what the window shows. Returns NULL, or the member at fault and why. */
 const char *scene_window_extent(const struct scene *, struct window_extent *);
 
-/* Computes the map of scene_map, and its last factor from_view, which maps view space to
- * space `to`. `from` is SPACE_MODEL, SPACE_WORLD or SPACE_VIEW, and `to` a later space
- * than SPACE_VIEW. Elements of from_view may be beyond the range of doubles. */
+/* Computes the map of scene_map, and its last factor from_view, which maps view space
+ * to the space `to`. `from` is SPACE_MODEL, SPACE_WORLD or SPACE_VIEW, and `to` is a
+ * space after SPACE_VIEW. Elements of from_view may be beyond the range of doubles. */
 const char *scene_map_by_view(const struct scene *, enum space from,
     enum space to, struct map *, struct map *from_view);
 

@@ -11,14 +11,14 @@ struct window {
 	double left, right, bottom, top;
 	double pan[2];   /* added to the centre */
 	double zoom;     /* 2 shows half the extent; the default is 1 */
-	bool has_about;  /* if not set, about is the centre */
-	double about[2]; /* the fixed point of the zoom */
+	bool has_about;  /* false: the zoom is about the centre */
+	double about[2]; /* the point that the zoom does not move */
 	enum { ADAPT_STRETCH, ADAPT_GROW, ADAPT_SHRINK } adapt;
 };
 
 struct device {
 	double x, y, width, height;
-	bool top_left; /* the origin; false: bottom left */
+	bool top_left; /* the origin is at top left; false: bottom left */
 };
 
 struct viewport {
@@ -28,19 +28,19 @@ struct viewport {
 };
 
 /* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The
- * device may be NULL with ADAPT_STRETCH. Returns NULL, or the member at fault and why. */
+ * device may be NULL with ADAPT_STRETCH. Returns NULL, or the member and why. */
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
-/* Compute the map from ndc to the 2D device or the 3D viewport or, if inverse, the map
- * back. The convention tells the depth range and y direction of ndc, and the device's
- * origin. Return NULL, or the member and the reason. */
+/* device_map computes the map from ndc to a 2D device; viewport_map, to a 3D viewport.
+ * If inverse, they compute the map back. The convention gives the depth range and the y
+ * direction of ndc, and the device's origin. Return NULL, or the member and why. */
 const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* Writes half the width and height, and the pixels per unit of ndc x and y. Points with
- * |x| scale[0] <= half[0] and |y| scale[1] <= half[1] are in the viewport. */
+/* Writes half the width and height, and the pixels per unit of ndc x and y. Points of
+ * ndc with |x| scale[0] <= half[0] and |y| scale[1] <= half[1] are in the viewport. */
 void viewport_limits(const struct viewport *, double half[2], double scale[2]);
 
 #endif

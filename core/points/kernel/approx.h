@@ -5,21 +5,21 @@
  * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
  * point's difference from the origin has a relative error of u, a matrix element one of
  * u, and a chain of three products and sums one of 3 u. So the error of a column is at
- * most 5 u S. A quotient N / W of columns, whose S are S_N and S_W, has their errors,
- * plus u each for the reciprocal of W and its product with N:
+ * most 5 u S. A quotient N / W of columns, whose S are S_N and S_W, has the errors of N
+ * and W, plus u for the reciprocal of W and u for the product of N and the reciprocal:
  *
  *	|error of N/W| <= APPROX_BOUND u (S_N + |N/W| S_W) / |W|
  *
- * The errors of columns take 5 u of this, the quotient 2 u, and printing the shortest
- * digits 1 u, together 8 u. The error of a depth a + b/W (KERNEL_DEPTH) is at most
- * APPROX_BOUND u (|a| + |b/W| S_W / |W|). If S_W is |W|, W takes 5 u of this, and b,
- * the reciprocal, the fused product and sum, and printing u each, together 9 u. If S_W
- * is larger, W has a larger relative error, up to 1/32, as error_bound.c requires
+ * Columns take 5 u of this bound, the quotient 2 u, and printing the shortest digits 1
+ * u, together 8 u. The error of a depth a + b/W (KERNEL_DEPTH) is at most APPROX_BOUND
+ * u (|a| + |b/W| S_W / |W|). If S_W is |W|, W takes 5 u of this bound, and each of b,
+ * the reciprocal, the fused multiply-add, and printing takes u, together 9 u. If S_W is
+ * larger, W has a larger relative error, up to 1/32, as error_bound.c requires
  * APPROX_BOUND u S_W / |W| < 1/16. Division by the computed W then makes the 5 u at
  * most 32/31 as large, and the other 4 u weigh less. `make prove` counts these errors,
  * and error_bound.c bounds S for a scene. An underflow adds at most u times the least
- * normal number. A value that overflows never becomes finite again, unless it is w,
- * whose reciprocal would be 0: from w = W_MAX on the image is nan. */
+ * normal number. A value that overflows never becomes finite again, except w, whose
+ * reciprocal is 0. Therefore the image is nan if w is not below W_MAX. */
 
 /* Returns the product of (p, 1) and column k of the matrix; p has `terms` elements. */
 static inline REAL NAME(
@@ -61,7 +61,7 @@ static inline __attribute__((always_inline)) int NAME(
     enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind);
-	/* copies: stores to x, y and z cannot change them */
+	/* copies: the compiler knows that stores to x, y and z do not change them */
 	const double *const from[3] = { in[0], in[1], in[2] };
 	const struct kernel_map map = *m;
 	int nonfinite = 0;

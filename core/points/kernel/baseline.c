@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kernels for any processor. fma of the C library rounds once everywhere, and is
- * fast on processors that have an instruction for it. */
+/* The kernels for any processor. fma() of the C library rounds once on all processors,
+ * and is fast on those that have an instruction for it. */
 #include <math.h>
 
 #define KERNELS_NAME kernels_baseline

@@ -20,8 +20,8 @@ static const struct {
 
 static const struct kernels *chosen = &kernels_baseline;
 
-/* Returns true if this processor has all instructions that the files for the given kind
- * use, in this folder and in cmd/number/vector. */
+/* Returns true if this processor has all instructions that files for the given kind of
+ * processor use, in this folder and in cmd/number/vector. */
 static bool can_run(enum processor processor)
 {
 #ifdef __x86_64__

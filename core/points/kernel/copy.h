@@ -2,7 +2,7 @@
 /* The kernels for one kind of processor. A file that includes copy.h defines:
  *
  *	KERNELS_NAME	the name of its struct kernels
- *	PROCESSOR	its kind of processor
+ *	PROCESSOR	its kind of processor (enum processor)
  *
  * and the operations below, as simd_avx2.h, simd_avx512.h and simd_neon.h do:
  *
@@ -19,7 +19,7 @@
  *	ONLY(m, a)	m ? a : 0 in each lane
  *
  * and may define MADD(a, b, c), a b + c with a rounded product, if this is faster than
- * FMA. V has +, -, * and /. In each lane, other operations round once (IEEE 754). */
+ * FMA. V also has +, -, * and /. Each operation but MADD rounds once (IEEE 754). */
 #include <math.h>
 
 #ifndef MADD

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels of PRECISION_EXACT, written once for the vectors that copy.h describes. A
  * coordinate is a sum hi + lo with a bound of its error. If all numbers within this
- * bound of hi + lo round to one double, it is the result; if not, point.c computes the
- * point. Variables named sure are positive if the rounding is certain. Noise, the error
- * up to which a difference counts as 0, is in struct kernel_map (kernel.h).
+ * bound of hi + lo round to one double, this double is the result; if not, point.c
+ * computes the point. Variables named `sure` are positive if the rounding is certain.
+ * Noise (struct kernel_map) is the error up to which a difference counts as 0.
  *
- * To cut a number is to round it to few bits; the difference is its rest. Let 2^e be
- * above the differences of a block's points from the origin in one coordinate; each
- * coordinate has its own e. Let B be a power of two above a column's elements times
+ * To cut a number is to round it to few bits; the difference is its rest. For each
+ * coordinate, let 2^e be above the magnitude of the coordinate in a block's points,
+ * relative to the origin. Let B be a power of two above a column's elements times
  * their 2^e, and above the column's image of the origin. Points and the origin are cut
  * to multiples of 2^(e-26), elements to multiples of 2^(-e-24) B. Then hi, the sum of
  * the origin's cut image and three products of cut numbers, has no error: all are
@@ -15,29 +15,29 @@
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
- * The three first terms are up to 2^-27 B each, the other three up to 2^-25 B. The
- * origin's rests add three terms of up to 2^-27 B: no partial sum is above 9 times
- * 2^-26 B. The errors are (coordinate's rest) (element's lo of struct kernel_map),
- * which is left out, and the roundings of sums, products, rests, and lo plus its bound:
+ * The first product is up to 2^-27 B in each of three coordinates, the second up to
+ * 2^-25 B. The origin's rests add three terms of up to 2^-27 B: no partial sum is above
+ * 9 times 2^-26 B. The errors are (coordinate's rest) (lo of struct kernel_map), which
+ * is left out, and the roundings of sums, products, rests, and lo plus its bound:
  * together 49 u * 2^-26 B < 2^-73.3 B, where u = 2^-53. `make prove` counts them. */
 #include "kernel.h"
 
-/* DIGITS is the number of binary digits of a double, and COLUMN_BOUND the bound of a
- * column's error in units of B. It is over twice the error above, so that roundings of
- * a quotient fit, too. core/proof/toy.h defines other values for fewer digits. */
+/* DIGITS is the number of binary digits of a double. COLUMN_BOUND is the bound of a
+ * column's error in units of B: over twice the error above, to include the roundings of
+ * a quotient. core/proof/toy.h defines other values for fewer digits. */
 #ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
 #define MODERATE 0x1p200
 #endif
-/* Replaces a product that underflows, as its upper bound: the least normal number. */
+/* The least normal number. It replaces products that underflow, as an upper bound. */
 #define TINY 0x1p-1022
 
 /* The numbers of bits of a cut coordinate and of a cut element. */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
-/* Returns true if largest, a magnitude of coordinates or columns, is neither so large
- * nor so small that their products or quotients could overflow or underflow. */
+/* Returns true if `largest`, the largest magnitude of coordinates or of a column, is 0
+ * or is far from overflow and underflow: products and quotients do neither. */
 static int is_moderate(double largest)
 {
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
@@ -68,22 +68,22 @@ static inline double greatest_lane(V a)
 	return r;
 }
 
-/* Returns true if a b is exactly product; false if underflow could hide an error. */
+/* Returns whether `product` is exactly a b; false if underflow could hide an error. */
 static bool is_product(double a, double b, double product)
 {
 	return fma(a, b, -product) == 0 &&
 	    (fabs(product) > 0x1p-900 || a == 0 || b == 0);
 }
 
-/* The differences d of a block's points from the origin in one coordinate. An origin
- * below 2^(e+23) is cut as the points are: its cut part is subtracted from their cut
- * parts, and the product of its rest and the element from the column's image of the
- * origin. A larger origin is subtracted whole: differences from it are exact. */
+/* The range of the differences d of a block's points from the origin in one coordinate.
+ * An origin below 2^(e+23) is cut: its cut part is subtracted from the points' cut
+ * parts, and its rest, times the element, from the column's image of the origin. A
+ * larger origin is subtracted whole; the differences are then exact. */
 struct kernel_range {
 	double largest;         /* the largest |d|, rounded up */
 	double power, inverse;  /* 2^e > largest, and 2^-e */
 	double rounder;         /* rounds to multiples of 2^(e-26) */
-	double whole, rest;     /* (origin, 0) or (0, its rest) */
+	double whole, rest;     /* (origin, 0) or (0, origin's rest) */
 	double rounder_and_cut; /* rounder + the origin's cut part */
 };
 
@@ -112,8 +112,8 @@ static struct kernel_range range_of(double low, double high, double origin)
 }
 
 /* Finds the least and the greatest of n coordinates: infinity and -infinity if all are
- * nan. Even and odd vectors have a minimum and a maximum each, as operations on a
- * single minimum would wait for each other. */
+ * nan. Vectors in even and in odd places have separate minima and maxima, as operations
+ * on the same minimum have to wait for each other. */
 static void find_limits(const double *in, size_t n, double *least,
     double *greatest)
 {
@@ -143,16 +143,16 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
 }
 
 /* A column for a block of points: its elements and, in row 3, its image of the origin,
- * cut into high and rest. The elements' low parts (lo of struct kernel_map) are added
- * to rest, unless all of them together are within the noise. */
+ * cut into `high` and `rest`. The elements' low parts (lo of struct kernel_map) are
+ * added to `rest`, unless all of them together are within the noise. */
 struct column_cut {
 	double high[4], rest[4], element[4];
 	double bound;       /* of the column's error */
-	bool exact;         /* rest has no error beyond the noise */
+	bool exact;         /* `rest` has no error beyond the noise */
 	double noisy_below; /* 2^56 times the noise */
 };
 
-/* Returns true if the low parts change column j by at most the least noise. */
+/* Returns true if the elements' low parts change column j by at most least_noise. */
 static bool low_parts_are_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -213,7 +213,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut column[4];
-	int moderate;   /* whether all ranges and columns are moderate */
+	int moderate;   /* is_moderate is true for all ranges and columns */
 	bool has_whole; /* range[k].whole is not 0 for some k */
 };
 
@@ -259,8 +259,8 @@ static inline vdd normalise(vdd a)
 	return (vdd){ s, a.lo - (s - a.hi) };
 }
 
-/* Writes the points' differences from the origin as cut + rest, except that rest lacks
- * the origin's rest, which is in struct column_cut. */
+/* Writes the points' differences from the origin as cut + rest, without the origin's
+ * rest, whose product with the element cut_column has subtracted from the column. */
 static inline void cut_points(const struct kernel_block *b, const V p[3],
     int terms, V cut[3], V rest[3])
 {
@@ -292,19 +292,19 @@ static inline vdd column_sum(const struct column_cut *c, const V cut[3],
 	return (vdd){ hi, lo };
 }
 
-/* Returns 0 if a is 0, or if |a| is above noisy_below, 2^56 times the noise, which then
- * is too small to change the rounding of a. If not, returns a positive number. */
+/* Returns 0 if a is 0, or if |a| is above noisy_below, which is 2^56 times the noise:
+ * then noise can't change the rounding of a. Otherwise returns a positive number. */
 static inline V inexact_if_noisy(V a, double noisy_below)
 {
 	return IF_POSITIVE(ABS(a) - ALL(noisy_below), ALL(0), ABS(a));
 }
 
-/* Returns 0 if the column's sum, hi + lo, is exact within the noise, and rounds the
- * same in spite of noise. Returns a positive number if this is not certain, for example
- * after a product that may underflow. A sum midway between two doubles counts as
- * a tie, whatever the noise. Any other sum differs from each midpoint by at least half a
- * unit in the last place of the sum, or by 2^-53 |lo|. So inexact_if_noisy tests that
- * the noise is small beside the sum, and beside lo. */
+/* Returns 0 if the column's sum, hi + lo, is exact apart from noise, and noise does not
+ * change its rounding. Returns a positive number if this is not certain, for example if
+ * a product may have underflowed. A sum midway between two doubles counts as a tie,
+ * whatever the noise. Any other sum differs from each midpoint by at least half a unit
+ * in the last place of the sum, or by 2^-53 |lo|. So inexact_if_noisy tests that the
+ * noise is small beside the sum, and beside lo. */
 static inline V column_inexactness(const struct column_cut *c, vdd sum,
     const V cut[3], const V rest[3], int terms)
 {
@@ -341,8 +341,8 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
  * quotient q is within 4 u |q| of n / w; the residual n - q w is at most 4 u |n|. q's
  * correction, the residual over w, has an error of at most 24 u^2 |q| plus 3 u times the
  * low parts, which are up to 9 times 2^-26 of their column's B. `bound` is above 2^-74
- * |n|, and w_bound above 2^-74 w. All errors leave a sixth of the bounds unused, even if
- * the exact divisor is less than w. w is above w_bound. */
+ * |n|, and w_bound above 2^-74 w. If w is above w_bound, all errors together leave a
+ * sixth of the bounds unused, even if the exact divisor is less than w. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -356,9 +356,9 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return up;
 }
 
-/* Rounds undivided columns once more, now with error 0 for each column that is exact:
- * an exact column is often midway between two doubles, where any other error would
- * prevent rounding. Each lane of the result is positive if all roundings are sure. */
+/* Rounds undivided columns once more, with error 0 for each column that is exact: an
+ * exact column is often midway between two doubles, where no larger error lets it be
+ * rounded. A lane of the result is positive if all roundings of the lane are sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
@@ -376,11 +376,11 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 	return sure;
 }
 
-/* Returns the length of the vector a as hi + lo, with an error of at most 60.2 u^2 of
- * it, and 1 / hi in *reciprocal. Let s be the sum of a's squares without those of low
- * parts. hi is the rounded root of s, and lo is (s - hi^2) / (2 hi). Errors:
+/* Returns the length of the vector a as hi + lo, with a relative error of at most
+ * 60.2 u^2, and 1 / hi in *reciprocal. Let s be the sum of a's squares without those of
+ * the low parts. hi is near the root of s, and lo is (s - hi^2) / (2 hi). Errors:
  * - 40.5 u^2 for the roundings of s - hi^2 and of lo;
- * - 4.5 u^2 for the squares that s lacks, of low parts of at most 3 u;
+ * - 4.5 u^2 for the squares of low parts, which are at most 3 u;
  * - 15.2 u^2 as hi + lo is above the root of s by lo^2 / (2 hi). lo is the low part of
  *   the length, which is at most 6 u: 5.5 u as counted, and 5.5^2 / 2 < 15.2. */
 static inline vdd length_of(const vdd a[3], V *reciprocal)
@@ -403,13 +403,13 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 }
 
 /* Writes the images q of points p. Returns true if all roundings are sure. If a
- * rounding is not, q[0] of its image becomes nan or infinite, as exact_kernel says.
- * Other images are finite, as columns are below 2^202 and w is above 2^-274.
+ * rounding is not sure, its image gets nan or infinity in q[0] (see exact_kernel). The
+ * other images are finite, as columns are below 2^202 and w is above 2^-274.
  *
  * A direction is divided by its length, whose error is at most the sum of the columns'
- * errors (triangle inequality). The length's bound, the sum of their bounds, is above
- * 2^-74 of the length, as each is above 2^-74 of its column. If the length is below its
- * bound, the error of each quotient exceeds the quotient, and no rounding is sure. */
+ * errors (triangle inequality). The length's bound, the sum of the columns' bounds, is
+ * above 2^-74 of the length, as each column's is of the column. If the length is below
+ * its bound, the error of each quotient exceeds the quotient: no rounding is sure. */
 static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)

@@ -2,8 +2,8 @@
 /* Finds how far a block of points reaches along some directions. */
 #include "kernel.h"
 
-/* Returns the greatest m[0] x + m[1] y + m[2] z of n points. Even and odd vectors have
- * a maximum each, as operations on a single maximum would wait for each other. */
+/* Returns the greatest m[0] x + m[1] y + m[2] z of n points. Keeps two maxima, of even
+ * and of odd vectors: with a single one, each MAX would wait for the MAX before it. */
 static double farthest_along(const double m[3], const double *const in[3],
     size_t n)
 {

@@ -3,10 +3,10 @@
  * bits as single_approx of approx.h. */
 #include "little.h"
 
-/* Transforms n rows. If origin_is_float, the origin's coordinates are floats.
- * Subtracting floats gives the same bits as subtracting doubles and rounding to float:
- * a difference that no double equals is so near to the larger float that both ways
- * round to this float. */
+/* Transforms n rows. Subtracts the origin in float if `origin_is_float` tells that its
+ * coordinates are values of floats. This gives the bits of a difference of doubles that
+ * is rounded to float: if no double equals a difference of two floats, the difference
+ * is so near to the larger float that both ways round to this float. */
 static inline __attribute__((always_inline)) int
 float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
     enum kernel_kind kind, bool origin_is_float)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels, the inner loops over points. The loop of each precision is written once,
- * and compiled for each kind of processor. All copies give the same bits. */
+ * and compiled for each kind of processor. All processors get the same bits. */
 #ifndef KERNEL_H
 #define KERNEL_H
 
@@ -9,24 +9,24 @@
 
 enum { POINTS_BLOCK = 1024 };
 
-/* Aligns a column to lines of the cache. Without it, PRECISION_DOUBLE would spend a
- * fifth of its time on vectors that cross two lines. */
+/* Aligns a column, one coordinate of all points, to cache lines. Without alignment, a
+ * fifth of the time of PRECISION_DOUBLE would go to vectors that cross two lines. */
 #define COLUMN_ALIGNED _Alignas(64)
 
 /* The kinds of kernels, by the structure of the matrix. */
 enum kernel_kind {
-	KERNEL_NONE,   /* no kernel: points.c and point.c compute each point */
+	KERNEL_NONE,   /* no kernel: points.c and point.c compute the images */
 	KERNEL_FLAT,   /* two coordinates, not divided */
 	KERNEL_AFFINE, /* x, y and z, not divided */
 	KERNEL_XYZW,   /* x, y, z and w, not divided; PRECISION_EXACT only */
 	KERNEL_PROJECTIVE, /* x, y and z divided by w */
-	KERNEL_DEPTH,     /* z is a + b / w; in PRECISION_EXACT as PROJECTIVE */
-	KERNEL_DIRECTION, /* two coordinates to a vector of length 1 */
+	KERNEL_DEPTH,      /* as PROJECTIVE, but z is a + b / w if not exact */
+	KERNEL_DIRECTION,  /* from x and y to x, y and z of a unit vector */
 	KERNELS,
 };
 
-/* Return how many coordinates a point has, how many its image has, and whether the
- * coordinates of the image are divided by w. */
+/* kernel_inputs and kernel_outputs return how many coordinates a point and its image
+ * have. kernel_divides returns whether the image's coordinates are divided by w. */
 static inline int kernel_inputs(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
@@ -54,17 +54,17 @@ struct kernel_map {
 	/* The sum of the magnitudes of the products in column j is at most slope[j]
 	 * (|x|+|y|+|z|) + offset[j], for x, y, z relative to the origin. */
 	double slope[4], offset[4];
-	/* The errors of the exact map's elements (struct sum) change column j by at
-	 * most noise[j] max(1, d) if |x|, |y| and |z| are at most d. Values of the
-	 * column that differ by this noise or less count as equal. */
+	/* Elements of the struct map can have errors, which change column j by at most
+	 * noise[j] max(1, d) if |x|, |y| and |z| are at most d. Values of the column
+	 * that differ by this noise or less count as equal. */
 	double noise[4];
 	/* A lower bound of the noise of column j at any point. */
 	double least_noise[4];
 };
 
 /* Writes the doubles nearest to the exact images of n points. The first coordinate of
- * an image becomes nan if the kernel cannot round all its coordinates with certainty,
- * and infinite if w is surely not positive, so that there is no image. Returns true if
+ * an image becomes infinite if w is surely not positive, so that there is no image, or
+ * else nan if the rounding of any of the coordinates is not certain. Returns true if
  * neither happened. Columns have room for n rounded up to a multiple of 16. */
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[], size_t n);
@@ -79,7 +79,7 @@ typedef int (*approx_kernel)(const struct kernel_map *,
 typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
     char *out, size_t n);
 
-/* The factor of u in the bound of approx_kernel's errors, which approx.h derives. */
+/* A factor in the bound of the errors of approx_kernel; approx.h derives the bound. */
 #define APPROX_BOUND 10
 
 /* Copies points from rows of floats or doubles to columns of doubles. Returns true if
@@ -88,15 +88,15 @@ typedef int (*to_columns_kernel)(const char *rows,
     double (*columns)[POINTS_BLOCK], size_t n, double max);
 
 /* Copies columns of doubles to rows of floats or doubles; -0 becomes 0. Returns true if
- * all numbers of the rows are finite and, for floats, is_midway is false for all. */
+ * all numbers of the rows are finite and floats are surely rounded right (midway.h). */
 typedef int (
     *to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
-/* A map in doubles, with the matrix m, whose columns estimate the columns of an exact
- * map. Let size be |x| + |y| + |z|, relative to the origin. If low <= size < high, an
- * estimate whose magnitude is above slope * size + floor has the sign of the exact
- * column. slope and floor are those of the column with the largest errors: one bound
- * for all columns takes less time, but leaves the signs of a few more points unsure. */
+/* A map in doubles, with the matrix m, which finds signs of the columns of an exact map
+ * by estimates. Let size be |x| + |y| + |z|, relative to the origin. If low <= size <
+ * high, an estimate whose magnitude is above slope * size + floor has the sign of the
+ * exact column. One slope and floor, for the column with the largest errors, serve all
+ * columns: this takes less time, but leaves the signs of a few more points unsure. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };
@@ -115,9 +115,9 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 	return x * m[0][j] + y * m[1][j] + z * m[2][j] + m[3][j];
 }
 
-/* Adds weight * 2^j to word[i] for each point i and each of the 3 or 4 columns j whose
- * sign is negative. Adds SIGNS_UNSURE to word[i] if the sign of a column is not sure.
- * The words are doubles, as vectors of doubles can add them. */
+/* Adds weight * 2^j to word[i] if column j, one of 3 or 4, is negative at point i. Adds
+ * SIGNS_UNSURE to word[i] if the sign of any column is not sure at point i. Words are
+ * doubles, so that vector operations on doubles can add to them. */
 typedef void (*signs_kernel)(const struct estimate *, int columns,
     double weight, const double *const in[3], double *word, size_t n);
 
@@ -153,8 +153,8 @@ extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
     kernels_neon;
 
 /* Chooses the kernels with the given name (baseline, avx2, avx512, neon) or, if name is
- * NULL, the best ones for this processor. Returns false if no kernels have the name, or
- * if the processor cannot run them. */
+ * NULL, the best ones for this processor. Returns false if the name is unknown, or if
+ * the processor cannot run the kernels of this name. */
 bool kernels_choose(const char *name);
 
 /* Returns the kernels that were chosen, or those of baseline if none were. */

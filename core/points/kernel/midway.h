@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tells whether a double that is a rounded result may be rounded again, to a float. */
+/* Tells whether a number that was rounded to double can safely be rounded to float. */
 #ifndef MIDWAY_H
 #define MIDWAY_H
 
@@ -8,9 +8,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Returns true if v may round to another float than the exact value to which v is the
- * nearest double. The floats can differ only if v is midway between two floats. If v
- * would be a subnormal float, is_midway returns true without a test. */
+/* Returns true if v, the double nearest to an exact value, may round to another float
+ * than the exact value. This can happen only if v is midway between two floats. Also
+ * returns true, without a test, if 0 < |v| < 2^-126: the range of subnormal floats. */
 static inline bool is_midway(double v)
 {
 	uint64_t bits;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Copies points from rows, as files have them (x y z, x y z, ...), to columns, and
- * back. The number of coordinates is a constant, so that compilers turn the loops into
- * shuffles. Rows may begin at any address. */
+ * back. `numbers`, the numbers per row, is a constant, so that compilers turn the loops
+ * into shuffles. Rows may begin at any address. */
 #include <float.h>
 #include <stdint.h>
 
@@ -25,8 +25,8 @@ to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 	return above == 0;
 }
 
-/* Returns true if the floats nearest to the doubles of a column are finite, and surely
- * nearest to the exact values from which the doubles were rounded. */
+/* Returns true if each double of a column rounds to a finite float, and this float is
+ * surely the nearest to the exact value from which the double was rounded. */
 static inline __attribute__((always_inline)) int
 floats_are_sure(const double *restrict column, size_t n)
 {

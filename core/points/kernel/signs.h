@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the planes that points are outside of, from signs of columns, by computing with
- * doubles only, so that the compiler vectorizes the loop. */
+/* Finds the planes that points are outside of: a column of a map is negative outside of
+ * its plane. All numbers are doubles, so that the compiler vectorizes the loop. */
 #include "kernel.h"
 
-/* Does what signs_kernel says. No estimate is nan if low <= its size < high. */
+/* Does what signs_kernel says. If low <= size < high, no estimate is nan. */
 static inline __attribute__((always_inline)) void
 add_signs(const struct estimate *e, int columns, double weight,
     const double *const in[3], double *restrict word, size_t n)

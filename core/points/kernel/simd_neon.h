@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The operations of arm64, where every processor has NEON; copy.h describes them. MIN
- * and MAX select, as the minimum and maximum of NEON are nan if a or b is nan. */
+ * and MAX compare and select: NEON's minimum and maximum are nan if a or b is nan. */
 #include <arm_neon.h>
 
 #define V float64x2_t
