@@ -107,5 +107,5 @@ void run_fit(const struct options *o)
 
 	if (why != NULL)
 		refuse_fit(o, &d, why);
-	print_scene(&d, o->out == FORMAT_JSON);
+	print_document(&d, o->out == FORMAT_JSON);
 }

@@ -9,12 +9,12 @@
 #include "message/message.h"
 
 /* Names in the order of enum taxon, enum kind and enum buffer. */
-static const char *const taxa[] = { "orthographic", "oblique", "perspective",
-	"reverse perspective" };
-static const char *const kinds[] = { "multiview", "isometric", "dimetric",
+static const char *const taxon_names[] = { "orthographic", "oblique",
+	"perspective", "reverse perspective" };
+static const char *const kind_names[] = { "multiview", "isometric", "dimetric",
 	"trimetric", "cavalier", "cabinet", "general", "one-point", "two-point",
 	"three-point" };
-static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
+static const char *const buffer_names[] = { "unorm16", "unorm24", "float32" };
 
 /* The texts of enum note, in its order: what is wrong, and what to try. */
 static const char *const notes[NOTES] = {
@@ -95,8 +95,8 @@ static void put_picture(struct printer *p, const struct picture *r)
 {
 	const bool no_near = projection_is_open(&r->scene.projection);
 
-	put_string(put_name(p, "projection"), taxa[r->taxon]);
-	put_string(put_name(p, "kind"), kinds[r->kind]);
+	put_string(put_name(p, "projection"), taxon_names[r->taxon]);
+	put_string(put_name(p, "kind"), kind_names[r->kind]);
 	put_vector(put_name(p, "foreshortening"), r->foreshortening, 3);
 	put_rows(p, "vanishing_points", r->vanishing_point[0], 3, 2,
 	    r->taxon <= TAXON_OBLIQUE);
@@ -147,7 +147,7 @@ static void put_depth_steps(struct printer *p, const struct options *o,
 		    o->distances.n);
 	put_open(put_name(p, "depth_step"), "{");
 	for (enum buffer b = 0; b < BUFFERS; b++) {
-		put_open(put_name(p, buffers[b]), "[");
+		put_open(put_name(p, buffer_names[b]), "[");
 		put_number(p, depth_step(z, b, false));
 		put_number(p, depth_step(z, b, true));
 		for (int i = 0; i < o->distances.n; i++)

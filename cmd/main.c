@@ -99,7 +99,7 @@ static const struct command commands[] = {
 };
 /* clang-format on */
 
-static void help(const struct options *o)
+static void run_help(const struct options *o)
 {
 	const char *what = o->params;
 	const struct command *c = find_command(commands, what);
@@ -161,7 +161,7 @@ int main(int argc, char **argv)
 	} else if (o.help) {
 		help_command(c);
 	} else if (c->kind == HELP) {
-		help(&o);
+		run_help(&o);
 	} else {
 		operands_check(&o);
 		call_with_stack(run_scenes, &o);

@@ -80,14 +80,14 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 {
 	const struct trace *trace = j->data;
 	unsigned outside = m != NULL ? m->outside[p] : OUT_NAN;
-	const struct word *word = chunk_flags(c, outside);
+	const struct flags *word = chunk_flags(c, outside);
 	bool json = j->layout.out.format == FORMAT_JSON;
 	char *at;
 
 	if (j->visible && outside != 0)
 		return;
 	at = chunk_reserve(c,
-	    SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size + WORD_MAX);
+	    SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size + FLAG_MAX);
 	*at++ = json ? '{' : '\n';
 	for (int s = 0; s < (json ? SPACES : trace->n_spaces); s++) {
 		at = trace_put_image(stpcpy(at, trace->label[s]), j, m, s, p);

@@ -26,7 +26,7 @@ static inline struct scene scene_of(const struct view *v)
 		.has_camera = true,
 		.camera = { .kind = CAMERA_AT },
 		.projection = { .type = PROJECTION_PERSP,
-		    .extent = EXTENT_FOVY,
+		    .section = SECTION_FOVY,
 		    .angle = v->fovy,
 		    .aspect = { v->width, v->height },
 		    .near = v->near,

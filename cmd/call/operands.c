@@ -215,7 +215,7 @@ static void prepare_job(struct job *j, const struct options *o)
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
 		.out = dialect_of(options_output(o), o->separator),
-		.header = o->header ? HEADER_FIRST :
+		.header = o->header ? HEADER_YES :
 		    o->no_header    ? HEADER_NONE :
 				      HEADER_MAYBE,
 		.columns = o->columns,
@@ -243,7 +243,7 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Does the job on `text`, lines of JSON that document_points or document_read made; the
+/* Does the job on `text`, lines of JSON that points_to_lines or document_read made; the
  * format of --input does not count. Messages call the text `name`. */
 static void run_json_points(const struct options *o, struct job *j,
     const char *name, const char *text, size_t size)
@@ -272,8 +272,8 @@ static void run_operand(const struct options *o, struct job *j, int i)
 	if (first_nonblank(operand) == '[') {
 		size_t size;
 		struct text t = text_of_operand(operand);
-		const char *points = document_points("POINTS", t.s, t.size,
-		    j->layout.reads, j->layout.two_hint, &size);
+		const char *points = points_to_lines("POINTS", t.s, t.size,
+		    j->layout.reads, j->layout.z_hint, &size);
 
 		run_json_points(o, j, "POINTS", points, size);
 		text_free(&t);
@@ -302,7 +302,7 @@ void run_points(const struct options *o, const struct document *d,
 		    "missing, and PARAMS and POINTS are both standard input; "
 		    "name a file for one of them");
 	}
-	j->layout.two_hint = d->source.two_numbers_hint;
+	j->layout.z_hint = d->source.two_numbers_hint;
 	if (o->n_points == 0 && d->points != NULL)
 		run_json_points(o, j, d->source.name, d->points,
 		    d->points_size);

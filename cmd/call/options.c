@@ -34,7 +34,7 @@ static void option_read_word(struct options *o, const struct option_row *r,
 		die(EXIT_USAGE, "--%s: unknown word '%s'; did you mean %s?",
 		    r->name, word, near);
 	die(EXIT_USAGE, "--%s: unknown word '%s'; use %s", r->name, word,
-	    list_words(all, r->words, " or ", ""));
+	    join_words(all, r->words, " or ", ""));
 }
 
 static int whole_number(const struct option_row *r, const char *word, int min,

@@ -56,7 +56,7 @@ static const struct option_row *find_long_option(const struct command *c,
 		refuse_option(c, word, name);
 	if (count > 1)
 		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name,
-		    word, list_words(list, names, " or ", ""));
+		    word, join_words(list, names, " or ", ""));
 	return option_named(names[0]);
 }
 

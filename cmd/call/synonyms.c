@@ -13,7 +13,7 @@
 enum {
 	NAMES_MAX = 240,    /* commands, members, and members of members */
 	UNKNOWN_ROOM = 512, /* bytes for "unknown command ..." */
-	SHOWN_ROOM = 64,    /* bytes for a member's name in quotes */
+	QUOTED_ROOM = 64,   /* bytes for a member's name in quotes */
 };
 
 /* Returns the member called `name`; if there is none and `aliases` is true, a member
@@ -62,7 +62,7 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	const char *where = reads >> (object - scene_members) & 1 ?
 	    "in PARAMS" :
 	    "for other commands";
-	char quoted[SHOWN_ROOM];
+	char quoted[QUOTED_ROOM];
 
 	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
 	if (object->example == NULL ||
@@ -89,7 +89,7 @@ static const char *option_takers(const struct option_row *r,
 	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
 		if (r->kinds >> i & 1)
 			takers[n++] = names[i];
-	return list_words(list, takers, " and ", "");
+	return join_words(list, takers, " and ", "");
 }
 
 /* Refuses `name`. The message is `unknown`, then `hint`, a text like those that
@@ -118,7 +118,7 @@ static _Noreturn void refuse_synonym(const struct command *c,
 
 /* Refuses `name` if it means an option or a member, or if synonym_of has a hint for it.
  * The user typed it as an option of c or, if c is NULL, as a command or a topic. */
-static void check_word(const struct command *c, const char *unknown,
+static void refuse_known_word(const struct command *c, const char *unknown,
     const char *name)
 {
 	static const struct document_wants nothing;
@@ -164,7 +164,7 @@ void synonym_check_option(const struct command *c, const char *option,
 
 	snprintf(unknown, sizeof unknown, "%s: unknown option %s", c->name,
 	    option);
-	check_word(c, unknown, name);
+	refuse_known_word(c, unknown, name);
 }
 
 /* Returns the command, member, "--help" or "--version" nearest to `word`; or NULL. */
@@ -201,7 +201,7 @@ void synonym_refuse_word(const struct command *commands, bool topic,
 	snprintf(unknown, sizeof unknown, "unknown %s '%.400s'",
 	    topic ? "topic" : "command", word);
 	if (!early) {
-		check_word(NULL, unknown, word);
+		refuse_known_word(NULL, unknown, word);
 		near = nearest_known(commands, word);
 	}
 	if (near != NULL && *near != '-' &&

@@ -85,7 +85,7 @@ static void check_json(struct span text)
 static void write_back(const struct layout *l, const struct line *line,
     const double read[])
 {
-	static const struct word flags = { "left+near", 9 };
+	static const struct flags flags = { "left+near", 9 };
 	static const struct number_text none = { .layout = 0 };
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };

@@ -56,7 +56,7 @@ const char *member_type(const struct member *row, char out[LIST_ROOM])
 	if (row->members != NULL)
 		return "object";
 	if (row->words != NULL)
-		return list_words(out, row->words, " or ", "");
+		return join_words(out, row->words, " or ", "");
 	if (row->type->number_size == sizeof(bool))
 		return "true or false";
 	const bool size = row->range != NULL &&
@@ -104,7 +104,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 		return;
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"%s?",
-		    row->name, row->note != NULL ? row->note : "");
+		    row->name, row->hint != NULL ? row->hint : "");
 	if (hint != NULL)
 		value_refuse(v, "unknown member; %s", hint + 2);
 	for (int alias = 0; alias < 2 && n == 0; alias++)
@@ -116,7 +116,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 	names[n] = NULL;
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
-		    list_words(all, names, " or ", "\""));
+		    join_words(all, names, " or ", "\""));
 	if (v->parent->parent != NULL && of_scene != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->parent->name);
@@ -126,7 +126,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 	if (near != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"?", near);
 	value_refuse(v, "unknown member; there are %s",
-	    list_words(all, names, " and ", "\""));
+	    join_words(all, names, " and ", "\""));
 }
 
 static void read_default(const struct member *row, void *to)
@@ -184,7 +184,7 @@ static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
 	const char *names[MEMBERS_MAX + 1];
 
 	list_names(b->table, b->kind, bits, names);
-	return list_words(out, names, " and ", "\"");
+	return join_words(out, names, " and ", "\"");
 }
 
 /* Writes all ways: "give A and B, or C". Omits optional members that are not given. */
@@ -228,7 +228,7 @@ int object_way(const struct value *v, const struct member *table, int kind,
 {
 	bool fit = !v->unused &&
 	    ((v->source->for_fit && w->own_fit) ||
-		(v->source->for_plane && w->own_plane));
+		(v->source->for_plane && w->plane_as_fit));
 	const struct way_bits *b = find_way_bits(table, kind,
 	    fit ? w->fit_way : w->way);
 	uint64_t extra = 0, lacking = 0, way = 0;

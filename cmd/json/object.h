@@ -48,7 +48,7 @@ struct member {
 	/* Names of the member in other programs, in lower case without _ and -, with
 	 * blanks between the names; or NULL. */
 	const char *aliases;
-	const char *note; /* a hint " (...)" for users of an alias; or NULL */
+	const char *hint; /* a hint " (...)" for users of an alias; or NULL */
 	/* Texts of the help. `unit` is "degrees" for all angles, NULL for no unit. */
 	const char *unit, *about;
 	/* For an object of a scene: the table of its members, the ways to combine them,
@@ -84,7 +84,7 @@ struct ways {
 	 * of the object's way; 0: there is no such field. */
 	size_t offset;
 	unsigned way_0;
-	bool own_plane; /* --plane, too, takes the ways of fit_way */
+	bool plane_as_fit; /* --plane, too, takes the ways of fit_way */
 };
 
 /* Reads an object of the kind, and returns its members as bits. Sets the struct at

@@ -261,7 +261,7 @@ void value_numbers(const struct value *v, const struct value_range *range,
 		*out++ = value_number(&e, range);
 }
 
-const char *list_words(char out[LIST_ROOM], const char *const *words,
+const char *join_words(char out[LIST_ROOM], const char *const *words,
     const char *last, const char *quote)
 {
 	size_t at = 0;
@@ -281,7 +281,7 @@ int value_word(const struct value *v, const char *const *words)
 	const char *s = value_string(v);
 	char all[LIST_ROOM];
 
-	list_words(all, words, " or ", "\"");
+	join_words(all, words, " or ", "\"");
 	if (s == NULL)
 		value_refuse_type(v, all);
 	for (int i = 0; words[i] != NULL; i++)

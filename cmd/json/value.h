@@ -129,7 +129,7 @@ int value_word(const struct value *, const char *const *words);
  * before and after each word, and `last`, such as " or ", before the last word. A list
  * is cut at LIST_ROOM bytes. Returns out. */
 enum { LIST_ROOM = 512 };
-const char *list_words(char out[LIST_ROOM], const char *const *words,
+const char *join_words(char out[LIST_ROOM], const char *const *words,
     const char *last, const char *quote);
 
 #endif

@@ -169,7 +169,7 @@ static void search_fields(struct search *r, struct cursor c,
 			out->times[i] = 2;
 }
 
-void choose(const struct layout *l, struct cursor c, struct chosen *out)
+void choose_fields(const struct layout *l, struct cursor c, struct chosen *out)
 {
 	const bool named = c.members || c.names ||
 	    (c.bracket != NULL && l->columns.n > 0);
@@ -263,14 +263,14 @@ bool choose_is_header(const struct layout *l, struct cursor header)
 	struct chosen c;
 
 	header.names = false; /* find coordinates by index, as in a row */
-	choose(l, header, &c);
+	choose_fields(l, header, &c);
 	for (int i = 0; i < l->reads; i++) {
 		const struct span f = c.field[i].value;
 		double v;
 
 		if (c.times[i] == 0)
 			continue;
-		if (format_number(l->in, f.s, f.end, &v) != f.end)
+		if (format_read(l->in, f.s, f.end, &v) != f.end)
 			has_name |= choose_is_name(f);
 		else if (!isnan(v))
 			return false;

@@ -147,7 +147,7 @@ static bool csv_check(struct dialect d, struct span line,
 	return !f.unclosed;
 }
 
-const char *format_number(struct dialect d, const char *s, const char *end,
+const char *format_read(struct dialect d, const char *s, const char *end,
     double *v)
 {
 	static const char words[][5] = { "null", "NA", "N/A", "n/a", "na",
@@ -221,7 +221,7 @@ static char *put_control(const struct format_row *out, char c, char *at)
 /* Decodes the character at *s of a field to c, and moves *s past the character. escape
  * is the field's escape character, or 0. If utf8 is set, a byte that is not UTF-8
  * becomes U+FFFD. Returns the size of c in bytes. */
-static int decode(const char **s, const char *end, char escape, bool utf8,
+static int decode_one(const char **s, const char *end, char escape, bool utf8,
     char c[4])
 {
 	unsigned code;
@@ -252,7 +252,7 @@ static char *put_quoted(const struct format_row *out, struct span f,
 	*at = out->quote;
 	at += out->quote != 0;
 	while (f.s < f.end) {
-		int n = decode(&f.s, f.end, escape, out->escape == '\\', c);
+		int n = decode_one(&f.s, f.end, escape, out->escape == '\\', c);
 
 		if ((unsigned char)c[0] < ' ') {
 			at = put_control(out, c[0], at);

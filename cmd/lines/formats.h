@@ -61,7 +61,7 @@ struct format_row {
 	const char *nan_text;     /* how nan is written */
 	char quote;               /* at both ends of a field; 0: no quotes */
 	char escape;              /* before a quote inside of quotes */
-	int nan_words;            /* how many words of format_number mean nan */
+	int nan_words;            /* how many words of format_read mean nan */
 	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 
@@ -105,7 +105,7 @@ static inline size_t point_size(enum format f, int coordinates)
 
 /* Reads the number at s, or nan if [s, end) is a word for a missing value, such as NA.
  * Returns the end of the number or word, or NULL if neither is at s. */
-const char *format_number(struct dialect, const char *s, const char *end,
+const char *format_read(struct dialect, const char *s, const char *end,
     double *v);
 
 /* Writes the field f of the dialect `in` as a field of the dialect `out`. Returns the

@@ -101,7 +101,7 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 		    (l->in.separator == ' ' && is_blank(s[1]));
 	struct cursor header = header_cursor(l->in, text);
 
-	choose(l, header, &c);
+	choose_fields(l, header, &c);
 	return header.s != text.s &&
 	    (l->header == HEADER_NONE || !layout_has_names(l) ||
 		find_missing_name(l, &c) < l->reads);
@@ -128,7 +128,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	if (l->header == HEADER_NONE ||
 	    (undecided && !ambiguous && !choose_is_header(l, header)))
 		return false;
-	choose(l, header, &chosen);
+	choose_fields(l, header, &chosen);
 	line->kind = LINE_REFUSED;
 	if (ambiguous || !is_usable(l, header, &chosen, reason))
 		return true;

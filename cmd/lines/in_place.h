@@ -7,7 +7,7 @@
 
 #include "line.h"
 
-static inline char *put_word(const struct layout *l, const struct word *w,
+static inline char *put_word(const struct layout *l, const struct flags *w,
     char *out)
 {
 	bool quoted = *format_of(l->out)->open != '\0';
@@ -95,7 +95,7 @@ static inline char *put_gap(const char *s, size_t n, char *out)
  * x, y, z, w), and adds the other values after them. Returns the end of the output. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
-    const int *order, const struct numbers n, const struct word *flags,
+    const int *order, const struct numbers n, const struct flags *flags,
     char *out)
 {
 	uint32_t done = 0;

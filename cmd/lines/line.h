@@ -21,7 +21,7 @@
 enum {
 	COORDINATES_MAX = 6, /* the most numbers written for a point */
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
-	WORD_MAX = 48,       /* bytes for the word of --flags, as left+near */
+	FLAG_MAX = 48,       /* bytes for the word of --flags, as left+near */
 	PREFIX_ROOM = 64, /* bytes for the separator and name before a value */
 	/* array elements in struct chosen: 4 coordinates, then added fields */
 	SOUGHT_MAX = 4 + COORDINATES_MAX + 1,
@@ -42,8 +42,8 @@ struct columns {
  * header. FIRST_NONE: any later line. */
 enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
-/* HEADER_FIRST: by --header. HEADER_NONE: by --no-header. HEADER_MAYBE: by neither. */
-enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
+/* HEADER_YES: by --header. HEADER_NONE: by --no-header. HEADER_MAYBE: by neither. */
+enum header { HEADER_MAYBE, HEADER_YES, HEADER_NONE };
 
 /* How points are read and written: the formats of their lines or records, the fields of
  * their coordinates, the numbers written for each point, and what is known of the
@@ -71,9 +71,9 @@ struct layout {
 	char comment_reason[REASON_MAX];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* records are written whole, with new coordinates */
-	const char *two_hint; /* ends the message that z is missing; or NULL */
-	bool single;          /* numbers are written as floats */
-	const char *from;     /* the input space, such as world; or NULL */
+	const char *z_hint; /* ends the message that z is missing; or NULL */
+	bool single;        /* numbers are written as floats */
+	const char *from;   /* the input space, such as world; or NULL */
 	struct number_style style[COORDINATES_MAX];
 };
 
@@ -125,8 +125,8 @@ struct numbers {
 };
 
 /* The word of --flags, such as left+near. */
-struct word {
-	char s[WORD_MAX];
+struct flags {
+	char s[FLAG_MAX];
 	size_t size;
 };
 
@@ -206,7 +206,7 @@ size_t lines_room(const struct layout *, size_t lines, size_t bytes);
  * added values; in FORMAT_TEXT the header becomes a comment. From JSON or to JSON,
  * leaves out blank lines, comments and headers. Returns the end of the output. */
 char *line_write(const struct layout *, const struct line *,
-    const struct numbers *, const struct word *flags, char *out);
+    const struct numbers *, const struct flags *flags, char *out);
 
 /* Writes all fields that hold no coordinate, each after a separator of the output's
  * format. If both formats are FORMAT_TEXT and --columns is not given, copies all bytes
@@ -238,7 +238,7 @@ struct chosen {
 };
 
 /* Finds the fields of struct chosen in one pass over the fields after the cursor. */
-void choose(const struct layout *, struct cursor, struct chosen *);
+void choose_fields(const struct layout *, struct cursor, struct chosen *);
 
 /* Sets the parts of the line that hold its coordinates. */
 void choose_parts(const struct layout *, const struct chosen *, struct line *);
@@ -323,16 +323,16 @@ void say_text_header(const struct layout *, struct span line,
 
 /* The most bytes of a stretch. A stretch of this size stays in the first-level cache
  * until its numbers are read, and the place of a stop fits into 16 bits. */
-enum { STRETCH = 1 << 14 };
+enum { STRETCH_MAX = 1 << 14 };
 
 /* A stretch of text with its index. Places are counted in bytes from text. */
 struct stretch {
-	const char *readable;         /* vector code may read from here on */
-	const char *text;             /* the beginning of the stretch */
-	uint32_t at;                  /* the place of the next line */
-	uint32_t end;                 /* the place after the last line */
-	const uint16_t *next;         /* the first stop at or after `at` */
-	uint16_t stop[STRETCH + 128]; /* the places of the stops */
+	const char *readable; /* vector code may read from here on */
+	const char *text;     /* the beginning of the stretch */
+	uint32_t at;          /* the place of the next line */
+	uint32_t end;         /* the place after the last line */
+	const uint16_t *next; /* the first stop at or after `at` */
+	uint16_t stop[STRETCH_MAX + 128]; /* the places of the stops */
 };
 
 /* path[i] leads from a JSON value to coordinate i, by names and indexes with / between.

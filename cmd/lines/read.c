@@ -29,7 +29,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 
 		if (found->times[i] != 1)
 			say_missing(l, i, c, found, reason);
-		else if (format_number(l->in, f->value.s, end, &v[i]) != end)
+		else if (format_read(l->in, f->value.s, end, &v[i]) != end)
 			say_field(l, i, f, reason);
 		else if (!say_empty_field(l, f->whole, reason) &&
 		    in_range(l, i, v[i], reason))
@@ -124,7 +124,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	}
 	if (c.bracket != NULL && !columns_fit(l, c.members, reason))
 		return;
-	choose(l, c, &found);
+	choose_fields(l, c, &found);
 	line->kind = LINE_POINT;
 	if (longer || (c.members && chosen_clashes(l, &found, true, reason)) ||
 	    !read_coordinates(l, c, &found, v, reason) ||
@@ -132,7 +132,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		line->kind = LINE_BAD;
 	if (found.mixed_commas) {
 		c.no_commas = line->no_commas = l->columns.n == 0;
-		choose(l, c, &found);
+		choose_fields(l, c, &found);
 	}
 	if (line->kind == LINE_POINT && first == FIRST_ROW && l->reordered &&
 	    layout_has_names(l) && cursor_count(c) < l->header_fields) {

@@ -397,7 +397,7 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 			say_more(reason,
 			    "%s is missing; %d numbers are wanted%s",
 			    coordinate_name(i), l->reads,
-			    i == 2 && l->two_hint != NULL ? l->two_hint : "");
+			    i == 2 && l->z_hint != NULL ? l->z_hint : "");
 		else if (one || !say_empty_field(l, none, reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
@@ -415,8 +415,8 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 			"" :
 			"; --columns names the coordinates, such as lon "
 			"or /pos/x");
-		if (c.names && i == 2 && l->two_hint != NULL)
-			say_more(reason, "%s", l->two_hint);
+		if (c.names && i == 2 && l->z_hint != NULL)
+			say_more(reason, "%s", l->z_hint);
 		else
 			say_names(l, c,
 			    c.names && l->columns.by_default ? NULL : name,
@@ -487,7 +487,7 @@ bool say_needs_header(const struct layout *l, struct span row, bool lost,
 	for (size_t i = 0; fits && i < l->comment_names; i++)
 		fits = cursor_next(&c, &f) &&
 		    ((l->comment_numbers >> i & 1) == 0 ||
-			format_number(l->in, f.value.s, f.value.end, &v) ==
+			format_read(l->in, f.value.s, f.value.end, &v) ==
 			    f.value.end);
 	if (l->header != HEADER_MAYBE ||
 	    (!l->reordered && (!fits || c.s != NULL)))
@@ -509,7 +509,7 @@ void say_text_header(const struct layout *l, struct span line,
 
 	/* after a number or NA the reason is about another field */
 	if (find_byte(line, '=') != NULL || !cursor_next(&c, &f) ||
-	    format_number(l->in, f.value.s, f.value.end, &v) == f.value.end ||
+	    format_read(l->in, f.value.s, f.value.end, &v) == f.value.end ||
 	    say_remedy(l, f.value, remedy))
 		return;
 	strcpy(reason, "looks like a header");

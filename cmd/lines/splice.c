@@ -20,7 +20,7 @@ struct splice {
 	const struct layout *l;
 	const struct line *line;
 	const struct numbers *numbers; /* NULL in a header: names are written */
-	const struct word *flags;
+	const struct flags *flags;
 	struct span separator; /* before each value that is added */
 	const char *done;      /* bytes before it are copied or left out */
 	char *out;             /* the end of the output */
@@ -36,7 +36,7 @@ size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 	 * for separator and name of the word of --flags, brackets, # and newline. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
-	    ((size_t)l->writes * (NUMBER_MAX + PREFIX_ROOM) + WORD_MAX +
+	    ((size_t)l->writes * (NUMBER_MAX + PREFIX_ROOM) + FLAG_MAX +
 		2 * PREFIX_ROOM);
 }
 
@@ -226,7 +226,7 @@ static struct cursor cursor_of(const struct layout *l, const struct line *line)
 }
 
 /* Writes the line in its own format with other values. */
-static void splice(struct splice *w)
+static void splice_line(struct splice *w)
 {
 	const struct layout *l = w->l;
 	struct cursor c = cursor_of(l, w->line);
@@ -241,7 +241,7 @@ static void splice(struct splice *w)
 }
 
 /* Copies the line, and adds all values at its end, in JSON before the last bracket. */
-static void append(struct splice *w)
+static void append_values(struct splice *w)
 {
 	const struct format_row *in = format_of(w->l->in);
 	struct span s = line_text(w->line);
@@ -356,7 +356,7 @@ char *line_put_rest(const struct layout *l, const struct line *line, char *out)
 
 /* Writes a line in another format, or a LINE_LOST. The values precede the other fields;
  * by --append they follow all fields. */
-static void convert(struct splice *w)
+static void convert_line(struct splice *w)
 {
 	const struct layout *l = w->l;
 	const struct format_row *to = format_of(l->out);
@@ -373,7 +373,7 @@ static void convert(struct splice *w)
 
 /* Writes a point as convert does without --append, but faster. */
 static char *convert_point(const struct layout *l, const struct line *line,
-    struct numbers n, const struct word *flags, char *out)
+    struct numbers n, const struct flags *flags, char *out)
 {
 	const struct format_row *to = format_of(l->out);
 
@@ -395,7 +395,7 @@ static char *convert_point(const struct layout *l, const struct line *line,
 }
 
 char *line_write(const struct layout *l, const struct line *line,
-    const struct numbers *numbers, const struct word *flags, char *out)
+    const struct numbers *numbers, const struct flags *flags, char *out)
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
@@ -421,10 +421,10 @@ char *line_write(const struct layout *l, const struct line *line,
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");
 	if (line->kind == LINE_LOST || (!same && line->kind != LINE_COPY)) {
-		convert(&w);
+		convert_line(&w);
 	} else {
 		if (line->kind != LINE_COPY)
-			(appends ? append : splice)(&w);
+			(appends ? append_values : splice_line)(&w);
 		copy_to(&w, line->s + line->size);
 	}
 	*w.out = '\n';

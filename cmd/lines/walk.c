@@ -47,7 +47,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		.n = l->reads,
 		.exact_fields = l->append ? (int)l->header_fields : 0,
 		.max_fields = l->header_fields > 0 ? (int)l->max_fields :
-						     STRETCH,
+						     STRETCH_MAX,
 		.added_names = l->append ? l->name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
@@ -71,8 +71,8 @@ bool stretch_open(struct stretch *s, const struct walk *walk, const char *text,
 {
 	size_t size = (size_t)(end - text), n;
 
-	if (size > STRETCH)
-		size = STRETCH;
+	if (size > STRETCH_MAX)
+		size = STRETCH_MAX;
 	n = number_loops()->find(&walk->stops, text, size, s->stop);
 	while (n > 0 && text[s->stop[n - 1]] != '\n')
 		n--;
@@ -502,7 +502,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 /* Sets the places of line i, whose numbers are unknown, to a byte that may be read. */
 static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 {
-	static const char none[PLAIN_BEFORE + 1] = "";
+	static const char none[PLAIN_READABLE + 1] = "";
 
 	for (int k = 0; k < n; k++) {
 		places[k].end[i] = none + sizeof none;
@@ -525,7 +525,7 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
 		const struct target t = { walk, &lines[i], begin, i, places };
 
 		lines[i].object = lines[i].no_commas = lines[i].has_bom = false;
-		bool found = p.text + begin - s->readable >= PLAIN_BEFORE &&
+		bool found = p.text + begin - s->readable >= PLAIN_READABLE &&
 		    pass_line(&p, d, n, lookup, &t);
 
 		while (p.text[*p.stop] != '\n')
@@ -605,7 +605,7 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
 
 			/* a number such as 1e-300 that vector code does not read */
 			if ((unread[k] >> i & 1) != 0 &&
-			    (format_number(walk->in, f.s, f.end, &v[k][i]) !=
+			    (format_read(walk->in, f.s, f.end, &v[k][i]) !=
 				    f.end ||
 				fabs(v[k][i]) > MAGNITUDE_MAX))
 				left |= (uint64_t)1 << i;

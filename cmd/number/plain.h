@@ -17,8 +17,8 @@ struct byte_set {
 };
 
 enum {
-	PLAIN_MAX = 32,    /* most characters of a plain number */
-	PLAIN_BEFORE = 37, /* bytes before a number's end that may be read */
+	PLAIN_MAX = 32,      /* most characters of a plain number */
+	PLAIN_READABLE = 37, /* bytes before a number's end that may be read */
 	PLAIN_BATCH = NUMBER_BATCH,
 	PLAIN_GROUP = 8, /* numbers in a group, which is read as a whole */
 };

@@ -23,7 +23,7 @@ const struct convention conventions[] = {
 
 static const char *const hand_names[] = { "left", "right", NULL };
 static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
-static const char *const y_directions[] = { "up", "down", NULL };
+static const char *const y_names[] = { "up", "down", NULL };
 static const char *const origin_names[] = { "top-left", "bottom-left", NULL };
 
 #define CHOICE(label, list, field, first, alias, text)          \
@@ -33,7 +33,7 @@ static const char *const origin_names[] = { "top-left", "bottom-left", NULL };
 const struct member convention_members[] = {
 	CHOICE("handedness", hand_names, right_handed, "left",
 	    "hand handed hands", "handedness of view space"),
-	CHOICE("view_y", y_directions, view_y_down, "up", "view y",
+	CHOICE("view_y", y_names, view_y_down, "up", "view y",
 	    "direction of y in view space"),
 	CHOICE("depth", depths, depth_minus_one, "zero_to_one",
 	    "clipz ndcz depthrange zrange",
@@ -41,7 +41,7 @@ const struct member convention_members[] = {
 	CHOICE("vectors", vector_names, column_vectors, "row",
 	    "vector major order transpose columnmajor rowmajor",
 	    "form of matrices as nested rows: row for p M, column for M p"),
-	CHOICE("ndc_y", y_directions, ndc_y_down, "up", "ndc clip clipy",
+	CHOICE("ndc_y", y_names, ndc_y_down, "up", "ndc clip clipy",
 	    "direction of y in clip space and ndc"),
 	CHOICE("origin", origin_names, origin_bottom_left, "top-left", NULL,
 	    "corner of the viewport where x and y are least"),

@@ -250,7 +250,7 @@ void document_read(struct document *d, const char *name, char *text,
 	}
 }
 
-char *document_points(const char *name, char *text, size_t size,
+char *points_to_lines(const char *name, char *text, size_t size,
     int coordinates, const char *two_numbers_hint, size_t *points_size)
 {
 	struct source source = { .name = name,
@@ -311,7 +311,7 @@ void put_device(struct printer *p, const struct device *d)
 	    &scene_members[ROW_OF(DEVICE)], d);
 }
 
-void print_scene(const struct document *d, bool compact)
+void print_document(const struct document *d, bool compact)
 {
 	static char text[1 << 16];
 	struct printer p = { .at = text, .compact = compact, .separator = "" };

@@ -48,7 +48,7 @@ struct document {
 	/* If the whole document is one member of a scene, such as a camera, the name of
 	 * this member, which JSON pointers in messages leave out; else NULL. */
 	const char *lone_member;
-	/* The lines that document_read makes of the member points, as document_points
+	/* The lines that document_read makes of the member points, as points_to_lines
 	 * does; or NULL. */
 	const char *points;
 	size_t points_size;
@@ -91,7 +91,7 @@ void document_read(struct document *d, const char *name, char *text,
 /* Replaces text[0..size), a point or a list of points in JSON, by lines, and returns
  * the lines; sets *points_size to their size. Each line is a point's array without
  * blanks. The first `coordinates` elements of an array must be numbers or null. */
-char *document_points(const char *name, char *text, size_t size,
+char *points_to_lines(const char *name, char *text, size_t size,
     int coordinates, const char *two_numbers_hint, size_t *points_size);
 
 /* Prints "projcalc: FILE: REASON" and ends as value_refuse does. The reason, from a
@@ -104,7 +104,7 @@ void document_refuse_if(const struct document *d, const char *reason);
 /* Prints a document of the command fit, with a line for each member or, if compact, in
  * one line. Leaves SCENE_SPATIAL out of a flat document. If the camera has a gaze and
  * the projection is no matrix, the output reads back as the same scene and pick. */
-void print_scene(const struct document *, bool compact);
+void print_document(const struct document *, bool compact);
 
 /* put_scene prints an object with the convention and the members SCENE_SPATIAL of a
  * scene. put_device prints a device as an object. */

@@ -18,28 +18,28 @@ static const struct member camera_members[] = {
 	    .about = "direction in which the camera looks, of any length"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation rotationquaternion quaternion quat qvec q qw",
-	    .note = " (x, y, z, w, view to world; if world to view, negate "
+	    .hint = " (x, y, z, w, view to world; if world to view, negate "
 		    "x, y, z; a 3x3 R is in \"matrix\")",
 	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
-	    .note = " (world to view, its length the angle)", .unit = "radians",
+	    .hint = " (world to view, its length the angle)", .unit = "radians",
 	    .about = "rotation vector that turns world axes into view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t",
-	    .note = " (where the world's origin is in view space)",
+	    .hint = " (where the world's origin is in view space)",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w twc localtoworldmatrix",
-	    .note = " (view to world)",
+	    .hint = " (view to world)",
 	    .about = "affine matrix from view to world space"),
 	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
 		       "rotationmatrix worldtocamera worldtocameramatrix "
 		       "worldtocam w2c tcw",
-	    .note = " (world to view, [R|t])",
+	    .hint = " (world to view, [R|t])",
 	    .about = "affine matrix from world to view space, such as [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .shown = true, .about = "direction that points up in the image"),

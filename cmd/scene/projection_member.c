@@ -72,10 +72,10 @@ const struct member projection_members[] = {
 	    .about = "distance along the gaze of points that do not shear"),
 	ANGLE(PERSP, "fovy", angle, .range = &fov_range,
 	    .aliases = "fov yfov vfov verticalfov fieldofview cameraangley",
-	    .note = GLTF,
+	    .hint = GLTF,
 	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", angle, .range = &fov_range,
-	    .aliases = "xfov horizontalfov hfov cameraanglex", .note = GLTF,
+	    .aliases = "xfov horizontalfov hfov cameraanglex", .hint = GLTF,
 	    .about = "angle between the left and the right plane"),
 	ANGLE(PERSP, "view_angle", angle, .range = &fov_range,
 	    .aliases = "angle",
@@ -89,10 +89,10 @@ const struct member projection_members[] = {
 	SIZE(VOLUME, "size", half_width,
 	    .about = "smaller side of the view volume at view z = 0"),
 	SIZE(SECTIONED, "width", width, .aliases = "orthoscale xmag",
-	    .note = " (ortho_scale, or twice xmag)",
+	    .hint = " (ortho_scale, or twice xmag)",
 	    .about = "width of the view volume; persp: at near or edges_at"),
 	SIZE(SECTIONED, "height", height, .aliases = "orthographicsize ymag",
-	    .note = " (twice orthographicSize or ymag)",
+	    .hint = " (twice orthographicSize or ymag)",
 	    .about = "height of the view volume; persp: at near or edges_at"),
 	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
 	    .aliases = "ratio aspectratio",
@@ -107,14 +107,14 @@ const struct member projection_members[] = {
 	    .about = "top edge of the view volume, other than bottom"),
 	ANGLE(PERSP, "angles", left, .n = 4, .range = &edge_angle_range,
 	    .aliases = "angleleft angleright angleup angledown",
-	    .note = " ([left, right, bottom, top] from the gaze; for OpenXR "
+	    .hint = " ([left, right, bottom, top] from the gaze; for OpenXR "
 		    "with \"angle_unit\": \"radians\")",
 	    .about = "angles from the gaze: left, right, bottom, top plane"),
 	MEMBER(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix matrix intrinsic p "
 		       "principalpoint skew",
-	    .note = " ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from "
+	    .hint = " ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from "
 		    "view to clip is \"matrix\" of type \"matrix\")",
 	    .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
@@ -164,15 +164,16 @@ const struct ways projection_ways[] = {
 	      "field aspect?", "width height edges_at?",
 	      "width aspect? edges_at?", "height aspect? edges_at?",
 	      "left right bottom top edges_at?", "angles", "intrinsics" },
-	    .kinds = PERSP, .offset = OFFSET(extent) },
+	    .kinds = PERSP, .offset = OFFSET(section) },
 	{ { "width height", "width aspect?", "height aspect?",
 	      "left right bottom top" },
 	    .own_fit = true,
 	    .fit_way = { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
-	    .kinds = PARALLEL, .offset = OFFSET(extent), .way_0 = EXTENT_SIZE },
+	    .kinds = PARALLEL, .offset = OFFSET(section),
+	    .way_0 = SECTION_SIZE },
 	{ { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .own_plane = true,
+	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .plane_as_fit = true,
 	    .kinds = PARALLEL },
 	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
@@ -219,7 +220,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 	}
 	names[n] = NULL;
 	value_refuse(VALUE_MISSING(v, "type"), "missing; %s %s", add[n > 1],
-	    list_words(all, names, " or ", "\""));
+	    join_words(all, names, " or ", "\""));
 }
 
 /* Reads the type, on which the other members depend. */
@@ -247,7 +248,7 @@ static void check_planes(const struct value *v, uint64_t seen,
 {
 	bool at_near = projection_is_given_at_near(p);
 	bool open = !v->source->for_fit && !at_near &&
-	    (p->extent == EXTENT_INTRINSICS || v->source->for_plane);
+	    (p->section == SECTION_INTRINSICS || v->source->for_plane);
 	int way = 0;
 
 	if (!at_near || !(v->source->for_fit || v->source->for_plane))
@@ -287,7 +288,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	else if (v->source->for_plane && p->far == p->near &&
 	    !(is_given(p, seen, "near") && is_given(p, seen, "far")))
 		p->far = 1; /* both were 0 */
-	if (p->extent == EXTENT_ANGLES &&
+	if (p->section == SECTION_ANGLES &&
 	    !(p->left < p->right && p->bottom < p->top))
 		value_refuse(VALUE_MISSING(v, "angles"),
 		    "not in order: left below right, bottom below top");
@@ -330,8 +331,8 @@ static bool needs_aspect(const struct value *v, const struct viewport *viewport,
 		return p->aspect[1] != 0;
 	if (v->source->for_fit && p->type != PROJECTION_PERSP)
 		return viewport != NULL || p->aspect[0] > 0;
-	return p->extent < EXTENT_SIZE || p->extent == EXTENT_WIDTH ||
-	    p->extent == EXTENT_HEIGHT;
+	return p->section < SECTION_SIZE || p->section == SECTION_WIDTH ||
+	    p->section == SECTION_HEIGHT;
 }
 
 void projection_complete(const struct value *v, const struct viewport *viewport,

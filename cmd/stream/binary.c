@@ -7,7 +7,7 @@
 #include "../../core/points/kernel/little.h"
 #include "job.h"
 
-bool binary_by_blocks(const struct job *j)
+bool binary_to_binary(const struct job *j)
 {
 	return is_binary(j->layout.in.format) &&
 	    is_binary(j->layout.out.format) && j->take_block == NULL &&
@@ -137,7 +137,7 @@ void binary_read(const struct job *j, struct chunk *c)
 	    c->in, n, MAGNITUDE_MAX);
 
 	c->text += n * size;
-	if (!within || !binary_by_blocks(j))
+	if (!within || !binary_to_binary(j))
 		set_lines(c, text, size, n);
 	if (within)
 		c->block_lines = c->block_points = n;

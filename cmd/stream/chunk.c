@@ -51,11 +51,11 @@ bool chunk_complain(const struct job *j, struct chunk *c, const char *reason)
 	return goes_on;
 }
 
-const struct word *chunk_flags(struct chunk *c, unsigned outside)
+const struct flags *chunk_flags(struct chunk *c, unsigned outside)
 {
 	static const char *const names[] = { "left", "right", "bottom", "top",
 		"near", "far", "behind", "nan" };
-	struct word *w = &c->flags[outside];
+	struct flags *w = &c->flags[outside];
 	char *at = w->s;
 
 	if (w->size > 0)

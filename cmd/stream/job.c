@@ -184,7 +184,7 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
     char *at)
 {
 	const struct layout *l = &w->job->layout;
-	const struct word *flags = l->flags ?
+	const struct flags *flags = l->flags ?
 	    chunk_flags(w->chunk, w->outside[p]) :
 	    NULL;
 
@@ -318,7 +318,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 void job_do(struct job *j, struct chunk *c)
 {
 	bool binary = is_binary(j->layout.in.format);
-	bool by_blocks = binary_by_blocks(j);
+	bool by_blocks = binary_to_binary(j);
 
 	c->n_lines = c->size = c->n_complaints = c->imageless = 0;
 	c->refused = c->walk_planned = c->can_walk = false;

@@ -39,7 +39,7 @@ struct chunk {
 	size_t block_lines, block_points;
 	bool walk_planned, can_walk; /* walk_plan: was called; returned true */
 	struct walk walk;
-	struct word flags[256]; /* results of chunk_flags; empty until needed */
+	struct flags flags[256]; /* results of chunk_flags, or empty */
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
@@ -80,7 +80,7 @@ char *chunk_reserve(struct chunk *, size_t n);
 
 /* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
  * of the frustum planes with bits set in `outside`. The word belongs to the chunk. */
-const struct word *chunk_flags(struct chunk *, unsigned outside);
+const struct flags *chunk_flags(struct chunk *, unsigned outside);
 
 /* Adds a complaint on the block's next line. Returns false if the chunk ends there. */
 bool chunk_complain(const struct job *, struct chunk *, const char *reason);
@@ -90,10 +90,10 @@ bool chunk_complain(const struct job *, struct chunk *, const char *reason);
 void job_do(struct job *, struct chunk *);
 
 /* Returns whether the job writes a binary image for every binary point of its input. */
-bool binary_by_blocks(const struct job *);
+bool binary_to_binary(const struct job *);
 
 /* Reads a block of up to POINTS_BLOCK binary points. Sets the lines of the block only
- * if a point is bad or binary_by_blocks is false. */
+ * if a point is bad or binary_to_binary is false. */
 void binary_read(const struct job *, struct chunk *);
 
 /* Reads, transforms and writes a block of points if they are f32 in input and output,

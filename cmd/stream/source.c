@@ -75,7 +75,7 @@ static bool would_wait(const struct point_source *s)
 
 /* Updates the sizes of p after n bytes were read. Searches only these bytes for a
  * newline: to search a long line again after each read would take quadratic time. */
-static void add_bytes(struct piece *p, const struct layout *l, size_t n)
+static void update_sizes(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->size + n, whole = end;
 
@@ -111,7 +111,7 @@ static enum piece_state fill_piece(struct point_source *s,
 			p->whole_size = p->size;
 			return PIECE_LAST;
 		}
-		add_bytes(p, l, (size_t)n);
+		update_sizes(p, l, (size_t)n);
 		if (p->whole_size > 0 && p->size < full && would_wait(s))
 			return PIECE_EARLY;
 	}

@@ -67,7 +67,7 @@ enum { LOOKS_MAX = 100, PAUSE_LOOPS = 200 };
  * answers. The lock protects everything else. */
 static struct {
 	struct job *job;
-	int most_threads; /* the largest value that `started` may reach */
+	int started_max; /* the largest value that `started` may reach */
 
 	pthread_mutex_t lock;
 	pthread_cond_t changed; /* wakes threads that are asleep */
@@ -119,7 +119,7 @@ static void wake_or_start_thread(void)
 	if (pool.asleep > 0) {
 		if (can_begin_chunk())
 			pthread_cond_signal(&pool.changed);
-	} else if (pool.started < pool.most_threads &&
+	} else if (pool.started < pool.started_max &&
 	    pool.source->bytes_read / BYTES_PER_THREAD > (size_t)pool.started) {
 		add_unused(chunk_new());
 		add_unused(chunk_new());
@@ -127,7 +127,7 @@ static void wake_or_start_thread(void)
 			pthread_detach(t);
 			pool.started++;
 		} else {
-			pool.most_threads = pool.started;
+			pool.started_max = pool.started;
 		}
 	}
 }
@@ -235,7 +235,7 @@ void stream(struct job *j, struct point_source s)
 	pthread_mutex_lock(&pool.lock);
 	if (pool.job == NULL) {
 		pool.job = j;
-		pool.most_threads = count_threads(j->threads) - 1;
+		pool.started_max = count_threads(j->threads) - 1;
 		add_unused(chunk_new());
 	}
 	pool.source = &s;

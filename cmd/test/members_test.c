@@ -99,8 +99,8 @@ static const struct refusal cameras[] = {
 	    "or \"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"quaternion\":[1,0,0,0]," EYE "}",
 	    "/quaternion: unknown member; did you mean \"orientation\" (x, y, "
-	    "z, w from view to world axes, with w last; from world to view, "
-	    "negate x, y, z; a 3x3 R is in \"matrix\")?" },
+	    "z, w, view to world; if world to view, negate x, y, z; a "
+	    "3x3 R is in \"matrix\")?" },
 	{ &project, "{\"camera\":{\"transform_matrix\":" M16 "}}",
 	    "/camera/transform_matrix: unknown member; did you mean \"pose\" "
 	    "(view to world)?" },

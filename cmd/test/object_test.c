@@ -54,8 +54,8 @@ static const struct refusal names[] = {
 	MEANT("forward", "gaze"),
 	{ &lookat, "{\"rotation\":0}",
 	    "/rotation: unknown member; did you mean \"orientation\" (x, y, z, "
-	    "w from view to world axes, with w last; from world to view, "
-	    "negate x, y, z; a 3x3 R is in \"matrix\")?" },
+	    "w, view to world; if world to view, negate x, y, z; a 3x3 R "
+	    "is in \"matrix\")?" },
 	{ &lookat, "{\"view\":1}",
 	    "/view: unknown member; did you mean \"matrix\" (world to view, "
 	    "[R|t])?" },

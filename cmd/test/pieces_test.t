@@ -133,7 +133,7 @@ sub threads_of {
 	return join('', <$status>) =~ /^Threads:\s*(\d+)/m ? $1 : 0;
 }
 
-sub most_threads {
+sub started_max {
 	my ($wanted, @on) = @_;
 	my $pid = open my $from, '-|', @on, 'projcalc', 'project', '-j64',
 	    'scene.json', "$tmp/in" or die;
@@ -155,10 +155,10 @@ SKIP: {
 	my ($cpus) = $allowed =~ /^Cpus_allowed:\s*(\S+)/m;
 	my $n = grep { $_ } map { split //, sprintf '%b', hex } split /,/, $cpus;
 	spew("$tmp/in", "0 0 1\n" x 1000000);
-	is(most_threads($n), $n, 'threads of -j64');
+	is(started_max($n), $n, 'threads of -j64');
 	skip 'no taskset', 2 if missing('taskset');
 	my ($first) = $allowed =~ /^Cpus_allowed_list:\s*(\d+)/m;
-	is(most_threads(1, 'taskset', '-c', $first), 1,
+	is(started_max(1, 'taskset', '-c', $first), 1,
 	    'threads of -j64 where one processor is allowed');
 	is((run("taskset -c $first projcalc project -j64 scene.json $tmp/in " .
 	    "$tmp/in | wc -l"))[1], "2000000\n", 'which do all, of two files');

@@ -23,19 +23,19 @@ static void sample_fitted(struct document *d)
 	s->camera.kind = CAMERA_GAZE;
 	s->has_camera = true;
 	p->type = PROJECTION_PERSP + sample_below(4);
-	enum extent sampled = p->extent;
+	enum section sampled = p->section;
 
-	p->extent = EXTENT_SIZE + sample_below(4);
+	p->section = SECTION_SIZE + sample_below(4);
 	if (p->type == PROJECTION_PERSP && sample_below(2))
-		p->extent = sample_below(4);
-	if (sampled >= EXTENT_ANGLES && p->type == PROJECTION_PERSP)
-		p->extent = sampled;
-	if (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES)
+		p->section = sample_below(4);
+	if (sampled >= SECTION_ANGLES && p->type == PROJECTION_PERSP)
+		p->section = sampled;
+	if (p->section < SECTION_SIZE || p->section > SECTION_EDGES)
 		p->edges_at = 0;
-	if (p->extent == EXTENT_INTRINSICS)
+	if (p->section == SECTION_INTRINSICS)
 		s->has_viewport = true;
 	d->unit = s->camera.unit = p->direction_unit = p->unit;
-	if (p->extent == EXTENT_FIELD ||
+	if (p->section == SECTION_FIELD ||
 	    !(p->angle < (p->unit == RADIANS ? PI : 180)))
 		p->angle = 1;
 	p->near = sample_size(3);
@@ -52,9 +52,9 @@ static void sample_fitted(struct document *d)
 	d->has_pick = d->pick.has_at || d->pick.radius > 0;
 }
 
-static void print_document(const void *d)
+static void call_print(const void *d)
 {
-	print_scene(d, false);
+	print_document(d, false);
 }
 
 static void assert_same_map(const struct map *a, const struct map *b)
@@ -97,7 +97,7 @@ static void test_reads_back(void **state)
 		int status;
 
 		sample_fitted(&d);
-		r = read_as(&project, output_of(print_document, &d, &status));
+		r = read_as(&project, output_of(call_print, &d, &status));
 		assert_int_equal(status, 0);
 		assert_same_maps(&d.scene, &r.scene);
 		assert_number(d.scene.has_viewport, r.scene.has_viewport);
@@ -124,7 +124,7 @@ static void test_flat(void **state)
 
 		sample_fitted(&d);
 		d.flat = d.scene.has_window = true;
-		r = read_as(&project, output_of(print_document, &d, &status));
+		r = read_as(&project, output_of(call_print, &d, &status));
 		assert_int_equal(status, 0);
 		assert_false(r.scene.has_camera || r.scene.has_world ||
 		    r.scene.has_viewport);

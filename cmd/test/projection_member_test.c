@@ -34,9 +34,9 @@ static const struct refusal projections[] = {
 	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}" },
 	{ &persp, "{\"type\":\"ortho\"}",
-	    "/type: is \"ortho\", but the command is persp" },
+	    "/type: is \"ortho\", not \"persp\"; project takes any" },
 	{ &persp, "{\"type\":\"matrix\"}",
-	    "/type: is \"matrix\", but the command is persp" },
+	    "/type: is \"matrix\", not \"persp\"; project takes any" },
 	{ &project, "{\"projection\":{}}",
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
@@ -293,7 +293,7 @@ static void test_section(void **state)
 
 	(void)state;
 	assert_int_equal(p.type, PROJECTION_PERSP);
-	assert_int_equal(p.extent, EXTENT_FOVY);
+	assert_int_equal(p.section, SECTION_FOVY);
 	assert_number(p.angle, 60);
 	assert_number(p.near, 1);
 	assert_number(p.far, 9);
@@ -301,19 +301,19 @@ static void test_section(void **state)
 	assert_numbers(p.aspect, 2, 640.0, 480.0);
 	p = PERSP(
 	    "\"fovx\":179.99999999999997,\"aspect\":2,\"reverse_z\":true");
-	assert_int_equal(p.extent, EXTENT_FOVX);
+	assert_int_equal(p.section, SECTION_FOVX);
 	assert_numbers(p.aspect, 2, 2.0, 1.0);
 	assert_true(p.reverse_z);
-	assert_int_equal(PERSP("\"view_angle\":1").extent, EXTENT_VIEW_ANGLE);
+	assert_int_equal(PERSP("\"view_angle\":1").section, SECTION_VIEW_ANGLE);
 	p = PERSP("\"field\":1e-150");
-	assert_int_equal(p.extent, EXTENT_FIELD);
+	assert_int_equal(p.section, SECTION_FIELD);
 	assert_number(p.angle, 1e-150);
 	p = PERSP("\"width\":2,\"height\":3");
-	assert_int_equal(p.extent, EXTENT_SIZE);
+	assert_int_equal(p.section, SECTION_SIZE);
 	assert_number(p.width, 2);
 	assert_number(p.height, 3);
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4");
-	assert_int_equal(p.extent, EXTENT_EDGES);
+	assert_int_equal(p.section, SECTION_EDGES);
 	assert_numbers(&p.left, 4, -1.0, 2.0, -3.0, 4.0);
 	p = scene_of("{\"viewport\":{\"width\":4,\"height\":3,\"scale\":"
 		     "\"uniform\"},\"projection\":{\"type\":\"persp\","
@@ -332,7 +332,7 @@ static void assert_rows(const struct projection *p, int n, ...)
 		assert_number(p->intrinsics[i / 4][i % 4],
 		    va_arg(wanted, double));
 	va_end(wanted);
-	assert_int_equal(p->extent, EXTENT_INTRINSICS);
+	assert_int_equal(p->section, SECTION_INTRINSICS);
 	assert_numbers(&p->width, 2, 640.0, 480.0);
 	assert_int_equal(projection_is_open(p), n);
 }
@@ -373,19 +373,19 @@ static void test_angles(void **state)
 	struct projection p = PERSP("\"angles\":[-54,40,-54,42]");
 
 	(void)state;
-	assert_int_equal(p.extent, EXTENT_ANGLES);
+	assert_int_equal(p.section, SECTION_ANGLES);
 	assert_numbers(&p.left, 4, -54.0, 40.0, -54.0, 42.0);
 	p = PERSP("\"width\":2,\"height\":3,\"edges_at\":0.5");
-	assert_int_equal(p.extent, EXTENT_SIZE);
+	assert_int_equal(p.section, SECTION_SIZE);
 	assert_number(p.edges_at, 0.5);
 	p = PERSP("\"width\":2,\"aspect\":3,\"edges_at\":0.5");
-	assert_int_equal(p.extent, EXTENT_WIDTH);
+	assert_int_equal(p.section, SECTION_WIDTH);
 	p = PERSP("\"height\":2,\"aspect\":3");
-	assert_int_equal(p.extent, EXTENT_HEIGHT);
+	assert_int_equal(p.section, SECTION_HEIGHT);
 	assert_numbers(p.aspect, 2, 3.0, 1.0);
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4,"
 		  "\"edges_at\":1");
-	assert_int_equal(p.extent, EXTENT_EDGES);
+	assert_int_equal(p.section, SECTION_EDGES);
 	assert_number(p.edges_at, 1);
 }
 
@@ -398,7 +398,7 @@ static void test_parallel(void **state)
 	    "{\"near\":-1,\"far\":-2,\"height\":2,\"aspect\":1.5}");
 
 	assert_int_equal(d.scene.projection.type, PROJECTION_ORTHO);
-	assert_int_equal(d.scene.projection.extent, EXTENT_HEIGHT);
+	assert_int_equal(d.scene.projection.section, SECTION_HEIGHT);
 	assert_number(d.scene.projection.near, -1);
 	assert_numbers(d.scene.projection.aspect, 2, 1.5, 1.0);
 	wants.source.implied_type = PROJECTION_OBLIQUE;
@@ -409,7 +409,7 @@ static void test_parallel(void **state)
 	    .scene.projection
 	struct projection p = SHEARED("\"kind\":\"cavalier\"");
 
-	assert_int_equal(p.extent, EXTENT_SIZE);
+	assert_int_equal(p.section, SECTION_SIZE);
 	assert_int_equal(p.kind, OBLIQUE_CAVALIER);
 	assert_number(p.direction, 45);
 	assert_number(p.plane, 0);

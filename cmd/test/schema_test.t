@@ -38,15 +38,15 @@ END
 # members or invert matrices, and knows neither the command nor the operands.
 my $beyond = qr{
 	equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
-	less\ than\ min | single\ point | parallel\ to | does\ not\ run | does\ not\ begin |
-	what\ holds\ them | no\ points$ | not\ in\ order | crosses\ the\ volume |
+	less\ than\ min | no\ extent | parallel\ to | does\ not\ run | does\ not\ begin |
+	that\ fit\ computes | no\ points$ | not\ in\ order | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
 	singular | determinant | last\ column | rows\ are\ for | transposed | of\ -c; | pi\S*\ radians |
 	too\ far\ from |
 	beyond\ the\ range\ of\ doubles | --distances
 	    (?!;\ numbers) |
 	missing;\ (?:add|it\ is|device|say|-t) | or\ --(?:at|radius) |
-	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
+	project\ takes\ any | coordinates\ are\ wanted | not\ together\ with\ PO |
 	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted | --distances |
 	^projcalc:\ POINTS:
 }x;

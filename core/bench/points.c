@@ -20,7 +20,7 @@ static const struct scene scene = {
 	    .at = { 0.1, 0.2, 0.3 },
 	    .up = { 0, 1, 0 } },
 	.projection = { .type = PROJECTION_PERSP,
-	    .extent = EXTENT_FOVY,
+	    .section = SECTION_FOVY,
 	    .angle = 60,
 	    .aspect = { 640, 480 },
 	    .near = 1,

@@ -368,9 +368,9 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 
 	if (why == NULL)
 		why = enclose_parallel(s, h);
-	if (given->extent != EXTENT_EDGES)
+	if (given->section != SECTION_EDGES)
 		return why;
-	p->extent = EXTENT_EDGES;
+	p->section = SECTION_EDGES;
 	p->right = (given->left > given->right ? -p->width : p->width) / 2;
 	p->top = (given->bottom > given->top ? -p->height : p->height) / 2;
 	p->left = -p->right;
@@ -436,7 +436,7 @@ static const char *fit_prepare(struct scene *s)
 		break;
 	case PROJECTION_ORTHO:
 	case PROJECTION_OBLIQUE:
-		p->extent = EXTENT_SIZE;
+		p->section = SECTION_SIZE;
 		p->width = p->height = 2;
 		p->near = 0;
 		p->far = 1;
@@ -486,7 +486,7 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 }
 
 /* fit_scene needs only the points farthest along the directions added here: it measures
- * bounds along fit_axes and along the normals of the side planes. A move of the eye
+ * bounds along fit_maps and along the normals of the side planes. A move of the eye
  * does not change the normals, but keep_side_planes rounds sizes outward: the points
  * stay inside, and the margin may shrink by the rounding. */
 const char *fit_directions(const struct scene *given, bool has_eye,
@@ -500,7 +500,7 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;
 	if (why == NULL)
-		why = fit_axes(&s, &xy, &depth);
+		why = fit_maps(&s, &xy, &depth);
 	if (why == NULL && persp)
 		why = view_planes(&s, SPACE_MODEL, &sides, &ends);
 	if (why != NULL)

@@ -52,9 +52,9 @@ const char *extents_widen(struct extents *, int n);
  * those of clip space with y upward and with width and height 2, which the caller has
  * set. Column 2 of `depth` is the distance along the gaze or, for persp, w. Returns
  * NULL, or the member and the reason. */
-const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
+const char *fit_maps(const struct scene *, struct map *xy, struct map *depth);
 
-/* Finds the extents of a hull in x, y and depth of fit_axes, and widens zero extents.
+/* Finds the extents of a hull in x, y and depth of fit_maps, and widens zero extents.
  * Returns NULL, or the member at fault and why. */
 const char *hull_extents(const struct hull *, const struct scene *,
     struct extents *);

@@ -101,7 +101,7 @@ const char *extents_widen(struct extents *r, int n)
 	    "/bounds: no extent; points that differ are wanted";
 }
 
-const char *fit_axes(const struct scene *s, struct map *xy, struct map *depth)
+const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
 {
 	const struct projection *p = &s->projection;
 	bool flat = p->type == PROJECTION_ORTHO ||
@@ -130,7 +130,7 @@ const char *hull_extents(const struct hull *h, const struct scene *s,
     struct extents *r)
 {
 	struct map xy, depth;
-	const char *why = fit_axes(s, &xy, &depth);
+	const char *why = fit_maps(s, &xy, &depth);
 
 	if (why != NULL)
 		return why;

@@ -240,7 +240,7 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
 	struct sum n = sum_of_double(p->plane), d = sum_of_double(1);
 
-	p->extent = EXTENT_EDGES;
+	p->section = SECTION_EDGES;
 	if (p->type == PROJECTION_PERSP)
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
@@ -290,7 +290,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	bool swap = !l->parallel && r->near > r->far;
 
 	*p = (struct projection){ .type = PROJECTION_ORTHO,
-		.extent = EXTENT_INTRINSICS,
+		.section = SECTION_INTRINSICS,
 		.width = s->viewport.width,
 		.height = s->viewport.height,
 		.near_ratio = 0.0005,
@@ -331,7 +331,7 @@ static bool seems_transposed(const double m[4][4])
 }
 
 /* Returns whether c is between 1 % and 99 % of size. */
-static bool is_inside(double c, double size)
+static bool is_central(double c, double size)
 {
 	return 0.01 * size < c && c < 0.99 * size;
 }
@@ -371,11 +371,11 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		    u->uses_view_axes && parallel && r->reverse_z,
 		[NOTE_RADIANS] = p->type == PROJECTION_PERSP &&
 		    p->unit == DEGREES && fmin(r->fov[0], r->fov[1]) < 3.2 &&
-		    (p->extent <= EXTENT_VIEW_ANGLE ||
-			p->extent == EXTENT_ANGLES),
-		[NOTE_CENTER] = projection_has_intrinsics(p) &&
-		    !(is_inside(r->intrinsics[0][2], p->width) &&
-			is_inside(r->intrinsics[1][2], p->height)),
+		    (p->section <= SECTION_VIEW_ANGLE ||
+			p->section == SECTION_ANGLES),
+		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) &&
+		    !(is_central(r->intrinsics[0][2], p->width) &&
+			is_central(r->intrinsics[1][2], p->height)),
 		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->w[1]) < 0),

@@ -36,7 +36,7 @@ enum note {
 	NOTE_NEAR_BEYOND,  /* the near plane is farther than the far plane */
 	NOTE_DEPTH_FALLS,  /* depth decreases along the convention's gaze */
 	NOTE_RADIANS,      /* an angle of view in degrees may be in radians */
-	NOTE_CENTER, /* the principal point is at the viewport's edge or outside */
+	NOTE_OFF_CENTER, /* the principal point is at the viewport's edge or outside */
 	/* with each of the following notes there is no second scene */
 	NOTE_NO_ROTATION,   /* the camera's matrix is not a rotation */
 	NOTE_TILTED,        /* near and far are not parallel to the image */
@@ -109,7 +109,7 @@ struct picture {
 	/* In a parallel projection: the lengths in view space of the images, on the
 	 * projection plane, of the unit vectors of the world's axes. */
 	double foreshortening[3];
-	/* World axes' vanishing points, on the device or, without a viewport, in ndc. */
+	/* World axes' vanishing points, on the device or, if it is missing, in ndc. */
 	double vanishing_point[3][2];
 	double fov[2];  /* degrees from left to right, and from bottom to top */
 	double eye[3];  /* in world space */

@@ -188,8 +188,8 @@ static uint64_t bits_from(const ex *a, int e)
 	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
-/* A quotient by 0 is 2^QUOTIENT_BY_ZERO, above all other quotients in a scene. */
-enum { QUOTIENT_BY_ZERO = 1 << 20 };
+/* A quotient by 0 is 2^EXPONENT_BY_ZERO, above all other quotients in a scene. */
+enum { EXPONENT_BY_ZERO = 1 << 20 };
 
 bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 {
@@ -198,7 +198,7 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 	int n = b->n + count;
 
 	if (b->n == 0 || a->n == 0) {
-		*r = b->n == 0 ? ex_power(QUOTIENT_BY_ZERO) : *a;
+		*r = b->n == 0 ? ex_power(EXPONENT_BY_ZERO) : *a;
 		return a->n == 0;
 	}
 	/* the power of two that moves b's leading bit to the top bit of d */

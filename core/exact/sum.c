@@ -21,7 +21,7 @@ static int ceil_log2(const ex *a)
 
 /* Returns a bound of the sum of n <= 15 errors, all in the form of `error` of struct
  * sum. The factor 1 + 2^-19 of sum.h covers errors below 2^-40 of the largest. */
-static int sum_bound(int n, const int error[])
+static int add_errors(int n, const int error[])
 {
 	int most = EX_RANGE / 2, terms = 0, e = 0;
 
@@ -57,12 +57,12 @@ struct sum sum_with_error(ex value, int relative_error)
 {
 	const int error = ceil_log2(&value) + relative_error;
 
-	return (struct sum){ value, sum_bound(1, &error) };
+	return (struct sum){ value, add_errors(1, &error) };
 }
 
 struct sum sum_add_error(struct sum a, struct sum e)
 {
-	a.error = sum_bound(3,
+	a.error = add_errors(3,
 	    (int[]){ a.error, ceil_log2(&e.value) + EX_RANGE, e.error });
 	return a;
 }
@@ -107,7 +107,7 @@ static void dot_of_pointers(int n, const struct sum *const a[],
 		error[terms++] = ceil_log2(y[k]) + a[k]->error;
 		error[terms++] = a[k]->error + b[k]->error - EX_RANGE;
 	}
-	int bound = sum_bound(terms, error);
+	int bound = add_errors(terms, error);
 
 	ex_dot(n, x, y, bound - EX_RANGE - 21, &r->value);
 	r->error = bound;
@@ -186,7 +186,7 @@ struct sum sum_quotient(struct sum a, struct sum b)
 	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT_WORDS, &r.value);
 	int size = ceil_log2(&r.value);
 
-	r.error = sum_bound(3,
+	r.error = add_errors(3,
 	    (int[]){ a.error - d, size + b.error - d,
 		exact ? 0 : size + SUM_QUOTIENT_ERROR });
 	return r;
@@ -204,7 +204,7 @@ struct sum sum_sqrt(struct sum a)
 	 * below the index of a's lowest word, r is not exact */
 	if (!sum_is_exact(&a) || 2 * r.value.e + 1 < a.value.e ||
 	    sum_compare(sum_mul(r, r), a) != 0)
-		r.error = sum_bound(2,
+		r.error = add_errors(2,
 		    (int[]){ ceil_log2(&r.value) + SUM_QUOTIENT_ERROR,
 			a.error - ex_exponent(&r.value) + 1 });
 	return r;

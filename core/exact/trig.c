@@ -22,7 +22,7 @@ enum { SINE_WORDS = 6 };
  * this is cos x (n = 0), sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
  * scheme computes the sum as s / c, with the common denominator c. y and each s are cut
  * to `words` words; each cut loses less than one unit of the last word. */
-static ex series(ex y, int n, int last, int words)
+static ex trig_series(ex y, int n, int last, int words)
 {
 	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, factor = c;
 	const ex *const a[] = { &c, &s }, *const b[] = { &factor, &minus };
@@ -51,8 +51,8 @@ bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
 {
 	if (sum_compare(square, sum_scale(sum_mul(HALF_PI, HALF_PI), 16)) > 0)
 		return false;
-	ex s = series(square.value, 1, SINC_POWER, SINC_WORDS);
-	ex v = series(square.value, 2, SINC_POWER, SINC_WORDS);
+	ex s = trig_series(square.value, 1, SINC_POWER, SINC_WORDS);
+	ex v = trig_series(square.value, 2, SINC_POWER, SINC_WORDS);
 
 	*sinc = sum_with_error(s, SUM_TRIG_ERROR);
 	*versinc = sum_scale(sum_with_error(v, SUM_TRIG_ERROR), 0.5);
@@ -103,14 +103,14 @@ static void reduce_radians(double angle, struct reduced_angle *r)
 
 /* Returns the sine (n = 1) or the cosine (n = 0) of the rest of a reduced angle. The
  * sine is the rest times the series, and so exactly 0 if the rest is 0. */
-static struct sum sine_of_rest(const struct reduced_angle *r, int n)
+static struct sum sine_or_cosine(const struct reduced_angle *r, int n)
 {
 	if (n == 0 && r->rest_radians.value.sign == 0)
 		return sum_of_double(1);
 	if (n == 1 && fabs(r->rest_degrees) == 30)
 		return sum_of_double(copysign(0.5, r->rest_degrees));
 	struct sum s = sum_with_error(
-	    series(sum_mul(r->rest_radians, r->rest_radians).value, n,
+	    trig_series(sum_mul(r->rest_radians, r->rest_radians).value, n,
 		SINE_POWER, SINE_WORDS),
 	    SUM_TRIG_ERROR);
 
@@ -127,7 +127,7 @@ static struct sum sine(double angle, enum angle_unit unit, unsigned quarters)
 	else
 		reduce_degrees(angle, &r);
 	quarters += r.quarters;
-	return sum_negated_if(quarters & 2, sine_of_rest(&r, ~quarters & 1));
+	return sum_negated_if(quarters & 2, sine_or_cosine(&r, ~quarters & 1));
 }
 
 struct sum trig_sin(double angle, enum angle_unit unit)

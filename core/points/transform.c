@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-static void round_column(const struct transform *t, int j, struct kernel_map *k)
+static void set_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->slope[j] = k->noise[j] = 0;
 	for (int i = 0; i < 4; i++) {
@@ -43,7 +43,7 @@ void transform_prepare(struct transform *t)
 	memcpy(k->origin, t->map.origin, sizeof k->origin);
 	k->a = k->b = 0;
 	for (int j = 0; j < 4; j++)
-		round_column(t, j, k);
+		set_column(t, j, k);
 }
 
 /* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the

@@ -160,7 +160,7 @@ static const char *axes_of_matrix(const struct camera *c, struct axes *a)
 
 /* Sets the origin of a map to `eye`, or to 0 if `eye` is NULL. An element of its image
  * that is within its error of 0 becomes exact 0: the eye's image in view space is 0. */
-static void set_eye(struct map *r, const double eye[3])
+static void set_map_eye(struct map *r, const double eye[3])
 {
 	map_set_origin(r, eye);
 	for (int j = 0; j < 3; j++)
@@ -210,7 +210,7 @@ static void map_of_axes(const struct axes *a, const double given[3],
 	if (is_translation)
 		map_set_origin(r, origin);
 	else
-		set_eye(r, origin);
+		set_map_eye(r, origin);
 }
 
 /* Rotates view space about its z axis: appends the rotation to r or, if inverse, puts
@@ -239,7 +239,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 
 	map_of_doubles(c->matrix, r);
 	if (!map_is_affine(r))
-		return REFUSAL(pose, NOT_AFFINE);
+		return REFUSAL(pose, WHY_NOT_AFFINE);
 	if (!c->orthonormalize) {
 		if ((pose || inverse) && !map_inverse(c->matrix, r))
 			return REFUSAL(pose, "singular; it can't be inverted");
@@ -253,7 +253,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 		return why;
 	map_of_axes(&axes, c->matrix[3], true, inverts, r);
 	if (pose)
-		set_eye(r, inverse ? NULL : c->matrix[3]);
+		set_map_eye(r, inverse ? NULL : c->matrix[3]);
 	return NULL;
 }
 

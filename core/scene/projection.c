@@ -57,35 +57,35 @@ static const char *cross_section(const struct projection *p, double d,
 	f->x = f->y = sum_of_double(2 * d);
 	f->dx = sum_of_double(p->width);
 	f->dy = sum_of_double(p->height);
-	switch (p->extent) {
-	case EXTENT_FOVY:
-	case EXTENT_FOVX:
-	case EXTENT_VIEW_ANGLE:
-		sets_x = p->extent == EXTENT_FOVX ||
-		    (p->extent == EXTENT_VIEW_ANGLE && !wide);
+	switch (p->section) {
+	case SECTION_FOVY:
+	case SECTION_FOVX:
+	case SECTION_VIEW_ANGLE:
+		sets_x = p->section == SECTION_FOVX ||
+		    (p->section == SECTION_VIEW_ANGLE && !wide);
 		set_scales(p->aspect, sets_x, trig_cot(p->angle / 2, p->unit),
 		    1, f);
 		break;
-	case EXTENT_FIELD:
+	case SECTION_FIELD:
 		set_scales(p->aspect, wide, sum_of_double(1), p->angle, f);
 		break;
-	case EXTENT_WIDTH:
+	case SECTION_WIDTH:
 		set_scales(p->aspect, true, f->x, p->width, f);
 		break;
-	case EXTENT_HEIGHT:
+	case SECTION_HEIGHT:
 		set_scales(p->aspect, false, f->y, p->height, f);
 		break;
-	case EXTENT_SIZE:
+	case SECTION_SIZE:
 		break;
-	case EXTENT_ANGLES:
+	case SECTION_ANGLES:
 		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &sums[0]);
 		tangents(p->bottom, p->top, p->unit, &f->y, &f->dy, &sums[1]);
 		break;
-	case EXTENT_INTRINSICS: /* edges from 0 to the viewport's size */
+	case SECTION_INTRINSICS: /* edges from 0 to the viewport's size */
 		sums[0] = f->dx;
 		sums[1] = f->dy;
 		break;
-	case EXTENT_EDGES:
+	case SECTION_EDGES:
 		f->dx = sum_diff(p->right, p->left);
 		f->dy = sum_diff(p->top, p->bottom);
 		sums[0] = sum_diff(p->left, -p->right);
@@ -123,7 +123,7 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
 }
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (zx zy zz 1), (0 0 tz 0). With intrinsics,
- * the rows map the canonical space of append_intrinsics to clip space. */
+ * the rows map the canonical space of prepend_intrinsics to clip space. */
 static const char *persp_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
@@ -204,7 +204,7 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 
 /* Computes 1/z of the eye from the view angle: tan(angle/2) over the smaller of half
  * width and half height, with the sign of z_near - z_far. */
-static void inverse_eye_of_angle(const struct projection *p,
+static void inverse_eye_z_of_angle(const struct projection *p,
     struct sum *numerator, struct sum *denominator)
 {
 	struct scaled_matrix f;
@@ -225,7 +225,7 @@ void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
     struct sum *denominator)
 {
 	if (p->eye_given_by == EYE_BY_ANGLE && p->angle > 0) {
-		inverse_eye_of_angle(p, numerator, denominator);
+		inverse_eye_z_of_angle(p, numerator, denominator);
 		return;
 	}
 	*numerator = sum_of_double(p->eye_given_by == EYE_BY_POINT ? 1 :
@@ -364,7 +364,7 @@ static const char *projection_matrix_map(const struct projection *p,
 /* Puts the affine map of P before r or, if inverse, its inverse after r. The map leads
  * from view space (d3d) to the canonical space of u w, v w, w (projection.h). In both,
  * y is upward: if device y points down, y is -Y in view space and -v w in the other. */
-static const char *append_intrinsics(const struct projection *p,
+static const char *prepend_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
 	const double sign[4] = { 1, c->origin_bottom_left ? 1 : -1, 1, 1 };
@@ -423,7 +423,7 @@ const char *projection_map(const struct projection *p,
 		f = scaled_inverse(&f);
 	map_of_scaled(&f, r);
 	if (projection_has_intrinsics(p))
-		why = append_intrinsics(p, c, inverse, r);
+		why = prepend_intrinsics(p, c, inverse, r);
 	convention_change(&given, c, false, !inverse, r);
 	convention_change(&given, c, true, inverse, r);
 	return why;

@@ -7,17 +7,17 @@
 
 /* The members that give the cross-section of persp, ortho and oblique, in the order of
  * projection_ways (cmd/scene). In persp, sizes and edges are at distance edges_at. */
-enum extent {
-	EXTENT_FOVY,       /* angle from bottom to top, aspect */
-	EXTENT_FOVX,       /* angle from left to right, aspect */
-	EXTENT_VIEW_ANGLE, /* angle across the smaller side, aspect */
-	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
-	EXTENT_SIZE,       /* width, height */
-	EXTENT_WIDTH,      /* width, aspect */
-	EXTENT_HEIGHT,     /* height, aspect */
-	EXTENT_EDGES,      /* left, right, bottom, top */
-	EXTENT_ANGLES,     /* the angles from the gaze to the four edges */
-	EXTENT_INTRINSICS, /* the matrix P of struct projection */
+enum section {
+	SECTION_FOVY,       /* angle from bottom to top, aspect */
+	SECTION_FOVX,       /* angle from left to right, aspect */
+	SECTION_VIEW_ANGLE, /* angle across the smaller side, aspect */
+	SECTION_FIELD,      /* half the larger side at unit distance, aspect */
+	SECTION_SIZE,       /* width, height */
+	SECTION_WIDTH,      /* width, aspect */
+	SECTION_HEIGHT,     /* height, aspect */
+	SECTION_EDGES,      /* left, right, bottom, top */
+	SECTION_ANGLES,     /* the angles from the gaze to the four edges */
+	SECTION_INTRINSICS, /* the matrix P of struct projection */
 };
 
 struct projection {
@@ -31,8 +31,8 @@ struct projection {
 	} type;
 
 	enum angle_unit unit; /* of all angles but direction */
-	enum extent extent;
-	double angle;         /* the angle of view, or EXTENT_FIELD's length */
+	enum section section;
+	double angle;         /* the angle of view, or SECTION_FIELD's length */
 	double aspect[2];     /* width : height; [1] is 0 without an aspect */
 	double width, height; /* the cross-section's; with P, the viewport's */
 	double left, right, bottom, top;
@@ -76,13 +76,13 @@ static inline bool projection_is_open(const struct projection *p)
 static inline bool projection_is_given_at_near(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->edges_at == 0 &&
-	    p->extent >= EXTENT_SIZE && p->extent <= EXTENT_EDGES;
+	    p->section >= SECTION_SIZE && p->section <= SECTION_EDGES;
 }
 
 /* Returns whether the projection is a persp given by the intrinsics P. */
 static inline bool projection_has_intrinsics(const struct projection *p)
 {
-	return p->type == PROJECTION_PERSP && p->extent == EXTENT_INTRINSICS;
+	return p->type == PROJECTION_PERSP && p->section == SECTION_INTRINSICS;
 }
 
 /* Returns whether P is tilted. If its last row begins with 0 0 1, P is not tilted, and

@@ -24,12 +24,12 @@ static bool has_valid_section(const struct scene *s)
 	const struct projection *p = &s->projection;
 	const double(*k)[4] = p->intrinsics;
 
-	if (p->extent == EXTENT_SIZE)
+	if (p->section == SECTION_SIZE)
 		return scene_is_size(p->width) && scene_is_size(p->height);
-	if (p->extent == EXTENT_EDGES)
+	if (p->section == SECTION_EDGES)
 		return are_in_range(4, &p->left) && p->left != p->right &&
 		    p->bottom != p->top;
-	return p->extent != EXTENT_INTRINSICS ||
+	return p->section != SECTION_INTRINSICS ||
 	    (s->has_viewport && s->viewport.scale == SCALE_FILL &&
 		scene_is_size(fabs(k[0][0])) && scene_is_size(fabs(k[1][1])) &&
 		are_in_range(8, k[0]));
@@ -58,7 +58,7 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 		return NULL;
 	map_of_doubles(s->world, r);
 	if (!map_is_affine(r))
-		return "/world: " NOT_AFFINE;
+		return "/world: " WHY_NOT_AFFINE;
 	if (inverse && !map_inverse(s->world, r))
 		return "/world: singular; it can't be inverted";
 	return NULL;

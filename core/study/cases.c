@@ -19,7 +19,7 @@ static const struct scene ordinary = {
 	},
 	.projection = {
 		.type = PROJECTION_PERSP,
-		.extent = EXTENT_FOVY,
+		.section = SECTION_FOVY,
 		.angle = 50,
 		.aspect = { 640, 480 },
 		.near = 1,
@@ -65,7 +65,7 @@ static void tile(struct scene *s, double size)
 	struct projection *p = &s->projection;
 
 	look_ahead(s);
-	p->extent = EXTENT_EDGES;
+	p->section = SECTION_EDGES;
 	p->left = 0.3;
 	p->right = p->left + size;
 	p->bottom = -0.2;

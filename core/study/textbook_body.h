@@ -259,8 +259,8 @@ static MATRIX NAME(project)(const struct scene *s)
 		return NAME(volume)(p);
 	if (p->type == PROJECTION_MATRIX)
 		return NAME(given)(p->matrix);
-	return p->extent == EXTENT_EDGES ? NAME(frustum)(s) :
-					   NAME(perspective)(s);
+	return p->section == SECTION_EDGES ? NAME(frustum)(s) :
+					     NAME(perspective)(s);
 }
 
 /* Returns the view matrix, and sets origin to the point that becomes the origin. */

@@ -198,7 +198,7 @@ static struct scene near_and_far(double near, double far)
 	struct scene s = { .has_viewport = true };
 
 	s.projection = (struct projection){ .type = PROJECTION_PERSP,
-		.extent = EXTENT_SIZE,
+		.section = SECTION_SIZE,
 		.width = 1,
 		.height = 1,
 		.near = near,

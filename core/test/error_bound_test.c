@@ -167,7 +167,7 @@ static void ordinary_bounds_are_small(void **state)
 {
 	struct scene s = { .has_viewport = true,
 		.projection = { .type = PROJECTION_PERSP,
-		    .extent = EXTENT_FOVY,
+		    .section = SECTION_FOVY,
 		    .angle = 60,
 		    .aspect = { 4, 3 },
 		    .near = 1,
@@ -207,7 +207,7 @@ static void ordinary_bounds_are_small(void **state)
 static void bounds_of_x_and_y_are_alike(void **state)
 {
 	struct scene right = { .projection = { .type = PROJECTION_PERSP,
-				   .extent = EXTENT_EDGES,
+				   .section = SECTION_EDGES,
 				   .left = 99,
 				   .right = 101,
 				   .bottom = -3,

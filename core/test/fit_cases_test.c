@@ -14,7 +14,7 @@ static struct scene persp(double fovy)
 {
 	return (struct scene){
 		.projection = { .type = PROJECTION_PERSP,
-		    .extent = EXTENT_FOVY,
+		    .section = SECTION_FOVY,
 		    .angle = fovy,
 		    .aspect = { 1, 1 },
 		    .near_ratio = 0.0005 },
@@ -25,7 +25,7 @@ static struct scene parallel(unsigned type)
 {
 	return (struct scene){
 		.projection = { .type = type,
-		    .extent = EXTENT_SIZE,
+		    .section = SECTION_SIZE,
 		    .kind = OBLIQUE_CAVALIER },
 	};
 }
@@ -99,14 +99,14 @@ static void test_slopes(void **state)
 	struct scene s = persp(90);
 
 	(void)state;
-	s.projection.extent = EXTENT_SIZE;
+	s.projection.section = SECTION_SIZE;
 	s.projection.near = 4;
 	s.projection.width = 8;
 	s.projection.height = 16;
 	assert_fits(&s, false, &b, 0, 0, -4, 2, 6);
 	assert_number(s.projection.width, 4);
 	assert_number(s.projection.height, 8);
-	s.projection.extent = EXTENT_EDGES;
+	s.projection.section = SECTION_EDGES;
 	s.projection.left = 2;
 	s.projection.right = -2;
 	s.projection.bottom = -1;
@@ -133,7 +133,7 @@ static void test_ortho(void **state)
 	assert_fits(&s, true, &b, 2, 1, 1, -1, 5);
 	assert_number(s.projection.width, 4);
 	assert_number(s.projection.height, 4);
-	s.projection.extent = EXTENT_EDGES;
+	s.projection.section = SECTION_EDGES;
 	s.projection.left = 1;
 	assert_fits(&s, false, &b, 2, 1, -3, 3, 9);
 	assert_number(s.projection.left, 2);
@@ -252,12 +252,12 @@ static void test_refusals(void **state)
 	struct scene s = persp(60);
 
 	(void)state;
-	assert_refused(s, &point, "/bounds: a single point;");
+	assert_refused(s, &point, "/bounds: no extent;");
 	assert_refused(s, &wrong, "/bounds/max/1: less than min's;");
-	assert_refused(s, &huge, "/bounds: what holds them");
+	assert_refused(s, &huge, "/bounds: the scene that fit computes");
 	s.projection.angle = 1e-150;
-	assert_refused(s, &huge, "/bounds: what holds them");
-	s.projection.extent = EXTENT_EDGES;
+	assert_refused(s, &huge, "/bounds: the scene that fit computes");
+	s.projection.section = SECTION_EDGES;
 	s.projection.near = s.projection.right = s.projection.top = 1;
 	s.projection.bottom = -1;
 	assert_refused(s, &b, "/projection: the gaze");

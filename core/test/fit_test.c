@@ -154,7 +154,7 @@ static void measure_gaps(struct fitted *f)
 		    sized_of(k == 4 ? -s->projection.near : s->projection.far));
 		/* w of intrinsics may be z plus a constant */
 		if (s->projection.type == PROJECTION_PERSP &&
-		    s->projection.extent == EXTENT_INTRINSICS)
+		    s->projection.section == SECTION_INTRINSICS)
 			f->gap[k] = sized_add(f->gap[k],
 			    sized_of((k == 4 ? 1 : -1) *
 				s->projection.intrinsics[2][3]));
@@ -408,11 +408,11 @@ static void sample_fit(struct scene *s, int e)
 	if (p->type == PROJECTION_VOLUME && p->aspect[1] == 0)
 		p->aspect[0] = p->aspect[1] = 1;
 	p->type = PROJECTION_PERSP + sample_below(3);
-	p->extent = sample_below(p->type == PROJECTION_PERSP ? 10 : 8);
+	p->section = sample_below(p->type == PROJECTION_PERSP ? 10 : 8);
 	p->edges_at = sample_below(2) ? 0 : sample_size(1);
 	if (p->type != PROJECTION_PERSP)
 		p->aspect[1] = sample_below(2) ? p->aspect[1] : 0;
-	if (p->extent < EXTENT_FIELD && !(p->angle < 180))
+	if (p->section < SECTION_FIELD && !(p->angle < 180))
 		p->angle = 60;
 	p->near_ratio = sample_below(2) ? 0.0005 : sample_between(0, 0.5);
 	p->left = -sample_size(1);
@@ -421,14 +421,14 @@ static void sample_fit(struct scene *s, int e)
 	p->top = -p->bottom;
 	p->near = sample_size(1);
 	p->projector_angle = sample_between(20, 90);
-	if (p->extent == EXTENT_ANGLES) {
+	if (p->section == SECTION_ANGLES) {
 		p->unit = DEGREES;
 		p->left = sample_between(-60, -10);
 		p->right = sample_between(10, 60);
 		p->bottom = sample_between(-60, -10);
 		p->top = sample_between(10, 60);
 	}
-	if (p->extent == EXTENT_INTRINSICS)
+	if (p->section == SECTION_INTRINSICS)
 		sample_calibrated(s);
 }
 
@@ -448,7 +448,7 @@ static int fit_many(int n, int e, bool points)
 		sample_fit(&f.s, e);
 		if (points && sample_below(4) == 0) {
 			f.s.projection.type = PROJECTION_PERSP;
-			f.s.projection.extent = EXTENT_INTRINSICS;
+			f.s.projection.section = SECTION_INTRINSICS;
 			f.s.margin = 0;
 			sample_calibrated(&f.s);
 		}

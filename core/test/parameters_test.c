@@ -111,7 +111,7 @@ static void matrices_give_their_parameters(void **state)
 			continue;
 		if (!was.has_scene || !(was.near < was.far) ||
 		    was.far - was.near < 1e-3 * fabs(was.near) ||
-		    s.projection.extent == EXTENT_INTRINSICS)
+		    s.projection.section == SECTION_INTRINSICS)
 			continue;
 		to_matrices(&s);
 		assert_null(picture_of(&s, &is));
@@ -172,7 +172,7 @@ static void check_edges(const struct scene *s, const struct truth *back,
 	const real one[2] = { real_of(1), real_of(1) };
 	const double edge[4] = { p->left, p->right, p->bottom, p->top };
 
-	if (!r->has_scene || p->extent != EXTENT_EDGES ||
+	if (!r->has_scene || p->section != SECTION_EDGES ||
 	    p->type == PROJECTION_OBLIQUE)
 		return;
 	for (int side = 0; side < 4; side++) {
@@ -341,7 +341,7 @@ static void parameters_are_found_again(void **state)
 
 		sample_scene(&s, k % 2 * 10);
 		sample_answer(&s);
-		s.has_viewport &= p->extent == EXTENT_INTRINSICS;
+		s.has_viewport &= p->section == SECTION_INTRINSICS;
 		if (p->type > PROJECTION_OBLIQUE || projection_is_open(p) ||
 		    picture_of(&s, &r) != NULL)
 			continue;
@@ -349,7 +349,7 @@ static void parameters_are_found_again(void **state)
 			assert_true(r.near == p->near && r.far == p->far);
 		assert_true(r.reverse_z == p->reverse_z);
 		n++;
-		if (p->extent != EXTENT_EDGES || p->edges_at > 0 ||
+		if (p->section != SECTION_EDGES || p->edges_at > 0 ||
 		    !r.has_scene)
 			continue;
 		const struct projection *q = &r.scene.projection;
@@ -468,7 +468,7 @@ static void cameras_are_found_in_matrices(void **state)
 		if (s.projection.type > PROJECTION_OBLIQUE ||
 		    s.projection.type == PROJECTION_NONE ||
 		    projection_is_open(&s.projection) ||
-		    s.projection.extent == EXTENT_INTRINSICS ||
+		    s.projection.section == SECTION_INTRINSICS ||
 		    picture_of(&s, &was) != NULL)
 			continue;
 		if (!was.has_scene || !(was.near < was.far) ||

@@ -38,7 +38,7 @@ static void distance_of(const struct scene *s, struct distance *d)
 	}
 	/* the constant term of w, of intrinsics */
 	double w = p->type == PROJECTION_PERSP &&
-		p->extent == EXTENT_INTRINSICS ?
+		p->section == SECTION_INTRINSICS ?
 	    p->intrinsics[2][3] :
 	    0;
 	d->near = sized_of(volume ? p->z_near : gaze * p->near);

@@ -201,7 +201,7 @@ static void ties_of_irrational_parts(void **state)
 		    .at = { 0, 1, 1 },
 		    .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_PERSP,
-		    .extent = EXTENT_FOVY,
+		    .section = SECTION_FOVY,
 		    .angle = 90,
 		    .aspect = { 1, 1 },
 		    .near = 1,
@@ -243,7 +243,7 @@ static void ties_of_different_irrational_parts(void **state)
 		    .up = { 0, 1, 0 },
 		    .roll = 45 },
 		.projection = { .type = PROJECTION_ORTHO,
-		    .extent = EXTENT_SIZE,
+		    .section = SECTION_SIZE,
 		    .width = 2,
 		    .height = 2,
 		    .far = 1 },
@@ -279,7 +279,7 @@ static void ties_of_different_irrational_parts(void **state)
 static void no_image(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_PERSP,
-			       .extent = EXTENT_SIZE,
+			       .section = SECTION_SIZE,
 			       .width = 2,
 			       .height = 2,
 			       .near = 1,

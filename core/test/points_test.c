@@ -16,7 +16,7 @@ static void zeros_of_whole_numbers(void **state)
 	(void)state;
 	kernels_choose(NULL);
 	s.projection = (struct projection){ .type = PROJECTION_PERSP,
-		.extent = EXTENT_FOVY,
+		.section = SECTION_FOVY,
 		.angle = 90,
 		.aspect = { 1, 1 },
 		.near = 1,
@@ -135,7 +135,7 @@ static void exact_terms_keep_the_noise_of_others(void **state)
 		    .kind = OBLIQUE_CAVALIER,
 		    .direction = 45,
 		    .plane = 1,
-		    .extent = EXTENT_SIZE,
+		    .section = SECTION_SIZE,
 		    .width = 2,
 		    .height = 2,
 		    .near = -10,

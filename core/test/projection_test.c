@@ -119,8 +119,8 @@ static void narrow_and_wide_angles(void **state)
 
 	(void)state;
 	for (int k = 0; k < 45; k++)
-		for (p.extent = EXTENT_FOVY; p.extent <= EXTENT_VIEW_ANGLE;
-		     p.extent++) {
+		for (p.section = SECTION_FOVY; p.section <= SECTION_VIEW_ANGLE;
+		     p.section++) {
 			p.type = PROJECTION_PERSP;
 			p.angle = 180 - ldexp(1, -k);
 			assert_null(compare(&p, &d3d, &w));
@@ -165,7 +165,7 @@ static void elements_by_bc(void **state)
 		.kind = OBLIQUE_CABINET,
 		.direction = 90,
 		.plane = 1,
-		.extent = EXTENT_SIZE,
+		.section = SECTION_SIZE,
 		.width = 2,
 		.height = 2,
 		.near = 1,
@@ -194,7 +194,7 @@ static void assert_projection_refused(const struct projection *p, bool inverse,
 static void refusals(void **state)
 {
 	const struct projection good = {
-		.extent = EXTENT_EDGES,
+		.section = SECTION_EDGES,
 		.near = 1,
 		.far = 2,
 		.left = -1,

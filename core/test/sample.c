@@ -296,7 +296,7 @@ static void sample_angle_unit(struct projection *p)
 	p->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
 	p->direction_unit = p->unit;
 	for (int i = 0; i < 3 && p->unit == RADIANS; i++)
-		if (i > 0 || p->extent <= EXTENT_VIEW_ANGLE ||
+		if (i > 0 || p->section <= SECTION_VIEW_ANGLE ||
 		    p->eye_given_by == EYE_BY_ANGLE)
 			*angles[i] = fmin(*angles[i] * (PI / 180),
 			    i == 0     ? PI :
@@ -379,12 +379,12 @@ void sample_projection(struct projection *p, int e)
 
 	memset(p, 0, sizeof *p);
 	p->type = 1 + sample_below(PROJECTION_MATRIX);
-	p->extent = sample_below(10);
+	p->section = sample_below(10);
 	if (p->type != PROJECTION_PERSP &&
-	    (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES))
-		p->extent = EXTENT_EDGES;
-	p->angle = p->extent == EXTENT_FIELD ? sample_size(e > 0 ? e : 1) :
-					       sample_angle(e);
+	    (p->section < SECTION_SIZE || p->section > SECTION_EDGES))
+		p->section = SECTION_EDGES;
+	p->angle = p->section == SECTION_FIELD ? sample_size(e > 0 ? e : 1) :
+						 sample_angle(e);
 	p->aspect[0] = e > 0 ? sample_size(e) : 640;
 	p->aspect[1] = e > 0 ? sample_size(e) : 480;
 	p->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
@@ -396,9 +396,9 @@ void sample_projection(struct projection *p, int e)
 	p->projector_angle = sample_angle(e) / 2;
 	p->direction = 15 * whole_number(24);
 	sample_angle_unit(p);
-	if (p->extent == EXTENT_ANGLES)
+	if (p->section == SECTION_ANGLES)
 		sample_four_angles(p, e);
-	if (p->extent == EXTENT_INTRINSICS)
+	if (p->section == SECTION_INTRINSICS)
 		sample_intrinsics(p, e);
 	if (p->type == PROJECTION_PERSP && sample_below(3) == 0)
 		p->edges_at = e > 0 ? sample_size(e) : 1 + sample_below(9);
@@ -464,7 +464,7 @@ void sample_scene(struct scene *s, int e)
 	sample_camera(&s->camera, e);
 	sample_projection(&s->projection, e);
 	sample_viewport(&s->viewport, e);
-	if (s->projection.extent == EXTENT_INTRINSICS) {
+	if (s->projection.section == SECTION_INTRINSICS) {
 		s->viewport.scale = SCALE_FILL;
 		s->projection.width = s->viewport.width;
 		s->projection.height = s->viewport.height;
@@ -498,6 +498,6 @@ void sample_round_scene(struct scene *s)
 	s->camera.orthonormalize = false;
 	round_matrix(s->camera.matrix, 3);
 	round_matrix(p->matrix, 4);
-	if (p->extent < EXTENT_SIZE)
-		p->extent = EXTENT_SIZE;
+	if (p->section < SECTION_SIZE)
+		p->section = SECTION_SIZE;
 }

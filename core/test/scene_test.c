@@ -193,7 +193,7 @@ static void refusals(void **state)
 		.world = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
 		.camera = { .at = { 0, 0, 1 }, .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_ORTHO,
-		    .extent = EXTENT_SIZE,
+		    .section = SECTION_SIZE,
 		    .width = 1,
 		    .height = 1,
 		    .far = 1 },
@@ -205,10 +205,10 @@ static void refusals(void **state)
 	s.world[0][3] = 1e-9;
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world");
 	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL,
-	    "/world: " NOT_AFFINE);
+	    "/world: " WHY_NOT_AFFINE);
 	s.world[3][0] = 1;
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD,
-	    "/world: " NOT_AFFINE);
+	    "/world: " WHY_NOT_AFFINE);
 	s.world[0][3] = s.world[3][0] = 0;
 	s.world[0][0] = 0;
 	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");

@@ -70,7 +70,7 @@ static void sample_regime_scene(const struct regime *r, struct scene *s)
 		.has_camera = true,
 		.camera = { .kind = CAMERA_GAZE, .up = { 0, 1, 0.25 } },
 		.projection = { .type = PROJECTION_PERSP,
-		    .extent = EXTENT_EDGES,
+		    .section = SECTION_EDGES,
 		    .left = -1.25,
 		    .bottom = -1,
 		    .right = 1,

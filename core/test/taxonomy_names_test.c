@@ -25,7 +25,7 @@ static void kinds_have_their_names(void **state)
 		*c = (struct camera){ .kind = CAMERA_GAZE, .up = { 0, 1, 0 } };
 		memcpy(c->at, along[i], sizeof c->at);
 		*p = (struct projection){ .type = PROJECTION_PERSP,
-			.extent = EXTENT_FOVY,
+			.section = SECTION_FOVY,
 			.angle = 50 + i,
 			.aspect = { 4, 3 },
 			.near = 1,
@@ -36,7 +36,7 @@ static void kinds_have_their_names(void **state)
 		assert_number(t.fov[1], 50 + i);
 
 		*p = (struct projection){ .type = PROJECTION_ORTHO,
-			.extent = EXTENT_SIZE,
+			.section = SECTION_SIZE,
 			.width = 3,
 			.height = 2,
 			.far = 5 };
@@ -49,7 +49,7 @@ static void kinds_have_their_names(void **state)
 static void obliques_have_their_names(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_OBLIQUE,
-			       .extent = EXTENT_SIZE,
+			       .section = SECTION_SIZE,
 			       .width = 3,
 			       .height = 2,
 			       .far = 5,
@@ -119,7 +119,7 @@ static void eyes_are_on_their_side(void **state)
 static void depth_may_be_reversed(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_PERSP,
-			       .extent = EXTENT_SIZE,
+			       .section = SECTION_SIZE,
 			       .width = 2,
 			       .height = 2,
 			       .near = 1,

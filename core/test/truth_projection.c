@@ -60,38 +60,38 @@ static void cross_section(const struct projection *p, real n, real s[2],
 	bool wide = p->aspect[0] >= p->aspect[1];
 
 	set_reals(off, 2, NULL);
-	switch (p->extent) {
-	case EXTENT_FOVY:
+	switch (p->section) {
+	case SECTION_FOVY:
 		section_by_aspect(p, false, cotangent(p->angle, p->unit, 2), s);
 		break;
-	case EXTENT_FOVX:
+	case SECTION_FOVX:
 		section_by_aspect(p, true, cotangent(p->angle, p->unit, 2), s);
 		break;
-	case EXTENT_VIEW_ANGLE:
+	case SECTION_VIEW_ANGLE:
 		section_by_aspect(p, !wide, cotangent(p->angle, p->unit, 2), s);
 		break;
-	case EXTENT_FIELD:
+	case SECTION_FIELD:
 		section_by_aspect(p, wide, divide(ONE, real_of(p->angle)), s);
 		break;
-	case EXTENT_HEIGHT:
+	case SECTION_HEIGHT:
 		section_by_aspect(p, false,
 		    divide(mul(TWO, n), real_of(p->height)), s);
 		break;
-	case EXTENT_WIDTH:
+	case SECTION_WIDTH:
 		section_by_aspect(p, true,
 		    divide(mul(TWO, n), real_of(p->width)), s);
 		break;
-	case EXTENT_SIZE:
+	case SECTION_SIZE:
 		s[0] = divide(mul(TWO, n), real_of(p->width));
 		s[1] = divide(mul(TWO, n), real_of(p->height));
 		break;
-	case EXTENT_EDGES:
+	case SECTION_EDGES:
 		section_by_edges(p, n, s, off);
 		break;
-	case EXTENT_ANGLES:
+	case SECTION_ANGLES:
 		section_by_angles(p, s, off);
 		break;
-	case EXTENT_INTRINSICS: /* by the function pixels */
+	case SECTION_INTRINSICS: /* by the function pixels */
 		break;
 	}
 }
@@ -308,12 +308,13 @@ void truth_projection(struct truth *t, const struct projection *p,
 	bool upright = has_extent || p->type == PROJECTION_OBLIQUE;
 
 	bool by_pixels = p->type == PROJECTION_PERSP &&
-	    p->extent == EXTENT_INTRINSICS;
+	    p->section == SECTION_INTRINSICS;
 
 	if (p->type == PROJECTION_OBLIQUE ||
 	    (p->type == PROJECTION_VOLUME && p->eye_given_by == EYE_BY_ANGLE) ||
 	    (has_extent &&
-		(p->extent <= EXTENT_VIEW_ANGLE || p->extent == EXTENT_ANGLES)))
+		(p->section <= SECTION_VIEW_ANGLE ||
+		    p->section == SECTION_ANGLES)))
 		t->irrational = true;
 	if (upright && c->view_y_down)
 		truth_half_turn(t);
@@ -330,7 +331,7 @@ void truth_projection(struct truth *t, const struct projection *p,
 			set_reals(s->m[i], 4, p->matrix[i]);
 	if (p->type == PROJECTION_PERSP && !by_pixels)
 		persp(p, c, s->m);
-	if (p->type == PROJECTION_PERSP && p->extent == EXTENT_ANGLES)
+	if (p->type == PROJECTION_PERSP && p->section == SECTION_ANGLES)
 		size_tangents(p, s);
 	if (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE)
 		ortho(p, c, s->m);

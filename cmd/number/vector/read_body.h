@@ -14,9 +14,9 @@
  * A row holds the 32 bytes before the end of a number, for ROW_NUMBERS numbers side by
  * side. A file may define these in place of the definitions in read_rows.h:
  *
- *	ROW_NUMBERS	how many numbers a row holds; needs the types row and row_mask
+ *	ROW_NUMBERS	numbers in a row; needs the types row and row_mask
  *	ROW_BEFORE(end, n) a row: the 32 bytes from end[i] - n on for its number i
- *	LAST_KEYS(n)	a vector of keys, which LAST_BYTES needs, for counts n <= 32
+ *	LAST_KEYS(n)	a vector of keys for LAST_BYTES, for counts n <= 32
  *	LAST_BYTES(keys) a mask of the last n bytes of each number in a row
  *	PICK(m, a, b)	m ? a : b for each byte
  *	KEEP(m, a)	m ? a : 0 for each byte
@@ -29,7 +29,7 @@
 /* Returns a mask; bit i is set if lanes i of a and b differ or are nan. */
 static inline unsigned different_lanes(V a, V b)
 {
-	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
+	return MASK_BITS(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
 }
 
 /* Returns u < 2^52 as doubles. The bits of u and of 2^52 make the double 2^52 + u. */
@@ -89,7 +89,7 @@ static inline struct integer long_integer(const struct digit_rows *r, size_t i)
  * Rounding is monotone: if q + (c + off) and q + (c - off) are the same double, m / p
  * rounds to this double; if not, as when m / p is midway between doubles, the lane is
  * bad. If m->lo is 0 in all lanes, q is already m / p rounded. */
-static inline V divide(struct integer *m, V p)
+static inline V divide_rounded(struct integer *m, V p)
 {
 	V q = m->hi / p;
 
@@ -123,7 +123,7 @@ static inline uint64_t read_group(const struct digit_rows *r, size_t i,
 	for (size_t k = i; k < i + PLAIN_GROUP; k += WIDTH) {
 		struct integer m = needs.long_integers ? long_integer(r, k) :
 							 short_integer(r, k);
-		V q = divide(&m, LOAD(r->divisor + k));
+		V q = divide_rounded(&m, LOAD(r->divisor + k));
 
 		STORE(v + k, q);
 		m.bad |= different_lanes(q, q);

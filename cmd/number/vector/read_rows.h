@@ -25,8 +25,8 @@ struct group_needs {
 
 /* The divisors of positive numbers, indexed by the number of decimals, or by NO_POINT
  * if there is no point; then the divisors of negative numbers. Powers of ten to 10^22
- * are doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
-enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
+ * are doubles. With more decimals, or no digits (NO_DIGITS), the divisor is nan. */
+enum { NO_POINT = 32, NO_DIGITS = 23, POWER_END = 23 };
 #define BAD (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
 	1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
@@ -119,7 +119,7 @@ static inline bool count_digits(struct marks *m, size_t i)
 	counts decimals = LEADING_ZEROS(points);
 	counts digits = n - minus + (counts)(points != zero);
 	counts no_digits = (counts)(digits == zero);
-	counts divisor = (decimals & ~no_digits) + (no_digits & NOT_READ) +
+	counts divisor = (decimals & ~no_digits) + (no_digits & NO_DIGITS) +
 	    minus * (NO_POINT + 1);
 	counts over_15 = digits + (128 - 16);
 	counts digit_keys = LAST_KEYS(digits);

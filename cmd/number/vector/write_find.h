@@ -236,7 +236,7 @@ INLINE void find_shortest(struct batch_digits *f, size_t i, bool single, V v)
 	M exact = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &
 	    ~LESS(a, ALL(0x1p-17));
 
-	if (LANES_OF(exact) == (1u << WIDTH) - 1)
+	if (MASK_BITS(exact) == (1u << WIDTH) - 1)
 		find_in_range(f, i, single, true, v);
 	else
 		find_in_range(f, i, single, false, v);

@@ -19,7 +19,7 @@
 #define MADD(a, b, c) ((a) * (b) + (c))
 #define LESS(a, b) ((a) < (b))
 #define EQUAL(a, b) ((a) == (b))
-#define LANES_OF(m) ((unsigned)(m))
+#define MASK_BITS(m) ((unsigned)(m))
 #define SELECT(m, a, b) ((m) ? (a) : (b))
 #define ONLY(m, a) ((m) ? (a) : 0)
 

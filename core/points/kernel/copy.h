@@ -14,7 +14,7 @@
  *	ABS, SQRT	the magnitude, and the root, rounded once
  *	MIN, MAX(a, b)	a < b ? a : b, and a > b ? a : b, also for nan
  *	LESS, EQUAL	the masks of a < b and a == b; false for nan
- *	LANES_OF(m)	an integer; bit i is set if lane i of m is true
+ *	MASK_BITS(m)	an integer; bit i is set if lane i of m is true
  *	SELECT(m, a, b)	m ? a : b in each lane
  *	ONLY(m, a)	m ? a : 0 in each lane
  *
@@ -27,7 +27,7 @@
 #endif
 #define IF_EQUAL(a, b, c) ONLY(EQUAL(a, b), c)
 #define IF_POSITIVE(a, b, c) SELECT(LESS(ALL(0), a), b, c)
-#define ALL_POSITIVE(a) (LANES_OF(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
+#define ALL_POSITIVE(a) (MASK_BITS(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
 
 #include "exact.h"
 #include "farthest.h"

@@ -15,6 +15,6 @@
 #define MAX(a, b) _mm256_max_pd(a, b)
 #define LESS(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_LT_OQ))
 #define EQUAL(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_EQ_OQ))
-#define LANES_OF(m) ((unsigned)_mm256_movemask_pd(_mm256_castsi256_pd(m)))
+#define MASK_BITS(m) ((unsigned)_mm256_movemask_pd(_mm256_castsi256_pd(m)))
 #define SELECT(m, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(m))
 #define ONLY(m, a) _mm256_and_pd(_mm256_castsi256_pd(m), a)

@@ -15,6 +15,6 @@
 #define MAX(a, b) _mm512_max_pd(a, b)
 #define LESS(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)
 #define EQUAL(a, b) _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ)
-#define LANES_OF(m) ((unsigned)(m))
+#define MASK_BITS(m) ((unsigned)(m))
 #define SELECT(m, a, b) _mm512_mask_blend_pd((M)(m), b, a)
 #define ONLY(m, a) _mm512_maskz_mov_pd((M)(m), a)

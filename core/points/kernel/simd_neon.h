@@ -16,7 +16,7 @@
 #define MAX(a, b) vbslq_f64(vcgtq_f64(a, b), a, b)
 #define LESS(a, b) vcltq_f64(a, b)
 #define EQUAL(a, b) vceqq_f64(a, b)
-#define LANES_OF(m) \
+#define MASK_BITS(m) \
 	((unsigned)((vgetq_lane_u64(m, 0) & 1) | (vgetq_lane_u64(m, 1) & 2)))
 #define SELECT(m, a, b) vbslq_f64(m, a, b)
 #define ONLY(m, a) vreinterpretq_f64_u64(vandq_u64(m, vreinterpretq_u64_f64(a)))
