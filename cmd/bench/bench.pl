@@ -346,9 +346,9 @@ sub short {
 	    "printf takes $glm_times times as long as `projcalc`" .
 	    $avx2->($glm) . '.' : (), 'The default, `-p exact`, takes',
 	    ratio('text', 'text -p double'), 'times as long as `-p double` in',
-	    'text. In binary, where there are no digits to read or write, it takes',
+	    'text. In binary there are no digits to read or write: `-p exact` takes',
 	    ratio('f64', 'f64 -p double'), 'times as long as `-p double`, and',
-	    ratio('f64', $loop), 'times as long as a loop in double.');
+	    ratio('f64', $loop), 'times as long as a loop in doubles.');
 	programs(grep { $_ } @row{'text', $hand, $standard, $glm, 'numpy',
 	    'mawk'});
 	print "\n", fill('', '', "@words"), "\n";
