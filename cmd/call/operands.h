@@ -6,7 +6,7 @@
 #include "options.h"
 #include "../stream/job.h"
 
-/* A hint that ends the messages of pick about a point of two numbers. */
+/* Ends messages of the command pick that refuse a point of two numbers. */
 #define POSITION_HINT "; --at 320,240 is the position"
 
 /* Refuses wrong operands and files that can't be opened, before anything is printed. */

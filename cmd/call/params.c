@@ -13,7 +13,7 @@ enum { DOCUMENT_MAX = 1 << 28 };
 
 static struct {
 	const char *name;
-	int fd; /* -1: all of PARAMS is read */
+	int fd; /* -1: nothing of PARAMS is left to read */
 	struct text text;
 	long number; /* index of the document, from 1 */
 	/* Offsets in text: the document begins at `begin`, and the search for its end

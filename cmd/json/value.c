@@ -262,7 +262,7 @@ void value_numbers(const struct value *v, const struct value_range *range,
 }
 
 const char *join_words(char out[LIST_ROOM], const char *const *words,
-    const char *last, const char *quote)
+    const char *before_last, const char *quote)
 {
 	size_t at = 0;
 
@@ -270,7 +270,7 @@ const char *join_words(char out[LIST_ROOM], const char *const *words,
 	for (int i = 0; words[i] != NULL && at < LIST_ROOM; i++)
 		at += (size_t)snprintf(out + at, LIST_ROOM - at, "%s%s%s%s",
 		    i == 0                   ? "" :
-			words[i + 1] == NULL ? last :
+			words[i + 1] == NULL ? before_last :
 					       ", ",
 		    quote, words[i], quote);
 	return out;

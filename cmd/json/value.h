@@ -126,10 +126,10 @@ void value_numbers(const struct value *, const struct value_range *, size_t n,
 int value_word(const struct value *, const char *const *words);
 
 /* Writes words[], which NULL ends, as a list such as "a", "b" or "c". Writes `quote`
- * before and after each word, and `last`, such as " or ", before the last word. A list
- * is cut at LIST_ROOM bytes. Returns out. */
+ * before and after each word, and `before_last`, such as " or ", before the last one. A
+ * list is cut at LIST_ROOM bytes. Returns out. */
 enum { LIST_ROOM = 512 };
 const char *join_words(char out[LIST_ROOM], const char *const *words,
-    const char *last, const char *quote);
+    const char *before_last, const char *quote);
 
 #endif

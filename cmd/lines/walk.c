@@ -174,7 +174,7 @@ INLINE bool is_json_number(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-/* Line i of a batch. In the text of the struct walker it begins at byte `begin`. */
+/* Where to store what is found in line i of a batch, which begins at byte `begin`. */
 struct target {
 	const struct walk *walk;
 	struct line *line;

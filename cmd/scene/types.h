@@ -30,7 +30,7 @@ extern const char *const vector_names[];
 extern const struct type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
- * P; in the struct P, a double[3][4]. */
+ * P; in the struct a double[3][4], the matrix P. */
 extern const struct type type_intrinsics;
 
 /* A number, or "infinity"; in the struct a double. put_distance prints it. */

@@ -9,8 +9,8 @@
 	"/bounds: the scene that fit computes has numbers beyond 1e150 or " \
 	"sizes below 1e-150; choose another unit"
 
-/* Sets gaze and up to those of the camera without roll; a matrix counts as its nearest
- * rotation. If the eye is not given, sets it from to_world (view to world space). */
+/* Sets the gaze and up of c to those without roll; for a matrix, those of the nearest
+ * rotation. Takes an eye that is not given from to_world, the map from view space. */
 static const char *gaze_from_axes(struct camera *c,
     const struct convention *convention, struct map *to_world)
 {

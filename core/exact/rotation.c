@@ -55,8 +55,8 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 
 /* Computes q, the eigenvector of K for the eigenvalue x, from k = K - x I: q is the
  * largest column of the adjugate of k, which is a multiple of q q'. The error of x,
- * below 2^-260 gap (see largest_root), adds multiples of the other eigenvectors; each
- * is less than 2^-260 times the adjugate and 2^-259 times its largest column. */
+ * below 2^-260 gap (see largest_root), adds multiples of the other three eigenvectors.
+ * Each is shorter than 2^-260 times the adjugate's norm, and than 2^-259 times q. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);

@@ -149,7 +149,7 @@ static bool map_nonfinite(const struct transform *t, bool single,
 bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
-	/* map_alone reads three columns: y takes the place of z in 2D */
+	/* map_alone reads three columns; in 2D any column serves as z */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
 	approx_kernel kernel = kernels_chosen()->approx[precision][t->kind];

@@ -135,7 +135,7 @@ static inline uint64_t read_group(const struct digit_rows *r, size_t i,
 
 /* Reads n plain numbers and, if exponent is not NULL, multiplies number i by
  * 10^exponent[i]. Returns a mask of the numbers that are not read. The exponent changes
- * the divisor; number i is not read if the new divisor is not 1, 10, ... or 10^22. */
+ * the divisor; number i is not read if the new divisor is not +-1, 10, ... or 10^22. */
 static inline uint64_t read_plain(const struct plain_places *at, size_t n,
     const int8_t *exponent, double v[PLAIN_BATCH])
 {

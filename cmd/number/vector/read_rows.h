@@ -94,8 +94,8 @@ static inline counts leading_zeros(counts x)
 struct marks {
 	/* bit i: byte i of the 32 before the number's end is a point, or a minus */
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
-	/* keys (LAST_KEYS) of how many digits and decimals the number has; before
-	 * count_digits, `digits` has the sizes of the numbers */
+	/* LAST_KEYS (read_body.h) of the numbers of digits and of decimals; until
+	 * count_digits is called, `digits` has the sizes of the numbers instead */
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
 	uint32_t divisor[PLAIN_BATCH]; /* indexes of divisors[] */
 };
