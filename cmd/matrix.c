@@ -47,7 +47,7 @@ static void put_matrix(struct printer *p, const struct elements *m, bool column)
 }
 
 /* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
- * to double or, if `floats` is true, to float, and refuses elements out of range. */
+ * to double. If `floats` is true, rounds to float, and refuses those out of range. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {

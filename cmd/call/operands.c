@@ -87,7 +87,7 @@ bool has_points(const struct options *o, const struct document *d)
 }
 
 /* Returns whether `path` is the name of a member that the output adds, or is a JSON
- * pointer that begins with the name of such a member. */
+ * pointer whose first token is such a name. */
 static bool is_added_member(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
@@ -136,7 +136,7 @@ static void check_columns(const struct options *o, const struct layout *l)
 }
 
 /* Refuses options that exclude each other. `printed` is true if the command prints
- * images of points; binary records of the output must then have room for the images. */
+ * images of points; records of the output then keep their number of coordinates. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {

@@ -98,7 +98,7 @@ void options_read(struct options *, char **words);
  * the document is 2D, the command reads two coordinates, whatever the result is. */
 int coordinates_of(const struct options *);
 
-/* Returns the format of printed points: the argument of -o, else the input's format. */
+/* Returns the format of printed points: `out` if has_out, else the input's format. */
 enum format options_output(const struct options *);
 
 /* Returns the style of the numbers in a matrix and in the output of inspect and pick.

@@ -53,7 +53,7 @@ const struct member *synonym_find(const char *name,
 
 /* Refuses a word that means m. `object` is a member of the scene, and m is `object` or
  * one of its members. The message begins with `unknown` ("unknown topic 'eye'"). It
- * shows object->example if m is in this example, else the topic of help about `object`.
+ * shows object->example if it has m or m is `object`, else the topic of help about it.
  * `reads` has, as bits, the members of the scene that the command reads. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)

@@ -43,7 +43,7 @@ struct member {
 	 * default is printed only if `shown` is set. */
 	const char *fallback;
 	bool shown;
-	/* The words "-c's" in "default -c's, else d3d" of the help; or NULL. */
+	/* What the help says before `fallback`, as "-c's" of "-c's, else d3d"; or NULL. */
 	const char *default_from;
 	/* Names of the member in other programs, in lower case without _ and -, with
 	 * blanks between the names; or NULL. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Checks JSON text (RFC 8259), and finds the ends of its parts. Checked text is text
  * that json_check accepts; the functions here take any text. No byte at or after `end`
- * is read. */
+ * is read, except by json_unescape, which reads the byte after the backslash. */
 #ifndef JSON_TEXT_H
 #define JSON_TEXT_H
 

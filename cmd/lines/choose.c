@@ -49,7 +49,7 @@ size_t cursor_count(struct cursor c)
 	return n;
 }
 
-/* The route to a field that choose looks for: path is the field's name or JSON pointer.
+/* The route to a field that choose_fields looks for. path is its name or JSON pointer.
  * If path is NULL, index is the field's index, from 0; -1: the route leads nowhere. */
 struct route {
 	const char *path;
@@ -109,10 +109,10 @@ struct search {
 	struct chosen *out;
 };
 
-/* Returns whether mixed_commas depends on the separator before f, field k of a line.
- * It depends on each separator before the last coordinate. It depends on the separator
- * after the last coordinate if f may be the decimals of this coordinate: f is a number,
- * and points have two coordinates or the separator is a comma without blanks. */
+/* Returns whether mixed_commas depends on the separator before f, field k of a line in
+ * FORMAT_TEXT. It depends on each separator before the last coordinate, and on the one
+ * after this coordinate if f may be its decimals: f is a number, and points have two
+ * coordinates or the separator is a comma without blanks. */
 static bool separator_counts(const struct search *r, const struct field *f,
     long k, const char *end)
 {

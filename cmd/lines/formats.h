@@ -29,7 +29,7 @@ struct dialect {
 struct field {
 	/* the field without a member's name, quotes of csv and outer blanks */
 	struct span value;
-	struct span whole;        /* the field with name, quotes and blanks */
+	struct span whole;        /* with name; in csv with quotes and blanks */
 	struct span name;         /* a member's name, quoted; else s is NULL */
 	const char *previous_end; /* the end of the field before, or NULL */
 	const char *next;         /* where the next field begins; NULL: none */

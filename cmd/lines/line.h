@@ -209,9 +209,9 @@ char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct flags *flags, char *out);
 
 /* Writes all fields that hold no coordinate, each after a separator of the output's
- * format. If both formats are FORMAT_TEXT and --columns is not given, copies all bytes
- * after the coordinates. Returns the end of the output, which has at most six bytes for
- * each byte of the line plus three for each field. */
+ * format. If both formats are FORMAT_TEXT and --columns is not given, writes a blank
+ * and the text after the coordinates. Returns the end of the output, which has at most
+ * six bytes for each byte of the line plus three for each field. */
 char *line_put_rest(const struct layout *, const struct line *, char *out);
 
 /* Returns a cursor before the first field of a line. A line of JSON has to be an array
@@ -227,7 +227,7 @@ bool cursor_next(struct cursor *, struct field *);
 /* Returns the number of fields after the cursor. */
 size_t cursor_count(struct cursor);
 
-/* The fields that choose finds: elements 0 to 3 of each array for the coordinates, and
+/* The fields that choose_fields finds: elements 0 to 3 of each array for coordinates,
  * element 4 + k for name k of the layout, if the output adds a field with this name. */
 struct chosen {
 	struct field field[SOUGHT_MAX]; /* the first field that is found */
@@ -263,9 +263,9 @@ bool choose_is_header(const struct layout *, struct cursor);
 /* Returns whether a token of a JSON pointer is k in decimal, without leading zeros. */
 bool is_index(struct span token, long k);
 
-/* Returns whether a line that begins with # is a comment. In csv a first line is no
- * comment if # is a whole field or the names of all coordinates follow #. A later line,
- * such as #N/A,2,3, is a row if it has as many fields as the header or first row. */
+/* Returns whether a line that begins with # is a comment. In csv a first line is none
+ * if # is a whole field or, without --no-header, the names of all coordinates follow #.
+ * A later line such as #N/A,2,3 is none if it has as many fields as the first line. */
 bool header_is_comment(const struct layout *, struct span text, bool first);
 
 /* Forgets what the layout knows of a source. Call it before the next source. */
@@ -279,8 +279,8 @@ bool header_read(struct layout *, struct span text, struct line *,
 
 /* Returns whether a row below a header of csv has more than max_fields fields; if so,
  * writes the reason. An empty last field does not count. A longer first row raises
- * max_fields, unless a coordinate has a name, or the header lacks just one field: R
- * writes such tables, whose header has no name for the column of row names. */
+ * max_fields; below a header, not if a coordinate has a name or the header lacks just
+ * one field: R writes such tables, with no name for the column of row names. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
 
@@ -305,14 +305,14 @@ void say_missing(const struct layout *, int i, struct cursor,
 void say_comment_columns(struct layout *, struct span text);
 
 /* Returns whether the first row lacks a header that it needs. If --columns gives names,
- * a LINE_LOST (`lost`) lacks a header, and already has a reason. Without --columns, a
- * row lacks a header if the last header, in an earlier file, reordered the columns, or
- * if the row fits comment_names and comment_numbers; then writes the reason. */
+ * a LINE_LOST (`lost`) lacks a header, and already has a reason. Without --columns and
+ * --no-header, a row lacks one if the last header, in an earlier file, reordered the
+ * columns, or if the row fits comment_names and comment_numbers; then writes why. */
 bool say_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
-/* Writes that a first line in FORMAT_TEXT looks like a header, unless its first field
- * is a number, or the reason tells already how to mend this field. */
+/* Writes that a first line in FORMAT_TEXT looks like a header, unless it has a = or its
+ * first field is a number or NA, or the reason tells already how to mend this field. */
 void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 

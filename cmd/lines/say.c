@@ -30,7 +30,7 @@ static const char rare[] = ";|\t", frequent[] = ";|\t, ";
 
 /* Adds to the reason how to mend f, a line or field. If f begins with one of marks[],
  * adds the remedy for the mark; a mark that is a word has to be all of f. Otherwise, if
- * f has one of the separators before its last byte, adds the option for the separator.
+ * f has one of the separators before its last byte, adds the remedy for the separator.
  * Returns false if it adds nothing. */
 static bool say_mend(const struct layout *l, struct span f,
     const char *separators, char reason[REASON_MAX])

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes lines that in_place.h does not write. If the format changes, convert_point
- * writes points without --append, and convert writes other lines. If the format stays,
- * append copies the line and adds values; splice copies, replaces or drops each field.
+ * writes points without --append. convert_line writes the other lines, and LINE_LOST.
+ * append_values copies a line and adds values; splice_line changes it field by field.
  *
  * The values of a point are the numbers written for it and the word of --flags: value k
  * is number k if k < COORDINATES_MAX, and value FLAGS is the word. */
@@ -371,7 +371,7 @@ static void convert_line(struct splice *w)
 	w->out = stpcpy(w->out, members ? "}" : to->close);
 }
 
-/* Writes a point as convert does without --append, but faster. */
+/* Writes a point as convert_line does without --append, but faster. */
 static char *convert_point(const struct layout *l, const struct line *line,
     struct numbers n, const struct flags *flags, char *out)
 {
@@ -399,7 +399,7 @@ char *line_write(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
-	/* in a bad object, splice replaces members that have the names of values */
+	/* in a bad object, splice_line replaces members with names of values */
 	bool appends = l->append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->append)

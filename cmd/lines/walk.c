@@ -11,7 +11,7 @@
  * branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* Returns a dialect's stops (line.h): the bytes that a walk has to look at. */
+/* Returns a dialect's stops: bytes that can end a field, or make a line not simple. */
 static struct byte_set stops_of(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -20,7 +20,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* stops with the same upper four bits share one bit in high and low */
+		/* stops with the same upper four bits share one of 8 bits */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 

@@ -39,10 +39,10 @@ const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 unsigned escape_find_invisible(const char *);
 
 /* Returns the word in the list `words`, which NULL ends, that `word` may mean, or NULL.
- * This is the last word of a hint for `word` (synonym_of) or, if the list lacks it, the
- * word that is the fewest edits away: one edit is allowed if `word` has two to five
- * letters, two edits up to eight letters, else three. An edit changes, adds or drops a
- * letter, or swaps two neighbours. If no word is so near, returns the first word that
+ * This is the last word of a hint of several words for `word` (synonym_of) or, if the
+ * list lacks it, the word that is the fewest edits away: at most one edit if `word` has
+ * two to five letters, two if six to eight, three if more. An edit changes, adds or
+ * drops a letter, or swaps two neighbours. Else this is the first word that
  * begins with `word` or that `word` begins with, if the shorter of the two has at least
  * three letters. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);

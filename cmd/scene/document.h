@@ -48,8 +48,8 @@ struct document {
 	/* If the whole document is one member of a scene, such as a camera, the name of
 	 * this member, which JSON pointers in messages leave out; else NULL. */
 	const char *lone_member;
-	/* The lines that document_read makes of the member points, as points_to_lines
-	 * does; or NULL. */
+	/* The member points, rewritten in the document's text as lines, as those of
+	 * points_to_lines; or NULL. */
 	const char *points;
 	size_t points_size;
 };
@@ -72,7 +72,7 @@ struct document_wants {
 	 * - implied_type: projections have only this type, and may lack "type".
 	 * - for_fit: the eye, near, far, the width and height of a parallel projection,
 	 *   and all members of a window may be missing.
-	 * - for_plane: far may be missing, and near if no size or edges are there. */
+	 * - for_plane: far may be missing; near, too, if no size or edge is at near. */
 	struct source source;
 	/* The convention that the option -c names, or NULL. It is the convention of the
 	 * output, and of a document that names none. */

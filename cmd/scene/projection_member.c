@@ -158,7 +158,7 @@ const struct member projection_members[] = {
 /* the index in projection_ways of the ways to give near and far */
 enum { WAYS_PLANES = 3 };
 
-/* If a parallel projection lacks its width or height, the command fit computes it. */
+/* The command fit computes the width and height of every parallel projection. */
 const struct ways projection_ways[] = {
 	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 	      "field aspect?", "width height edges_at?",
@@ -365,7 +365,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = ALL_MEMBERS;
 	/* members that are not printed: an aspect from the viewport, the default
-	 * direction, and members in whose place the document has others */
+	 * direction, and members that the document cannot have given */
 	const struct {
 		bool is_hidden;
 		const char *names;

@@ -19,8 +19,8 @@ size_t binary_size(const struct layout *l)
 	return l->keeps ? record_size(l) : point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates of n points, each of `size` bytes, from records to rows or, if
- * to_records is set, from rows to records. */
+/* Copies the coordinates of n points, each coordinate of `size` bytes, from records to
+ * rows or, if to_records is set, from rows to records. */
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool to_records, size_t n)
 {

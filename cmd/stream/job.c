@@ -145,7 +145,7 @@ struct writer {
 	const struct job *job;
 	struct chunk *chunk;
 	bool in_place;    /* write_in_place may write the images */
-	bool adds_values; /* more values are written than were read */
+	bool adds_values; /* values are added after those that were read */
 	int order[4];     /* of the coordinates on the previous line */
 	unsigned char outside[POINTS_BLOCK]; /* frustum_outside of point p */
 

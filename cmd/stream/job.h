@@ -139,8 +139,8 @@ void answer_chunk(const struct job *, struct chunk *);
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */
 void answer_refused_scene(enum format);
 
-/* Reports how many lines are bad and how many points have no image, closes standard
- * output, and returns the exit status. */
+/* Reports how many lines are bad, how many points have no image and, by --progress, all
+ * lines. Closes standard output, and returns the exit status. */
 int answer_end(void);
 
 #endif

@@ -9,7 +9,7 @@
 
 struct layout;
 
-/* The size of a piece in bytes. With it threads seldom wait, and caches hold a piece. */
+/* The size of a piece in bytes. Threads then seldom wait, and caches hold a piece. */
 enum { PIECE_ROOM = 1 << 17 };
 
 /* The size of pipes in bytes: room for two pieces, so that one process writes a piece

@@ -3,8 +3,8 @@
 
 /* The depth of a point is z / w. Let n be the gradient of w or, if w is constant, of z.
  * D (struct depth) is measured along n from the eye or, if w is constant, from the
- * origin of view space. Let z0 and w0 be the values of z and w where D is 0, and dz and
- * dw the dot products of n with the gradients of z and w. Then
+ * origin of view space. Let z0 and w0 be z and w at this eye or origin, and dz and dw
+ * the dot products of n with the gradients of z and w. Then
  *
  *	depth = (z0 + D dz / |n|) / (w0 + D dw / |n|),
  *	D = |n| (w0 depth - z0) / (dz - dw depth).

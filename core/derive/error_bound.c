@@ -73,9 +73,9 @@ static double column_bound(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* Returns the error bound for the arithmetic *a, or nan if w could be less than its
- * error, or if 1/w, the image, k->a or k->b could be above a->limit. If another number
- * overflows, no bound is needed: the image is not finite, and is computed exactly. */
+/* Returns the error bound for the arithmetic *a, or nan if w could be at most 16 times
+ * its error, or if 1/w, the image, k->a or k->b could be above a->limit. If another
+ * number overflows, no bound is needed: the image is not finite, but made exactly. */
 static double precision_bound(const struct error_analysis *v,
     const struct arithmetic *a)
 {

@@ -378,8 +378,8 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves the near plane of a volume, if the eye is not beyond far, until near's distance
- * from the eye is at least near_ratio times far's distance from the eye. */
+/* Moves the near plane of a volume, if the eye is on near's side of far, until near's
+ * distance from the eye is at least near_ratio times far's distance from the eye. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;

@@ -119,8 +119,8 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * hold the bounds; then one of them is enlarged to the aspect, unless aspect[1] is 0.
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
- * convention's gaze, z or -z of view space. If the eye is not beyond far, near is moved
- * until its distance from the eye is at least near_ratio times far's.
+ * convention's gaze, z or -z of view space. If the eye is on near's side of far, near
+ * is moved until its distance from the eye is at least near_ratio times far's.
  *
  * A margin moves the side planes inward before they are compared with the bounds. The
  * eye is rounded to doubles; in persp it then moves back until the bounds are inside.

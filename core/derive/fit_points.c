@@ -39,8 +39,8 @@ static double distance_error(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-/* Returns whether p is farther than q in direction j. Between equally far points the
- * first coordinate that differs decides, so that their order does not matter. */
+/* Returns whether p is farther than q in direction j. Of equally far points, that with
+ * the greater first differing coordinate is farther: their order does not matter. */
 static bool is_farther(const struct directions *all, int j, const double p[3],
     const double q[3])
 {

@@ -31,7 +31,7 @@ void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 /* view_planes and frustum_of make the planes of the view volume, as linear functions of
  * a point in the space `from`; inside no function is negative. `sides` has the columns
  * left, right, bottom and top, `ends` near, far and w. If `homogeneous` is set, points
- * are x y z w. Both return NULL, or the member at fault and why. */
+ * of device space are x y z 1/w. Both return NULL, or the member at fault and why. */
 const char *view_planes(const struct scene *, enum space from,
     struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
@@ -68,7 +68,7 @@ const char *volume_of(const struct scene *, struct volume *);
 /* Writes to bound[enum precision] an upper bound of the errors of the coordinates of
  * images, for all model points in the view volume. The unit is that of the device or,
  * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if a
- * point's w could be less than its own error, or if 1/w is beyond the range of the
+ * point's w could be at most 16 times its error, or if 1/w is beyond the range of the
  * precision. Returns NULL, or the member at fault and why. */
 const char *error_bounds(const struct scene *, const struct volume *,
     double bound[3]);

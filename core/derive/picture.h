@@ -41,7 +41,7 @@ enum note {
 	NOTE_NO_ROTATION,   /* the camera's matrix is not a rotation */
 	NOTE_TILTED,        /* near and far are not parallel to the image */
 	NOTE_MINUS_W,       /* w is negative between the near and far planes */
-	NOTE_NO_INTRINSICS, /* the second scene lacks the intrinsics it needs */
+	NOTE_NO_INTRINSICS, /* it would need intrinsics, but cannot have them */
 	NOTE_OUT_OF_RANGE,  /* numbers of the second scene are out of range */
 	NOTES,
 };
@@ -71,8 +71,8 @@ enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
 /* A point of depth z has the distance D = (num[0] z + num[1]) / (den[0] z + den[1]). z
  * is device depth; without a viewport, z is 0 to 1. D is measured on the normal of the
  * projection plane: in a perspective from the eye, in a parallel projection from the
- * origin of view space. den[0] is 0 only in a parallel projection. In a perspective
- * den[0] z + den[1] is positive in front of the eye. */
+ * origin of view space (depth.c says which way). den[0] is 0 only in a parallel
+ * projection. In a perspective den[0] z + den[1] is positive in front of the eye. */
 struct depth {
 	struct sum num[2], den[2];
 	double low, high; /* z at the least ndc depth, and at ndc depth 1 */

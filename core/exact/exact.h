@@ -33,9 +33,9 @@ typedef struct {
 ex ex_of(double a);
 ex ex_power(int e); /* 2^e */
 
-/* The bound of the relative error of quotients and roots. These have EX_QUOTIENT_WORDS
- * words; the highest word can be as small as 1. They are exact if five words can hold
- * the exact result. A quotient by 0 is a number beyond the range of doubles. */
+/* The bound of the relative error of quotients and roots. These keep EX_QUOTIENT_WORDS
+ * words or one more; the highest can be as small as 1. They are exact if five words can
+ * hold the exact result. A quotient by 0 is a number beyond the range of doubles. */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT_WORDS = 12 };
 

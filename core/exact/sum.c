@@ -20,7 +20,7 @@ static int ceil_log2(const ex *a)
 }
 
 /* Returns a bound of the sum of n <= 15 errors, all in the form of `error` of struct
- * sum. The factor 1 + 2^-19 of sum.h covers errors below 2^-40 of the largest. */
+ * sum. The factor 1 + 2^-19 of sum.h covers errors up to 2^-40 of the largest. */
 static int add_errors(int n, const int error[])
 {
 	int most = EX_RANGE / 2, terms = 0, e = 0;

@@ -43,7 +43,7 @@ enum { SINE_POWER = 62 };
 
 /* The last power of x in the series for x^2 <= 4 pi^2, and the words of its terms, for
  * an absolute error of 2^-670: the first term left out, x^192/192!, is below 2^-675.
- * versinc is 0 at 2 pi. Near 2 pi it can be as small as 2^-330, as the sum of the
+ * versinc is 0 at 2 pi. Near 2 pi it can be as small as 2^-332, as the sum of the
  * squares of three doubles can be as near to 4 pi^2 as 2^-159. */
 enum { SINC_POWER = 190, SINC_WORDS = 12 };
 

@@ -34,7 +34,7 @@ double trig_atan2_degrees(struct sum y, struct sum x);
 bool rotation_about(const double vector[3], struct sum r[3][3]);
 
 /* ROTATION_NONE: the determinant is not positive, as in a matrix that mirrors.
- * ROTATION_MANY: two singular values are near 0; many rotations are equally near. */
+ * ROTATION_MANY: two singular values are so near 0 that no one rotation is nearest. */
 enum rotation_result { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 
 /* Computes the rotation nearest to the upper left 3x3 of a matrix, its polar factor, as

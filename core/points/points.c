@@ -59,7 +59,7 @@ static void map_one(const struct transform *t, enum precision precision,
 static bool map_alone(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
-	enum { COLUMN_MIN = 16 }; /* kernels may read 16 numbers for a point */
+	enum { COLUMN_MIN = 16 }; /* kernels may read 16 numbers per column */
 	COLUMN_ALIGNED double p[3][COLUMN_MIN], q[4][COLUMN_MIN];
 	const double *const from[3] = { p[0], p[1], p[2] };
 	double *const to[4] = { q[0], q[1], q[2], q[3] };

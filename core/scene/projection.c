@@ -388,7 +388,7 @@ static const char *prepend_intrinsics(const struct projection *p,
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	/* the convention of f: d3d, except that a volume has the view space of c */
+	/* f is d3d, except a volume: its view space is that of c, clip y is view y */
 	bool volume = p->type == PROJECTION_VOLUME;
 	const struct convention given = {
 		.right_handed = volume && c->right_handed,

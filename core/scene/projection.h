@@ -85,8 +85,8 @@ static inline bool projection_has_intrinsics(const struct projection *p)
 	return p->type == PROJECTION_PERSP && p->section == SECTION_INTRINSICS;
 }
 
-/* Returns whether P is tilted. If its last row begins with 0 0 1, P is not tilted, and
- * w is the distance along the gaze plus intrinsics[2][3]. */
+/* Returns whether P is tilted: its last row does not begin with 0 0 1. If P is not
+ * tilted, w is the distance along the gaze plus intrinsics[2][3]. */
 static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->intrinsics[2];

@@ -13,7 +13,7 @@ struct window {
 	double zoom;     /* 2 shows half the extent; the default is 1 */
 	bool has_about;  /* false: the zoom is about the centre */
 	double about[2]; /* the point that the zoom does not move */
-	/* to the device's shape: the window's short side grows, the long shrinks */
+	/* for the device's shape: GROW the side that is too short, SHRINK the other */
 	enum { ADAPT_STRETCH, ADAPT_GROW, ADAPT_SHRINK } adapt;
 };
 

@@ -34,7 +34,7 @@ static inline void assert_errors(const char *what, const struct worst *w,
 	assert_true(n[NEAREST] > 0 && n[WITHIN_TOLERANCE] <= n[NEAREST] / 100);
 	assert_at_most("errors of pairs of doubles", w->pair_error,
 	    EX_ROUND_BOUND);
-	assert_at_most("bounds of errors", w->add_errors, bound);
+	assert_at_most("bounds of errors", w->sum_bound, bound);
 }
 
 static inline void assert_maps(const char *what, const struct worst *w)

@@ -215,7 +215,7 @@ static void compare_element(const struct map *m, int i, int j,
 	if (!t->irrational || !mpfr_zero_p(bound))
 		w->beyond_error += mpfr_cmp(off, bound) > 0;
 	if (!mpfr_zero_p(bound))
-		keep_worst(&w->add_errors,
+		keep_worst(&w->sum_bound,
 		    mpfr_get_d(divide(bound, tolerance(exact.size)),
 			MPFR_RNDU));
 }

@@ -107,7 +107,7 @@ struct worst {
 	double
 	    pair_error; /* of an element's pair of doubles, in units of 2^-106 */
 	double
-	    add_errors; /* bound of a sum's error / (TRUTH_TOLERANCE times its size) */
+	    sum_bound; /* bound of a sum's error / (TRUTH_TOLERANCE times its size) */
 	int beyond_error;   /* elements whose error is above its bound */
 	int false_nonzeros; /* elements that are not 0 where the truth is */
 };

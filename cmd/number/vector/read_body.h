@@ -23,7 +23,7 @@
  *	ANY_ABOVE_9(row) whether a byte of the row is above 9
  *	LEADING_ZEROS(x) the number of leading zero bits, in integers of 32 bits
  *
- * A number has the same bits for any WIDTH: the same operations compute it. */
+ * A number has the same bits for any WIDTH: the same operations of IEEE 754 make it. */
 #include "read_rows.h"
 
 /* Returns a mask; bit i is set if lanes i of a and b differ or are nan. */

@@ -20,8 +20,8 @@
 /* The most digits that a whole number below 2^53 has. */
 enum { DIGITS = 16 };
 
-/* These loops find at most MOST_DIGITS decimals or significant digits, and write at
- * most MOST_ZEROS zeros between digits and the point. */
+/* A style may ask these loops for at most MOST_DIGITS decimals or significant digits.
+ * They write at most MOST_ZEROS zeros between digits and the point. */
 enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
 /* The digits of a batch of numbers. whole has DIGITS digits; the point stands `scale`

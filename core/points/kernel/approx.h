@@ -19,7 +19,7 @@
  * most 32/31 as large, and the other 4 u weigh less. `make prove` counts these errors,
  * and error_bound.c bounds S for a scene. An underflow adds at most u times the least
  * normal number. A value that overflows never becomes finite again, except w, whose
- * reciprocal is 0. Therefore the image is nan if w is not below W_MAX. */
+ * reciprocal is 0. So x of the image becomes nan if w is not below W_MAX. */
 
 /* Returns the product of (p, 1) and column k of the matrix; p has `terms` elements. */
 static inline REAL NAME(

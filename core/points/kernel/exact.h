@@ -37,7 +37,7 @@
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
 /* Returns true if `largest`, the largest magnitude of coordinates or of a column, is 0
- * or is far from overflow and underflow: products and quotients do neither. */
+ * or is such that products and quotients of two such numbers are normal doubles. */
 static int is_moderate(double largest)
 {
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
@@ -339,10 +339,10 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 
 /* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. The first
  * quotient q is within 4 u |q| of n / w; the residual n - q w is at most 4 u |n|. q's
- * correction, the residual over w, has an error of at most 24 u^2 |q| plus 3 u times the
- * low parts, which are up to 9 times 2^-26 of their column's B. `bound` is above 2^-74
- * |n|, and w_bound above 2^-74 w. If w is above w_bound, all errors together leave a
- * sixth of the bounds unused, even if the exact divisor is less than w. */
+ * correction, the residual over w, has an error of at most 24 u^2 |q| plus 3 u times
+ * the low parts, which are up to 9 times 2^-26 of their column's B. `bound` is above
+ * 2^-74 |n|, and w_bound above 2^-74 w. If w is above w_bound, all errors together
+ * leave a sixth of the bounds unused, even if the exact divisor is less than w. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {

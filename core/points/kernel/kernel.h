@@ -20,7 +20,7 @@ enum kernel_kind {
 	KERNEL_AFFINE, /* x, y and z, not divided */
 	KERNEL_XYZW,   /* x, y, z and w, not divided; PRECISION_EXACT only */
 	KERNEL_PROJECTIVE, /* x, y and z divided by w */
-	KERNEL_DEPTH,      /* as PROJECTIVE, but z is a + b / w if not exact */
+	KERNEL_DEPTH,      /* z is a + b / w; in PRECISION_EXACT as PROJECTIVE */
 	KERNEL_DIRECTION,  /* from x and y to x, y and z of a unit vector */
 	KERNELS,
 };
@@ -79,7 +79,7 @@ typedef int (*approx_kernel)(const struct kernel_map *,
 typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
     char *out, size_t n);
 
-/* A factor in the bound of the errors of approx_kernel; approx.h derives the bound. */
+/* The factor of u in the error bound of approx_kernel; approx.h derives the bound. */
 #define APPROX_BOUND 10
 
 /* Copies points from rows of floats or doubles to columns of doubles. Returns true if
@@ -87,16 +87,16 @@ typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
 typedef int (*to_columns_kernel)(const char *rows,
     double (*columns)[POINTS_BLOCK], size_t n, double max);
 
-/* Copies columns of doubles to rows of floats or doubles; -0 becomes 0. Returns true if
- * all numbers of the rows are finite and floats are surely rounded right (midway.h). */
+/* Copies columns of doubles to rows of floats or doubles; -0 becomes 0. Returns true
+ * only if all numbers of the rows are finite and floats are surely right (midway.h). */
 typedef int (
     *to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
 /* A map in doubles, with the matrix m, which finds signs of the columns of an exact map
  * by estimates. Let size be |x| + |y| + |z|, relative to the origin. If low <= size <
  * high, an estimate whose magnitude is above slope * size + floor has the sign of the
- * exact column. One slope and floor, for the column with the largest errors, serve all
- * columns: this takes less time, but leaves the signs of a few more points unsure. */
+ * exact column. One slope and one floor, the largest of any column, serve all columns:
+ * this takes less time, but leaves the signs of a few more points unsure. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };

@@ -17,7 +17,7 @@ static inline void little_copy(void *to, const void *from, size_t size)
 			((char *)to)[i] = ((const char *)from)[size - 1 - i];
 }
 
-/* little_get returns the double or float at p. little_put writes v to p, -0 as 0. */
+/* little_get returns the double or float at p. little_put writes v as one, -0 as 0. */
 static inline double little_get(const char *p, bool is_double)
 {
 	double v;

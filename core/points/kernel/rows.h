@@ -25,8 +25,8 @@ to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 	return above == 0;
 }
 
-/* Returns true if each double of a column rounds to a finite float, and this float is
- * surely the nearest to the exact value from which the double was rounded. */
+/* Returns true only if each double of a column rounds to a finite float, and this float
+ * is surely the nearest to the exact value from which the double was rounded. */
 static inline __attribute__((always_inline)) int
 floats_are_sure(const double *restrict column, size_t n)
 {
