@@ -485,31 +485,32 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
-/* fit_scene needs only the points farthest along the directions added here: it measures
- * bounds along fit_maps and along the normals of the side planes. A move of the eye
- * does not change the normals, but keep_side_planes rounds sizes outward: the points
- * stay inside, and the margin may shrink by the rounding. */
+/* fit_scene measures along fit_maps, in persp along the normals of the side planes, and
+ * in a volume along the world's axes (eye_to_middle). A move of the eye does not change
+ * the normals; keep_side_planes rounds sizes outward, so the margin may shrink. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
 	struct scene s = *given;
 	bool persp = s.projection.type == PROJECTION_PERSP;
-	struct map xy, depth, sides, ends;
+	bool volume = s.projection.type == PROJECTION_VOLUME;
+	struct map xy, depth, more, ends;
 	const char *why = fit_prepare(&s);
 
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;
 	if (why == NULL)
 		why = fit_maps(&s, &xy, &depth);
-	if (why == NULL && persp)
-		why = view_planes(&s, SPACE_MODEL, &sides, &ends);
+	if (why == NULL)
+		why = persp ? view_planes(&s, SPACE_MODEL, &more, &ends) :
+			      scene_map(&s, SPACE_MODEL, SPACE_WORLD, &more);
 	if (why != NULL)
 		return why;
 	all->n = 0;
 	for (int k = 0; k < 6; k++)
 		directions_add(all, k < 4 ? &xy : &depth, k / 2, k & 1);
-	for (int k = 0; k < 4 && persp; k++)
-		directions_add(all, &sides, k, true);
+	for (int k = 0; k < (persp ? 4 : 6 * volume); k++)
+		directions_add(all, &more, persp ? k : k / 2, persp || k & 1);
 	return NULL;
 }
 

@@ -5,7 +5,7 @@
 
 #include "../scene/scene.h"
 
-enum { BOUNDS_POINTS = 10 }; /* for 6 axis and 4 side-plane directions */
+enum { BOUNDS_POINTS = 12 }; /* the most directions of fit_directions */
 
 /* The bounds to fit to: a sphere, a box from min to max or, if n is not 0, n points:
  * those farthest along the directions of fit_directions or window_directions. All
@@ -125,9 +125,8 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * A margin moves the side planes inward before they are compared with the bounds. The
  * eye is rounded to doubles; in persp it then moves back until the bounds are inside.
  * frustum_outside finds each corner or point of the bounds inside. near, far and the
- * sizes of ortho and oblique are the tightest doubles with this property, unless the
- * eye is so far away that rounding errors exceed the last bits of the bounds. Returns
- * NULL, or the member and the reason. */
+ * sizes of ortho and oblique are the tightest such doubles, unless the errors of a far
+ * eye exceed the last bits of the bounds. Returns NULL, or the member and why. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions for which fit_scene makes the same scene of the farthest points

@@ -497,12 +497,57 @@ static void test_points(void **state)
 	assert_in_range(fit_many(200, 4, true), 80, 200);
 }
 
+/* The points farthest along fit_directions make the same scene as all points. */
+static void test_farthest(void **state)
+{
+	int fitted = 0;
+
+	(void)state;
+	sample_seed(4);
+	for (int i = 0; i < 1500; i++) {
+		struct bounds b, all = { 0 };
+		struct fitted f = { .b = &b };
+		struct scene s;
+		bool has_eye = sample_below(2), volume = sample_below(3) == 0;
+
+		sample_fit(&f.s, 1);
+		while (volume && f.s.projection.type != PROJECTION_VOLUME)
+			sample_scene(&f.s, 1);
+		if (!sample_cloud(&f.s, has_eye, 1, &f, &b) ||
+		    f.cloud.n > BOUNDS_POINTS)
+			continue;
+		s = f.s;
+		all.n = (int)f.cloud.n;
+		for (int k = 0; k < 3 * all.n; k++)
+			all.point[k / 3][k % 3] = f.cloud.in[k % 3][k / 3];
+
+		const struct projection *p = &f.s.projection,
+					*q = &s.projection;
+		const char *why = fit_scene(&f.s, has_eye, &b);
+
+		assert_ptr_equal(fit_scene(&s, has_eye, &all), why);
+		for (int k = 0; k < 3 && why == NULL; k++)
+			assert_number(f.s.camera.eye[k], s.camera.eye[k]);
+		if (why != NULL)
+			continue;
+		assert_number(p->near, q->near);
+		assert_number(p->far, q->far);
+		assert_number(p->width, q->width);
+		assert_number(p->height, q->height);
+		assert_number(p->z_near, q->z_near);
+		assert_number(p->z_far, q->z_far);
+		fitted++;
+	}
+	assert_in_range(fitted, 300, 1500);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ordinary),
 		cmocka_unit_test(test_mixed),
 		cmocka_unit_test(test_points),
+		cmocka_unit_test(test_farthest),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
