@@ -340,9 +340,10 @@ sub short {
 	my @words = ('The loop by hand takes', ratio($hand, 'text'), 'times as',
 	    'long as `projcalc`' . $avx2_hand .
 	    ($avx2_hand && ' in place of AVX-512') . '. We wrote the loop as fast',
-	    'as we could: it reads blocks with read(), finds eight digits at a time in',
-	    'a word, computes columns that the compiler vectorizes, and writes',
-	    "dragonbox's digits in place.", $glm_times ? 'GLM with scanf and ' .
+	    'as we could: it reads blocks with read(), takes eight digits at a time from',
+	    'a 64-bit word, keeps x, y and z in arrays of their own, which the compiler',
+	    'vectorizes, and writes the shortest digits, which the library dragonbox',
+	    'finds, straight into its output.', $glm_times ? 'GLM with scanf and ' .
 	    "printf takes $glm_times times as long as `projcalc`" .
 	    $avx2->($glm) . '.' : (), 'The default, `-p exact`, takes',
 	    ratio('text', 'text -p double'), 'times as long as `-p double` in',
