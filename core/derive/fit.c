@@ -100,18 +100,23 @@ static double extent_ratio(const struct extents *r, int j, struct sum n,
 	return sum_sign(r->size[j]) > 0 ? ratio_up(n, d) : sum_ratio(n, d);
 }
 
-/* Writes the least and the greatest depth of the bounds, rounded outward. */
-static void depth_range(const struct extents *r, double *low, double *high)
-{
-	struct sum one = sum_of_double(1);
-
-	*low = 0 - extent_ratio(r, 2, sum_neg(r->low[2]), one);
-	*high = extent_ratio(r, 2, r->high[2], one);
-}
-
 static struct sum extent_middle(const struct extents *r, int j)
 {
 	return sum_scale(sum_add(r->low[j], r->high[j]), 0.5);
+}
+
+/* Writes the least and the greatest depth of the bounds, rounded outward. The ends of a
+ * widened range, rounded to nearest, could both be on one side of the bounds. */
+static void depth_range(const struct extents *r, double *low, double *high)
+{
+	struct sum one = sum_of_double(1), middle = extent_middle(r, 2);
+
+	*low = 0 -
+	    fmax(extent_ratio(r, 2, sum_neg(r->low[2]), one),
+		ratio_up(sum_neg(middle), one));
+	*high = fmax(extent_ratio(r, 2, r->high[2], one),
+	    ratio_up(middle, one));
+	*high = fmax(*high, nextafter(*low, HUGE_VAL));
 }
 
 static struct sum larger(struct sum a, struct sum b)
@@ -235,15 +240,6 @@ static void keep_side_planes(struct projection *p, double old_near)
 		    *sizes[i]);
 }
 
-/* Sets near and far to the ends of the bounds' depth, rounded outward. */
-static void set_near_and_far(struct projection *p, const struct extents *r)
-{
-	double high;
-
-	depth_range(r, &p->near, &high);
-	p->far = fmax(high, nextafter(p->near, HUGE_VAL));
-}
-
 /* Sets near and far around the bounds. Returns whether the bounds are then inside the
  * volume, and near is at least near_ratio times far. */
 static bool enclose_persp(struct scene *s, const struct hull *h)
@@ -254,7 +250,7 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 
 	if (hull_extents(h, s, &r) != NULL || sum_sign(r.low[2]) <= 0)
 		return false;
-	set_near_and_far(p, &r);
+	depth_range(&r, &p->near, &p->far);
 	keep_side_planes(p, old_near);
 	struct sum least = sum_scale(sum_of_double(p->near_ratio), p->far);
 
@@ -342,7 +338,7 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 
 	if (why != NULL)
 		return why;
-	set_near_and_far(p, &r);
+	depth_range(&r, &p->near, &p->far);
 	view_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum most = larger(sum_neg(r.low[j]), r.high[j]);
@@ -406,16 +402,11 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 
 	if (why != NULL)
 		return why;
-	double near = p->z_near = sign * sum_double(r.low[2]);
-
-	p->z_far = sign * sum_double(r.high[2]);
-	keep_near_ratio(p);
-	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL)
-		return why;
 	depth_range(&r, &low, &high);
-	p->z_near = p->z_near == near ? sign * low : p->z_near;
+	p->z_near = sign * low;
 	p->z_far = sign * high;
-	return NULL;
+	keep_near_ratio(p);
+	return scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 }
 
 /* Gives the camera the form CAMERA_GAZE. Gives valid numbers to those members of the
