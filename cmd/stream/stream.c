@@ -216,7 +216,8 @@ static void *thread_main(void *unused)
 	return unused;
 }
 
-/* Returns how many threads to use: more than processors would have to share caches. */
+/* Returns the number of threads to use: at most one for each processor, and so many if
+ * `wanted` is 0. More would evict each other's caches. */
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);

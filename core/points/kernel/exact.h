@@ -407,9 +407,10 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
  * other images are finite, as columns are below 2^202 and w is above 2^-274.
  *
  * A direction is divided by its length, whose error is at most the sum of the columns'
- * errors (triangle inequality). The length's bound, the sum of the columns' bounds, is
- * above 2^-74 of the length, as each column's is of the column. If the length is below
- * its bound, the error of each quotient exceeds the quotient: no rounding is sure. */
+ * errors (triangle inequality). The length's bound is the sum of the columns' bounds.
+ * Each of these is above 2^-74 of its column, and so the sum is above 2^-74 of the
+ * length, as quotient() requires. If the length is below its bound, the error of each
+ * quotient exceeds the quotient: no rounding is sure. */
 static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)
