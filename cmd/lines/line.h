@@ -278,9 +278,9 @@ bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
 /* Returns whether a row of csv is too long: there is a header, and the row has more
- * than max_fields fields. If so, writes the reason. An empty last field does not count. A
- * longer first row raises max_fields, except below a header in two cases: a coordinate
- * has a name, or the row has just one field more than the header. R writes such tables,
+ * than max_fields fields. If so, writes the reason. An empty last field does not count.
+ * A longer first row raises max_fields, but not below a header if a coordinate has a
+ * name, or if the row has just one field more than the header. R writes such tables,
  * without a name for the column of row names: each name is one column off. */
 bool header_row_is_long(struct layout *, struct cursor row, enum first,
     char reason[REASON_MAX]);
