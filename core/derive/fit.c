@@ -375,18 +375,23 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 }
 
 /* Moves the near plane of a volume, if the eye is on near's side of far, until near's
- * distance from the eye is at least near_ratio times far's distance from the eye. */
+ * distance from the eye is at least near_ratio times far's. Rounds to nearest. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
 
 	projection_inverse_eye_z(p, &over, &under);
-	double eye = sum_sign(over) == 0 ? (double)NAN : sum_ratio(under, over);
-	double least = eye - p->near_ratio * (eye - p->z_far);
+	double eye = sum_ratio(under, over);
 
-	if (p->z_near > p->z_far ? eye > p->z_far && least < p->z_near :
-				   eye < p->z_far && least > p->z_near)
-		p->z_near = least;
+	if (!isfinite(eye))
+		return;
+	struct sum far = sum_sub(under, sum_scale(over, p->z_far));
+	struct sum least = sum_scale(far, p->near_ratio);
+	double z = sum_ratio(sum_sub(under, least), over);
+
+	if (p->z_near > p->z_far ? eye > p->z_far && z < p->z_near :
+				   eye < p->z_far && z > p->z_near)
+		p->z_near = z;
 }
 
 /* Fits z_near and z_far of a volume. The rectangle and the eye of a volume are given in
@@ -395,16 +400,15 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
 	double sign = looks_back(&s->convention) ? -1 : 1;
-	double low, high;
 	struct extents r;
 	struct map clip;
 	const char *why = hull_extents(h, s, &r);
 
 	if (why != NULL)
 		return why;
-	depth_range(&r, &low, &high);
-	p->z_near = sign * low;
-	p->z_far = sign * high;
+	depth_range(&r, &p->z_near, &p->z_far);
+	p->z_near *= sign;
+	p->z_far *= sign;
 	keep_near_ratio(p);
 	return scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 }
