@@ -375,7 +375,7 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 }
 
 /* Moves the near plane of a volume, if the eye is on near's side of far, until near's
- * distance from the eye is at least near_ratio times far's. Rounds to nearest. */
+ * distance from the eye is at least near_ratio times far's distance from the eye. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
@@ -388,7 +388,10 @@ static void keep_near_ratio(struct projection *p)
 	struct sum far = sum_sub(under, sum_scale(over, p->z_far));
 	struct sum least = sum_scale(far, p->near_ratio);
 	double z = sum_ratio(sum_sub(under, least), over);
+	struct sum near = sum_sub(under, sum_scale(over, z));
 
+	if (sum_compare(near, least) * sum_sign(far) < 0)
+		z = nextafter(z, p->z_far);
 	if (p->z_near > p->z_far ? eye > p->z_far && z < p->z_near :
 				   eye < p->z_far && z > p->z_near)
 		p->z_near = z;

@@ -68,8 +68,7 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 	return sum_snap_zero(sum_quotient(at, m->divisor));
 }
 
-/* The size is computed from lowest_offset, as the errors of high and low can be larger
- * than high - low. */
+/* Computes the size from lowest_offset: the errors of high and low can exceed it. */
 void extents_set(struct extents *r, int j, const struct hull *h,
     const struct map *m)
 {
