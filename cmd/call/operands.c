@@ -157,7 +157,7 @@ static void check_layout(const struct options *o, const struct layout *l,
 		    "--append keeps lines as they were read; leave -o out" },
 		{ o->flags && (binary || (printed && record)),
 		    "--flags: binary points and records have no room for "
-		    "words; use -o text; first convert records to text" },
+		    "words; use -o text, and convert records before" },
 		{ o->columns.n > 0 && is_binary(o->in) && !record,
 		    "--columns: binary points have no other fields; use -i "
 		    "f32x4 or f64x4 for records of four numbers" },

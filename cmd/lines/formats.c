@@ -67,8 +67,7 @@ static bool json_line_check(struct dialect d, struct span line,
 	return false;
 }
 
-/* Sets *f to the next field of FORMAT_TEXT, up to a blank or, unless c->no_commas is
- * set, a comma. */
+/* Sets *f to the next field of FORMAT_TEXT. Unless c->no_commas, commas end it, too. */
 static void next_of_text(struct cursor *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *after;

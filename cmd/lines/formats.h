@@ -78,8 +78,7 @@ struct format_row {
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
-/* Returns the dialect of a format. `separator` is used for csv only; other formats have
- * their own. */
+/* Returns the dialect of a format. Only that of csv has the given separator. */
 struct dialect dialect_of(enum format, char separator);
 
 static inline const struct format_row *format_of(struct dialect d)

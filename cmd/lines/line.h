@@ -292,8 +292,7 @@ struct cursor header_cursor(struct dialect, struct span text);
 void say_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
 
-/* Returns whether f is an empty field of csv, and the separator is a blank; if so,
- * writes the reason. */
+/* If f is an empty field of csv between blanks, writes the reason and returns true. */
 bool say_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
 

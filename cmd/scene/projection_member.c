@@ -235,7 +235,8 @@ static void read_type(const struct value *v, struct projection *p)
 	else if (implied == PROJECTION_NONE)
 		refuse_missing_type(v);
 	if (implied != PROJECTION_NONE && p->type != implied)
-		value_refuse(&m, "is \"%s\", not \"%s\"; project takes any",
+		value_refuse(&m,
+		    "is \"%s\", not \"%s\"; project takes any type",
 		    projection_types[p->type - 1],
 		    projection_types[implied - 1]);
 }

@@ -34,9 +34,9 @@ static const struct refusal projections[] = {
 	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}" },
 	{ &persp, "{\"type\":\"ortho\"}",
-	    "/type: is \"ortho\", not \"persp\"; project takes any" },
+	    "/type: is \"ortho\", not \"persp\"; project takes any type" },
 	{ &persp, "{\"type\":\"matrix\"}",
-	    "/type: is \"matrix\", not \"persp\"; project takes any" },
+	    "/type: is \"matrix\", not \"persp\"; project takes any type" },
 	{ &project, "{\"projection\":{}}",
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },

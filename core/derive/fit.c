@@ -326,8 +326,7 @@ static const char *center_picture(struct scene *s, bool has_eye,
 	return NULL;
 }
 
-/* Sets near and far, and width and height to the least sizes that hold the bounds and
- * have the aspect. */
+/* Sets near, far, and the least width and height that hold the bounds in the aspect. */
 static const char *enclose_parallel(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -375,7 +374,8 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 }
 
 /* Moves the near plane of a volume, if the eye is on near's side of far, until near's
- * distance from the eye is at least near_ratio times far's distance from the eye. */
+ * distance from the eye is at least near_ratio times far's. The eye has z under / over,
+ * and so the signed distance (under - over z) / over from a plane z. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
@@ -491,24 +491,27 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 {
 	struct scene s = *given;
 	bool persp = s.projection.type == PROJECTION_PERSP;
-	bool volume = s.projection.type == PROJECTION_VOLUME;
-	struct map xy, depth, more, ends;
+	bool to_middle = !has_eye && s.projection.type == PROJECTION_VOLUME;
+	struct map xy, depth, sides, ends, world;
 	const char *why = fit_prepare(&s);
 
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;
 	if (why == NULL)
 		why = fit_maps(&s, &xy, &depth);
-	if (why == NULL)
-		why = persp ? view_planes(&s, SPACE_MODEL, &more, &ends) :
-			      scene_map(&s, SPACE_MODEL, SPACE_WORLD, &more);
+	if (why == NULL && persp)
+		why = view_planes(&s, SPACE_MODEL, &sides, &ends);
+	if (why == NULL && to_middle)
+		why = scene_map(&s, SPACE_MODEL, SPACE_WORLD, &world);
 	if (why != NULL)
 		return why;
 	all->n = 0;
 	for (int k = 0; k < 6; k++)
 		directions_add(all, k < 4 ? &xy : &depth, k / 2, k & 1);
-	for (int k = 0; k < (persp ? 4 : 6 * volume); k++)
-		directions_add(all, &more, persp ? k : k / 2, persp || k & 1);
+	for (int k = 0; k < 4 && persp; k++)
+		directions_add(all, &sides, k, true);
+	for (int k = 0; k < 6 && to_middle; k++)
+		directions_add(all, &world, k / 2, k & 1);
 	return NULL;
 }
 

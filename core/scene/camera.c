@@ -118,8 +118,7 @@ static const char *axes_of_orientation(const struct camera *c, struct axes *a)
 	for (int i = 0; i < 4; i++)
 		q[i] = sum_of_double(c->orientation[i]);
 	if (vec3_is_zero(q) && sum_sign(q[3]) == 0)
-		return "/camera/orientation: is 0; the identity is [0, 0, 0, "
-		       "1]";
+		return "/camera/orientation: is 0; the identity is 0, 0, 0, 1";
 	axes_of_quaternion(q, a);
 	return NULL;
 }
