@@ -166,7 +166,7 @@ $(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
 
-$(BUILD)/cmd/fuzz/stream: LINK += -Wl,--wrap=read,--wrap=poll
+$(BUILD)/cmd/fuzz/fuzz_stream: LINK += -Wl,--wrap=read,--wrap=poll
 $(FUZZERS): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/program.a
 	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 

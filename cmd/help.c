@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "call/options.h"
-#include "scene/types.h"
+#include "scene/convention_member.h"
 #include "message/message.h"
 
 static void put_heading(const char *text)

@@ -3,7 +3,7 @@
 
 #include "call/options.h"
 #include "message/message.h"
-#include "scene/types.h"
+#include "scene/convention_member.h"
 
 /* Puts a member whose value is the string s, or null if s is NULL. */
 static void put_text_member(struct printer *p, const char *name, const char *s)

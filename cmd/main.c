@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "call/operands.h"
-#include "scene/types.h"
 #include "message/message.h"
 
 #define VERSION "0.3.0"

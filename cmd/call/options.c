@@ -9,7 +9,7 @@
 #include "../../core/scene/scene.h"
 #include "../message/message.h"
 #include "../message/utf8.h"
-#include "../scene/types.h"
+#include "../scene/convention_member.h"
 
 const char *const precision_names[] = { "exact", "double", "single", NULL };
 

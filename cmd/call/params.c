@@ -5,9 +5,10 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "../json/check.h"
 #include "../json/text.h"
 #include "../message/message.h"
-#include "../scene/types.h"
+#include "../scene/convention_member.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
 

@@ -8,7 +8,7 @@
 #include "operands.h"
 #include "../message/message.h"
 #include "../message/utf8.h"
-#include "../scene/types.h"
+#include "../scene/members.h"
 
 enum {
 	NAMES_MAX = 240,    /* commands, members, and members of members */

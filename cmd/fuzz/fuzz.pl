@@ -17,8 +17,8 @@ my ($seconds, @fuzzers) = @ARGV;
 
 sub seed {
 	my ($fuzzer, $name, $text) = @_;
-	make_path("$build/corpus/$fuzzer");
-	spew("$build/corpus/$fuzzer/seed-" . $name =~ tr{/}{-}r, $text);
+	make_path("$build/corpus/fuzz_$fuzzer");
+	spew("$build/corpus/fuzz_$fuzzer/seed-" . $name =~ tr{/}{-}r, $text);
 }
 
 # The numbers of the formats. The first byte that layout.h reads is the number of the

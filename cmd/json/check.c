@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "text.h"
+#include "check.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -9,6 +9,7 @@
 
 #include "../message/utf8.h"
 #include "../number/number.h"
+#include "text.h"
 
 enum {
 	LEVELS_MAX = 100,

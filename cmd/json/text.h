@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Checks JSON text (RFC 8259), and finds the ends of its parts. Checked text is text
- * that json_check accepts; the functions here take any text. No byte at or after `end`
- * is read, except by json_unescape, which reads the byte after the backslash. */
+/* Reads the parts of JSON text (RFC 8259): numbers, strings, names, and the ends of
+ * values. The functions take any text, also text that json_check would refuse. They
+ * keep nothing and own nothing: each gets a pointer into the caller's text, and returns
+ * one. No byte at or after `end` is read, except by json_unescape, which reads the byte
+ * after the backslash. */
 #ifndef JSON_TEXT_H
 #define JSON_TEXT_H
 
@@ -45,40 +47,5 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n);
 /* Returns whether a JSON string with its quotes stands for `name`. If `pointer` is set,
  * `name` is a token of a JSON pointer (RFC 6901), in which ~1 is / and ~0 is ~. */
 bool json_is_name(struct span string, struct span name, bool pointer);
-
-/* Two kinds of text are checked. A document is UTF-8, and its strings hold neither
- * \u0000 nor half of a surrogate pair. A line of points has no newline. The strings of
- * a line are copied without being read, so they may hold any \u escape, and any bytes
- * but control characters. */
-enum json_kind { JSON_DOCUMENT, JSON_LINE };
-
-struct json_check {
-	enum json_kind kind;
-	const char *text, *end; /* the bytes from text to end - 1 are checked */
-	long line;              /* the number of the first line of text */
-	/* A JSON pointer (RFC 6901) or NULL. `found` becomes the value to which the
-	 * pointer leads or, if there is none, the last value on the way there. */
-	const char *pointer;
-	struct span found;
-	/* NULL, or memory for a copy as large as the text. json_check writes the copy
-	 * and moves `copy` to its end. To save memory when cJSON parses it, the copy
-	 * lacks blanks, members whose names begin with _, and the elements of an array
-	 * to which the pointer leads. Numbers too long for cJSON are shortened. */
-	char *copy;
-	const char *at; /* the next character; after an error, the wrong one */
-	char reason[256]; /* what is wrong, after an error */
-	int level;        /* the number of open brackets */
-};
-
-/* Returns whether the text is one JSON value with at most 100 levels of brackets. */
-bool json_check(struct json_check *);
-
-/* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
-const char *json_scalar_end(const char *p, const char *end);
-
-/* Changes *line and *column, which say where `text` is in its file, so that they say
- * where `at` is. Columns are counted in bytes from 1. */
-void json_count_lines(const char *text, const char *at, long long *line,
-    size_t *column);
 
 #endif

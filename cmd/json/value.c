@@ -10,6 +10,8 @@
 
 #include "../../core/scene/scene.h"
 #include "../number/number.h"
+#include "check.h"
+#include "text.h"
 
 const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
 	.wanted = "numbers go up to 1e150" };

@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 #include "../message/message.h"
-#include "text.h"
+#include "../message/utf8.h"
 
 /* The text of a document, and what the functions that read its values need. */
 struct source {

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "../json/check.h"
 #include "../json/text.h"
 #include "../number/number.h"
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../../core/scene/scene.h"
+#include "../json/check.h"
 #include "../json/text.h"
 
 /* INLINE functions are compiled once for each format, so that the compiler removes the

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "types.h"
+#include "convention_member.h"
 
 #include <string.h>
+
+#include "types.h"
 
 /* in the order of the enum that begins with CONVENTION_D3D */
 const char *const convention_names[] = { "d3d", "gl", "vulkan", "webgpu",

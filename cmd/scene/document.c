@@ -5,8 +5,9 @@
 #include <string.h>
 
 #include "../json/text.h"
-#include "types.h"
 #include "../message/message.h"
+#include "convention_member.h"
+#include "projection_member.h"
 
 /* The index of a member in scene_members[], and of its bit in enum scene_member. */
 #define ROW_OF(member) __builtin_ctz(SCENE_##member)

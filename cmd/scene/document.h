@@ -9,26 +9,7 @@
 #include "../../core/derive/fit.h"
 #include "../json/print.h"
 #include "../json/value.h"
-
-/* The members of a scene as bits. */
-enum scene_member {
-	SCENE_CONVENTION = 1,
-	SCENE_ANGLE_UNIT = 2,
-	SCENE_WORLD = 4,
-	SCENE_CAMERA = 8,
-	SCENE_PROJECTION = 16,
-	SCENE_VIEWPORT = 32,
-	SCENE_WINDOW = 64,
-	SCENE_DEVICE = 128,
-	SCENE_POINTS = 256,
-	SCENE_BOUNDS = 512,
-	SCENE_PICK = 1024,
-	SCENE_MARGIN = 2048,
-	SCENE_ALL = 2 * SCENE_MARGIN - 1,
-	/* members of a 3D scene, which map model space to the device */
-	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
-	    SCENE_VIEWPORT,
-};
+#include "members.h"
 
 /* The circle on the device in which the command pick finds points. */
 struct pick {

@@ -1,4 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "members.h"
+
+#include "convention_member.h"
+#include "document.h"
+#include "projection_member.h"
 #include "types.h"
 
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "types.h"
+#include "projection_member.h"
 
 #include <math.h>
+
+#include "convention_member.h"
+#include "types.h"
 
 /* A range of `least` to `most` degrees; the strings `degrees` and `radians` name it. */
 #define ANGLE_RANGE(label, least, most, degrees, radians, ...)              \

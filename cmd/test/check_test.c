@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../json/text.h"
+#include "../json/check.h"
 
 #include "../json/value.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#include "document.h"
-#include "../scene/types.h"
+#include "read_text.h"
+#include "../scene/convention_member.h"
 
 static const struct document_wants w2d = { .needed = SCENE_WINDOW |
 	    SCENE_DEVICE,

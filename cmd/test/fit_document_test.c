@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Documents of fit, in which the members that fit computes may be missing. */
-#include "document.h"
+#include "read_text.h"
 
 static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
 	.source.for_fit = true };

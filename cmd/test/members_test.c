@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "document.h"
+#include "read_text.h"
 
 static const struct document_wants lookat = { .lone_member = SCENE_CAMERA,
 	.needed = SCENE_CAMERA,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Refusals of members that have an unknown name, stand in the wrong object, or are
  * repeated. */
-#include "document.h"
+#include "read_text.h"
 
 static const struct document_wants lookat = { .lone_member = SCENE_CAMERA,
 	.needed = SCENE_CAMERA,

@@ -2,7 +2,7 @@
 #include "../scene/document.h"
 
 #include "../../core/test/sample.h"
-#include "document.h"
+#include "read_text.h"
 #include "../../core/test/arithmetic.h"
 
 static const struct document_wants project = { WANTS };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads documents for tests, and asserts numbers and refusals. Includes cmocka. */
-#ifndef DOCUMENT_TEST_H
-#define DOCUMENT_TEST_H
+#ifndef READ_TEXT_H
+#define READ_TEXT_H
 
 #include "../scene/document.h"
 #include "refusal.h"

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "../stream/source.h"
-#include "../scene/types.h"
+#include "../scene/convention_member.h"
 #include "../scene/document.h"
 #include "../message/message.h"
 

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: MIT */
+/* Checks whether text is JSON (RFC 8259), and says what is wrong where it is not. All
+ * other readers of JSON in the program, cJSON too, get text that json_check accepted.
+ * The caller owns the text and the memory of the copy; struct json_check points into
+ * both, and may be discarded at any time. */
+#ifndef CHECK_H
+#define CHECK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "../message/utf8.h"
+
+/* Two kinds of text are checked. A document is UTF-8, and its strings hold neither
+ * \u0000 nor half of a surrogate pair. A line of points has no newline. The strings of
+ * a line are copied without being read, so they may hold any \u escape, and any bytes
+ * but control characters. */
+enum json_kind { JSON_DOCUMENT, JSON_LINE };
+
+struct json_check {
+	enum json_kind kind;
+	const char *text, *end; /* the bytes from text to end - 1 are checked */
+	long line;              /* the number of the first line of text */
+	/* A JSON pointer (RFC 6901) or NULL. `found` becomes the value to which the
+	 * pointer leads or, if there is none, the last value on the way there. */
+	const char *pointer;
+	struct span found;
+	/* NULL, or memory for a copy as large as the text. json_check writes the copy
+	 * and moves `copy` to its end. To save memory when cJSON parses it, the copy
+	 * lacks blanks, members whose names begin with _, and the elements of an array
+	 * to which the pointer leads. Numbers too long for cJSON are shortened. */
+	char *copy;
+	const char *at; /* the next character; after an error, the wrong one */
+	char reason[256]; /* what is wrong, after an error */
+	int level;        /* the number of open brackets */
+};
+
+/* Returns whether the text is one JSON value with at most 100 levels of brackets. */
+bool json_check(struct json_check *);
+
+/* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
+const char *json_scalar_end(const char *p, const char *end);
+
+/* Changes *line and *column, which say where `text` is in its file, so that they say
+ * where `at` is. Columns are counted in bytes from 1. */
+void json_count_lines(const char *text, const char *at, long long *line,
+    size_t *column);
+
+#endif
