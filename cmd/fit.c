@@ -51,7 +51,7 @@ static void fit_read_points(const struct options *o, struct document *d)
 	memset(&fit.extremes, 0, sizeof fit.extremes);
 	if (d->flat) {
 		flat_transform(&d->scene, FLAT_NDC, FLAT_NDC, &j.transform);
-		window_directions(&fit.directions);
+		fit_window_directions(&fit.directions);
 	} else {
 		map_identity(&j.transform.map);
 		transform_init(&j.transform, SPACE_MODEL, SPACE_WORLD, false);

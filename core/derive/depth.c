@@ -44,7 +44,7 @@ void depth_of(const struct lens *l, struct depth *d)
 	} else if (s->projection.type == PROJECTION_MATRIX) {
 		against_n = l->reversed != negative_w;
 	} else {
-		against_n = looks_back(answer_convention(s)) !=
+		against_n = convention_looks_back(answer_convention(s)) !=
 		    (sum_sign(l->clip[2][2]) < 0);
 	}
 	against_n ^= l->parallel && d->high < d->low;

@@ -14,7 +14,7 @@
 static const char *gaze_from_axes(struct camera *c,
     const struct convention *convention, struct map *to_world)
 {
-	double along = looks_back(convention) ? -1 : 1;
+	double along = convention_looks_back(convention) ? -1 : 1;
 	double upward = convention->view_y_down ? -1 : 1;
 	struct camera turned = *c;
 
@@ -58,7 +58,8 @@ static const char *make_gaze_camera(struct scene *s)
 
 	if (!s->has_camera)
 		*c = (struct camera){ .kind = CAMERA_GAZE,
-			.at = { 0, 0, looks_back(convention) ? -1 : 1 },
+			.at = { 0, 0,
+			    convention_looks_back(convention) ? -1 : 1 },
 			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
 	const char *why = camera_map(c, convention, true, &to_world);
@@ -147,7 +148,7 @@ static const char *find_plane_slopes(const struct scene *s, struct map *sides,
 	const char *why = view_planes(s, SPACE_VIEW, sides, &ends);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
-		slope[k] = sum_negated_if(looks_back(&s->convention),
+		slope[k] = sum_negated_if(convention_looks_back(&s->convention),
 		    map_element(sides, 2, k));
 		if (sum_sign(slope[k]) <= 0)
 			why = "/projection: the gaze does not run between "
@@ -220,7 +221,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 			t = most;
 	}
 	step[0] = step[1] = sum_of_double(0);
-	step[2] = sum_negated_if(looks_back(&s->convention), t);
+	step[2] = sum_negated_if(convention_looks_back(&s->convention), t);
 	if (center)
 		center_between_planes(&view, lowest, step);
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
@@ -264,7 +265,7 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 {
 	const struct projection given = s->projection;
-	double outward = looks_back(&s->convention) ? 1 : -1;
+	double outward = convention_looks_back(&s->convention) ? 1 : -1;
 	const double *eye = s->camera.eye;
 	double retreat = 0;
 	struct sum step[3];
@@ -314,7 +315,7 @@ static const char *center_picture(struct scene *s, bool has_eye,
 		step[j] = extent_middle(&r, j);
 	step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
 	step[2] = has_eye ? sum_of_double(0) :
-			    sum_negated_if(looks_back(c), step[2]);
+			    sum_negated_if(convention_looks_back(c), step[2]);
 	for (int j = 0; j < 2; j++) {
 		struct sum sheared = sum_mul(step[2], map_element(&clip, 2, j));
 
@@ -402,7 +403,7 @@ static void keep_near_ratio(struct projection *p)
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
-	double sign = looks_back(&s->convention) ? -1 : 1;
+	double sign = convention_looks_back(&s->convention) ? -1 : 1;
 	struct extents r;
 	struct map clip;
 	const char *why = hull_extents(h, s, &r);
@@ -555,7 +556,7 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 	    NOT_IN_RANGE;
 }
 
-void window_directions(struct directions *all)
+void fit_window_directions(struct directions *all)
 {
 	struct map identity;
 

@@ -1,106 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Fits a scene to bounds, so that its picture holds them, as the command fit does. */
+/* Fits a scene or a 2D window to bounds, so that its picture holds them, as the command
+ * fit does. fit_bounds.h has the bounds; if they are points, the caller collects those
+ * that matter by fit_points.h, along the directions that are found here. */
 #ifndef FIT_H
 #define FIT_H
 
-#include "../scene/scene.h"
-
-enum { BOUNDS_POINTS = 12 }; /* the most directions of fit_directions */
-
-/* The bounds to fit to: a sphere, a box from min to max or, if n is not 0, n points:
- * those farthest along the directions of fit_directions or window_directions. All
- * numbers are in model space; the world matrix may make the sphere an ellipsoid. A 2D
- * window has no third coordinate, and the sphere is a circle. */
-struct bounds {
-	double center[3], radius;
-	unsigned sphere; /* 1: a sphere, 0: a box or points */
-	double min[3], max[3];
-	int n;
-	double point[BOUNDS_POINTS][3];
-};
-
-/* The convex hull of n points, widened on all sides by a radius, which may be 0. */
-struct hull {
-	int n;
-	double point[BOUNDS_POINTS][3], radius;
-};
-
-/* Makes the hull of bounds with two or three coordinates. Returns NULL or, if max is
- * less than min along an axis, the member at fault and the reason. */
-const char *hull_of(const struct bounds *, int dimensions, struct hull *);
-
-/* Returns the least value that coordinate j of a map's images takes on the hull or, if
- * `minus` is set, the least value of the negated coordinate. */
-struct sum hull_lowest(const struct hull *, const struct map *, int j,
-    bool minus);
-
-/* The least and greatest coordinate of a hull along each axis, and their difference. */
-struct extents {
-	struct sum low[3], high[3], size[3];
-};
-
-/* Sets element j of extents to the range of coordinate j of the hull's images. */
-void extents_set(struct extents *, int j, const struct hull *,
-    const struct map *);
-
-/* Widens each of the first n extents whose size is 0: moves `low` and `high` apart by
- * 2^-20 of the largest extent; `size` stays 0. Returns NULL, or why if all are 0. */
-const char *extents_widen(struct extents *, int n);
-
-/* Makes the maps from model space by whose images fit measures bounds. Columns 0 and 1
- * of `xy` are x and y: for persp and volume those of view space, for ortho and oblique
- * those of clip space with y upward and with width and height 2, which the caller has
- * set. Column 2 of `depth` is the distance along the gaze or, for persp, w. Returns
- * NULL, or the member and the reason. */
-const char *fit_maps(const struct scene *, struct map *xy, struct map *depth);
-
-/* Finds the extents of a hull in x, y and depth of fit_maps, and widens zero extents.
- * Returns NULL, or the member at fault and why. */
-const char *hull_extents(const struct hull *, const struct scene *,
-    struct extents *);
-
-/* Returns the OUT_ bits of the planes of the view volume that a part of the hull is
- * outside of, or all bits if the scene has no volume. */
-unsigned hull_outside(const struct hull *, const struct scene *);
-
-/* Directions in model space. scaled[i] is exact[i] divided by its element of largest
- * magnitude, rounded, so that no sum of products of scaled[i] with coordinates
- * overflows. An element of `scaled` is 0 only where the element of `exact` is 0. */
-struct directions {
-	int n;
-	struct sum exact[BOUNDS_POINTS][3];
-	double scaled[BOUNDS_POINTS][3];
-};
-
-/* Adds the direction in which image coordinate j grows or, if `minus`, falls. */
-void directions_add(struct directions *, const struct map *, int j, bool minus);
-
-/* The farthest point along a direction, if `known`. `distance` is its dot product with
- * `scaled` of the direction, with an error of at most `error`. */
-struct farthest {
-	bool known;
-	double point[3], distance, error;
-};
-
-/* The farthest point along each direction. All bytes are 0 before the first point. */
-struct extremes {
-	struct farthest item[BOUNDS_POINTS];
-};
-
-/* Adds n points; `in` has a column for each coordinate. A point with a nan coordinate
- * is ignored. The caller pads each column to a multiple of 16 numbers with numbers of
- * these points. */
-void extremes_add(struct extremes *, const struct directions *,
-    const double *const in[3], size_t n);
-
-/* Adds the points of other extremes along the same directions. The result depends on
- * the set of points, but not on their order. */
-void extremes_merge(struct extremes *, const struct directions *,
-    const struct extremes *);
-
-/* Makes bounds of the farthest points. Returns false if no point has been added. */
-bool extremes_bounds(const struct extremes *, const struct directions *,
-    struct bounds *);
+#include "fit_points.h"
 
 /* Completes a scene of type persp, ortho, oblique or volume, and gives its camera the
  * form CAMERA_GAZE. The axes of view space do not change. near and far become the least
@@ -143,6 +48,6 @@ const char *fit_directions(const struct scene *, bool has_eye,
 const char *fit_window(struct scene *, const struct bounds *);
 
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */
-void window_directions(struct directions *);
+void fit_window_directions(struct directions *);
 
 #endif

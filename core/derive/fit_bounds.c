@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fit.h"
+#include "fit_bounds.h"
 
 #include <math.h>
 #include <string.h>
@@ -115,7 +115,8 @@ const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
 	for (int i = 0; i < 5; i++) {
 		xy->m[i][1] = sum_negated_if(flat && s->convention.ndc_y_down,
 		    xy->m[i][1]);
-		depth->m[i][2] = sum_negated_if(looks_back(&s->convention),
+		depth->m[i][2] = sum_negated_if(convention_looks_back(
+						    &s->convention),
 		    depth->m[i][2]);
 		/* fit_prepare has refused a tilted P */
 		if (i >= 3 && projection_has_intrinsics(p))

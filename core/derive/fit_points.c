@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fit.h"
+#include "fit_points.h"
 
 #include <math.h>
 #include <string.h>

@@ -40,9 +40,9 @@ static bool set_view_axes(const struct lens *l, struct upright *u)
 	const struct sum(*g)[4] = l->clip;
 	bool upright = sum_sign(g[1][0]) == 0;
 
-	u->turned = sum_sign(g[3][2]) * (looks_back(c) ? -1 : 1) < 0;
+	u->turned = sum_sign(g[3][2]) * (convention_looks_back(c) ? -1 : 1) < 0;
 	const bool minus[3] = { u->turned != is_mirrored(l->scene),
-		c->view_y_down, u->turned != looks_back(c) };
+		c->view_y_down, u->turned != convention_looks_back(c) };
 
 	for (int i = 0; i < 9; i++)
 		u->axis[i / 3][i % 3] = sum_of_double(i / 3 != i % 3 ? 0 :

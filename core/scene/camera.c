@@ -1,34 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera.h"
 
-void convention_change(const struct convention *from,
-    const struct convention *to, bool clip, bool input, struct map *r)
-{
-	bool flips_y = clip ? from->ndc_y_down != to->ndc_y_down :
-			      from->view_y_down != to->view_y_down;
-	bool flips_z = !clip && looks_back(from) != looks_back(to);
-	bool depth = clip && from->depth_minus_one != to->depth_minus_one;
-	double t = to->depth_minus_one != input ? -1 : 0.5,
-	       scale = t < 0 ? 2 : 0.5;
-
-	for (int i = 0; i < (input ? 4 : 5); i++) {
-		struct sum *y = input ? &r->m[1][i] : &r->m[i][1];
-		struct sum *z = input ? &r->m[2][i] : &r->m[i][2];
-		struct sum *w = input ? &r->m[3][i] : &r->m[i][3];
-
-		y->value.sign *= flips_y ? -1 : 1;
-		z->value.sign *= flips_z ? -1 : 1;
-		if (depth && input)
-			*w = sum_add(*w, sum_scale(*z, t));
-		if (depth)
-			*z = sum_scale(*z, scale);
-		if (depth && !input)
-			*z = sum_add(*z, sum_scale(*w, t));
-	}
-	if (input && (flips_y || flips_z || depth))
-		map_set_origin(r, NULL);
-}
-
 /* The axes of view space: axis i is the unit vector v[i] / length[i]. v is not divided,
  * as its elements are polynomials, whose terms cancel exactly. If length[1] is exact,
  * all axes are scaled to this length, which becomes the map's divisor. */

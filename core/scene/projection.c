@@ -451,7 +451,7 @@ bool projection_is_reversed(const struct projection *p,
 	struct map back;
 
 	if (p->type == PROJECTION_NONE)
-		return looks_back(c);
+		return convention_looks_back(c);
 	if (p->type != PROJECTION_MATRIX || !map_inverse(p->matrix, &back))
 		return p->reverse_z;
 	int grows = sum_sign(back.m[2][3]);
@@ -459,5 +459,6 @@ bool projection_is_reversed(const struct projection *p,
 
 	if (grows == 0 && contains_camera(p, c))
 		return false;
-	return grows != 0 ? grows > 0 : along_z == (looks_back(c) ? 1 : -1);
+	return grows != 0 ? grows > 0 :
+			    along_z == (convention_looks_back(c) ? 1 : -1);
 }

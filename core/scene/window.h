@@ -3,7 +3,7 @@
 #ifndef WINDOW_H
 #define WINDOW_H
 
-#include "camera.h"
+#include "convention.h"
 
 struct window {
 	double center[2], width, height;
