@@ -70,7 +70,7 @@ static _Noreturn void refuse_fit(const struct options *o,
 {
 	const char bounds[] = "/bounds: ";
 	const size_t n = strlen(bounds);
-	struct place place = source_place(&d->source, "/points");
+	struct place place = json_source_place(&d->source, "/points");
 
 	if (d->has_bounds || strncmp(reason, bounds, n) != 0)
 		document_refuse(d, reason);
@@ -107,5 +107,5 @@ void run_fit(const struct options *o)
 
 	if (why != NULL)
 		refuse_fit(o, &d, why);
-	print_document(&d, o->out == FORMAT_JSON);
+	document_print(&d, o->out == FORMAT_JSON);
 }

@@ -24,7 +24,7 @@ static void print_member(const struct member *row, const char *const *types)
 	char list[LIST_ROOM], type[2 * LIST_ROOM];
 	const char *unit = row->unit, *before = " (";
 
-	snprintf(type, sizeof type, "%s%s%s", member_type(row, list),
+	snprintf(type, sizeof type, "%s%s%s", member_type_name(row, list),
 	    unit != NULL ? ", " : "", unit != NULL ? unit : "");
 	print("  %-*s%-*s", NAME_WIDTH, row->name, TYPE_WIDTH, type);
 	if (strlen(type) > TYPE_WIDTH)
@@ -36,21 +36,23 @@ static void print_member(const struct member *row, const char *const *types)
 	else if (row->fallback != NULL)
 		print("; default %s", row->fallback);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
-		if (row->kinds >> i & 1) {
+		if (row->variants >> i & 1) {
 			print("%s%s", before, types[i]);
 			before = ", ";
 		}
 	print("%s\n", *before == ',' ? ")" : "");
 }
 
-/* Prints the rows of a table that are set in `bits` and that objects of the kind have.
- * A kind < 0 stands for all kinds. */
-static void print_members(const struct member *table, int kind, uint64_t bits)
+/* Prints the rows of a table that are set in `bits` and that objects of the variant have.
+ * A variant < 0 stands for all. */
+static void print_members(const struct member *table, int variant,
+    uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
 		if (bits >> (row - table) & 1 &&
-		    (kind < 0 || row->kinds == 0 || row->kinds >> kind & 1))
-			print_member(row, kind < 0 ? table->words : NULL);
+		    (variant < 0 || row->variants == 0 ||
+			row->variants >> variant & 1))
+			print_member(row, variant < 0 ? table->words : NULL);
 }
 
 void help_all(const struct command *c)
@@ -95,7 +97,7 @@ static void print_params(const struct command *c)
 			    (int)w->source.implied_type - 1, ALL_MEMBERS);
 		}
 	put_heading("\nscene:\n");
-	print_members(scene_members, ANY_KIND, document_used_members(w));
+	print_members(scene_members, ANY_VARIANT, document_used_members(w));
 	print("projcalc help NAME describes a member that is an object.\n");
 }
 
@@ -138,7 +140,7 @@ bool help_member(const char *name)
 	const struct member *row;
 
 	if (strcmp(name, "scene") == 0) {
-		print_members(scene_members, ANY_KIND, ALL_MEMBERS);
+		print_members(scene_members, ANY_VARIANT, ALL_MEMBERS);
 		return true;
 	}
 	if (synonym_find(name, &row) == NULL)
@@ -148,7 +150,7 @@ bool help_member(const char *name)
 	if (row->members == NULL || row->words != NULL)
 		print_member(row, NULL);
 	if (row->members != NULL)
-		print_members(row->members, ANY_KIND, ALL_MEMBERS);
+		print_members(row->members, ANY_VARIANT, ALL_MEMBERS);
 	if (row->members == convention_members) {
 		print("\n");
 		print_convention_row("", NULL);

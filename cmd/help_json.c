@@ -99,7 +99,7 @@ static void put_member(struct printer *p, const struct member *row,
 	open_object(p);
 	put_text_member(p, "name", row->name);
 	put_text_member(p, "in", object);
-	put_text_member(p, "type", member_type(row, type));
+	put_text_member(p, "type", member_type_name(row, type));
 	put_text_member(p, "unit", row->unit);
 	if (row->range != NULL)
 		put_range(p, row->range);
@@ -108,8 +108,8 @@ static void put_member(struct printer *p, const struct member *row,
 	put_text_member(p, "before", row->default_from);
 	put_text_member(p, "about", row->about);
 	put_words(p, "words", row->words, ~0u);
-	if (row->kinds != 0)
-		put_words(p, "types", types, row->kinds);
+	if (row->variants != 0)
+		put_words(p, "types", types, row->variants);
 	put_close(p, "}");
 }
 
@@ -122,8 +122,8 @@ static void put_ways(struct printer *p, const char *object,
 	put_words(p, "ways", w->way, ~0u);
 	if (w->own_fit)
 		put_words(p, "fit", w->fit_way, ~0u);
-	if (w->kinds != 0)
-		put_words(p, "types", types, w->kinds);
+	if (w->variants != 0)
+		put_words(p, "types", types, w->variants);
 	put_close(p, "}");
 }
 

@@ -5,7 +5,6 @@
 #include "../core/derive/picture.h"
 #include "json/print.h"
 #include "call/operands.h"
-#include "scene/types.h"
 #include "message/message.h"
 
 /* Names in the order of enum taxon, enum kind and enum buffer. */

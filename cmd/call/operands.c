@@ -243,7 +243,7 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Does the job on `text`, lines of JSON that points_to_lines or document_read made; the
+/* Does the job on `text`, lines of JSON that document_read_points or document_read made; the
  * format of --input does not count. Messages call the text `name`. */
 static void run_json_points(const struct options *o, struct job *j,
     const char *name, const char *text, size_t size)
@@ -272,7 +272,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 	if (first_nonblank(operand) == '[') {
 		size_t size;
 		struct text t = text_of_operand(operand);
-		const char *points = points_to_lines("POINTS", t.s, t.size,
+		const char *points = document_read_points("POINTS", t.s, t.size,
 		    j->layout.reads, j->layout.z_hint, &size);
 
 		run_json_points(o, j, "POINTS", points, size);
@@ -296,7 +296,7 @@ void run_points(const struct options *o, const struct document *d,
 {
 	prepare_job(j, o);
 	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params)) {
-		const struct place p = source_place(&d->source, "/points");
+		const struct place p = json_source_place(&d->source, "/points");
 
 		die_at(EXIT_USAGE, &p,
 		    "missing, and PARAMS and POINTS are both standard input; "

@@ -18,9 +18,9 @@ enum {
 
 /* Returns the member called `name`; if there is none and `aliases` is true, a member
  * with the alias `name`; else NULL. Searches the members of a scene that have bits in
- * `objects`, from the last to the first, and the members of each that objects of `kind`
+ * `objects`, from the last to the first, and the members of each that objects of `variant`
  * have. Sets *object as synonym_find does. */
-static const struct member *find_member(unsigned objects, int kind,
+static const struct member *find_member(unsigned objects, int variant,
     const char *name, bool aliases, const struct member **object)
 {
 	for (int alias = 0; alias < (aliases ? 2 : 1); alias++)
@@ -29,10 +29,11 @@ static const struct member *find_member(unsigned objects, int kind,
 				continue;
 			const struct member *s = *object = &scene_members[k];
 			const struct member *m = member_named(scene_members,
-			    ANY_KIND, name, alias);
+			    ANY_VARIANT, name, alias);
 
 			if (m != s)
-				m = member_named(s->members, kind, name, alias);
+				m = member_named(s->members, variant, name,
+				    alias);
 			if (m != NULL)
 				return m;
 		}
@@ -44,9 +45,9 @@ const struct member *synonym_find(const char *name,
 {
 	const struct member *m = NULL;
 
-	/* prefers a name to an alias, and projections of kind 0 (persp) to others */
+	/* prefers a name to an alias, and projections of variant 0 (persp) to others */
 	for (int i = 0; i < 4 && m == NULL; i++)
-		m = find_member(SCENE_ALL, i % 2 == 0 ? 0 : ANY_KIND, name,
+		m = find_member(SCENE_ALL, i % 2 == 0 ? 0 : ANY_VARIANT, name,
 		    i >= 2, object);
 	return m;
 }
@@ -131,7 +132,7 @@ static void refuse_known_word(const struct command *c, const char *unknown,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
 	/* searches the members of persp if the command implies no type of projection */
 	const int type = (int)w->source.implied_type,
-		  kind = type > 0 ? type - 1 : 0;
+		  variant = type > 0 ? type - 1 : 0;
 	const struct member *m, *object;
 	const char *hint;
 
@@ -142,7 +143,7 @@ static void refuse_known_word(const struct command *c, const char *unknown,
 		refuse_synonym(c, unknown, name, hint);
 	/* searches aliases, too, unless an option has the name */
 	for (int i = 0; i < 2; i++) {
-		m = find_member(objects[i], kind, name, r == NULL, &object);
+		m = find_member(objects[i], variant, name, r == NULL, &object);
 		if (m != NULL)
 			refuse_member(unknown, reads, m, object);
 	}

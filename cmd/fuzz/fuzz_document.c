@@ -122,7 +122,7 @@ static void run(char *text, size_t size, int mode)
 	struct document d;
 
 	if (mode & 128) {
-		d.points = points_to_lines("a", text, size, 2 + (mode & 1),
+		d.points = document_read_points("a", text, size, 2 + (mode & 1),
 		    NULL, &d.points_size);
 		check_point_lines(d.points, d.points_size);
 		return;

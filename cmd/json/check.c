@@ -127,7 +127,7 @@ static bool check_escape(struct json_check *s)
 	if (s->end - p > 1 && memchr("\"\\/bfnrtu", p[1], 9) != NULL)
 		next = json_unescape(p, s->end, c, &n);
 	if (next - p < (is_u ? 6 : 2) ||
-	    (is_u && s->kind == JSON_DOCUMENT &&
+	    (is_u && !s->is_line &&
 		(c[0] == '\0' || (c[0] == '\xef' && (p[2] | 0x20) == 'd'))))
 		return refuse(s, "an escape for a character",
 		    "a backslash itself is \\\\");
@@ -138,7 +138,7 @@ static bool check_escape(struct json_check *s)
 static bool check_character(struct json_check *s)
 {
 	unsigned code;
-	int n = s->kind == JSON_DOCUMENT ? utf8_read(s->at, s->end, &code) : 1;
+	int n = s->is_line ? 1 : utf8_read(s->at, s->end, &code);
 
 	if (*s->at == '\\')
 		return check_escape(s);
@@ -339,7 +339,6 @@ bool json_check(struct json_check *s)
 	skip_space(s);
 	return s->at == s->end ||
 	    refuse(s, "the end of the text",
-		s->kind == JSON_DOCUMENT && *s->at == '{' ?
-		    "--scenes reads several scenes" :
-		    NULL);
+		!s->is_line && *s->at == '{' ? "--scenes reads several scenes" :
+					       NULL);
 }

@@ -11,14 +11,12 @@
 
 #include "../message/utf8.h"
 
-/* Two kinds of text are checked. A document is UTF-8, and its strings hold neither
- * \u0000 nor half of a surrogate pair. A line of points has no newline. The strings of
+/* A document is UTF-8, and its strings hold neither \u0000 nor half of a surrogate
+ * pair. A line of points has no newline. The strings of
  * a line are copied without being read, so they may hold any \u escape, and any bytes
  * but control characters. */
-enum json_kind { JSON_DOCUMENT, JSON_LINE };
-
 struct json_check {
-	enum json_kind kind;
+	bool is_line;           /* the text is a line of points */
 	const char *text, *end; /* the bytes from text to end - 1 are checked */
 	long line;              /* the number of the first line of text */
 	/* A JSON pointer (RFC 6901) or NULL. `found` becomes the value to which the

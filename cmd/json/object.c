@@ -9,17 +9,18 @@
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether `kind` is ANY_KIND or in `kinds`, which is 0 (all kinds) or bits. */
-static bool has_kind(unsigned kinds, int kind)
+/* Returns whether `variant` is ANY_VARIANT or in `variants`, which is 0 (all variants) or bits. */
+static bool has_variant(unsigned variants, int variant)
 {
-	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
+	return variant == ANY_VARIANT || variants == 0 ||
+	    (variants >> variant & 1) != 0;
 }
 
-const struct member *member_named(const struct member *row, int kind,
+const struct member *member_named(const struct member *row, int variant,
     const char *name, bool alias)
 {
 	for (; row != NULL && row->name != NULL; row++)
-		if (has_kind(row->kinds, kind) &&
+		if (has_variant(row->variants, variant) &&
 		    (strcmp(row->name, name) == 0 ||
 			(alias &&
 			    (word_is_one_of(name, row->name) ||
@@ -28,7 +29,7 @@ const struct member *member_named(const struct member *row, int kind,
 	return NULL;
 }
 
-uint64_t member_bits(const struct member *table, int kind, const char *names,
+uint64_t member_bits(const struct member *table, int variant, const char *names,
     bool required)
 {
 	uint64_t bits = 0;
@@ -40,7 +41,7 @@ uint64_t member_bits(const struct member *table, int kind, const char *names,
 		memcpy(name, names, n);
 		name[n] = '\0';
 		names += n;
-		const struct member *row = member_named(table, kind, name,
+		const struct member *row = member_named(table, variant, name,
 		    false);
 
 		if (row != NULL && !(required && *names == '?'))
@@ -49,7 +50,7 @@ uint64_t member_bits(const struct member *table, int kind, const char *names,
 	return bits;
 }
 
-const char *member_type(const struct member *row, char out[LIST_ROOM])
+const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 {
 	if (row->type->name != NULL)
 		return row->type->name;
@@ -72,14 +73,14 @@ const char *member_type(const struct member *row, char out[LIST_ROOM])
 	return out;
 }
 
-/* Fills `names` with the members in `bits` that objects of the kind have, and NULL. */
-static void list_names(const struct member *row, int kind, uint64_t bits,
+/* Fills `names` with the members in `bits` that objects of the variant have, and NULL. */
+static void list_names(const struct member *row, int variant, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
 	int n = 0;
 
 	for (; row->name != NULL; row++, bits >>= 1)
-		if ((bits & 1) != 0 && has_kind(row->kinds, kind))
+		if ((bits & 1) != 0 && has_variant(row->variants, variant))
 			names[n++] = row->name;
 	names[n] = NULL;
 }
@@ -90,9 +91,9 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
  * alias v->name; the scene has a member v->name; a name in the table is near. Else the
  * message lists the table. */
 static void check_unknown(const struct value *v, const struct member *table,
-    int kind)
+    int variant)
 {
-	const struct member *row = member_named(table, kind, v->name, true);
+	const struct member *row = member_named(table, variant, v->name, true);
 	const struct member *scene = v->source->scene_members;
 	const struct member *of_scene = member_named(scene, 0, v->name, false);
 	const char *names[MEMBERS_MAX + 1], *hint = synonym_of(v->name, ':');
@@ -110,7 +111,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 	for (int alias = 0; alias < 2 && n == 0; alias++)
 		for (const struct member *s = scene; s->name != NULL; s++)
 			if (s->members != table &&
-			    member_named(s->members, ANY_KIND, v->name,
+			    member_named(s->members, ANY_VARIANT, v->name,
 				alias) != NULL)
 				names[n++] = s->name;
 	names[n] = NULL;
@@ -120,7 +121,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 	if (v->parent->parent != NULL && of_scene != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->parent->name);
-	list_names(table, kind, ALL_MEMBERS, names);
+	list_names(table, variant, ALL_MEMBERS, names);
 	const char *near = nearest_word(v->name, names);
 
 	if (near != NULL)
@@ -144,34 +145,36 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->flag) = true;
 }
 
-/* A list of ways (see struct ways) for one kind of object. In a set of members, bit i
+/* A list of ways (see struct ways) for one variant of object. In a set of members, bit i
  * is row i of the table. */
 struct way_bits {
 	const char *const *list;
 	const struct member *table;
-	int kind;
+	int variant;
 	size_t n;
 	uint64_t all_members;        /* of all ways */
 	uint64_t members[WAYS_MAX];  /* of each way */
 	uint64_t required[WAYS_MAX]; /* of each way, without optional ones */
 };
 
-/* Returns the bits of a list of ways for a kind of object. They stay in `kept`, which
- * has more elements than the tables have pairs of a list and a kind. */
+/* Returns the bits of a list of ways for a variant of object. They stay in `kept`, which
+ * has more elements than the tables have pairs of a list and a variant. */
 static const struct way_bits *find_way_bits(const struct member *table,
-    int kind, const char *const *list)
+    int variant, const char *const *list)
 {
 	static struct way_bits kept[64];
 	struct way_bits *b = kept;
 
-	while (b->list != NULL && (b->list != list || b->kind != kind))
+	while (b->list != NULL && (b->list != list || b->variant != variant))
 		b++;
 	if (b->list != NULL)
 		return b;
-	*b = (struct way_bits){ .list = list, .table = table, .kind = kind };
+	*b = (struct way_bits){ .list = list,
+		.table = table,
+		.variant = variant };
 	for (; *list != NULL; list++, b->n++) {
-		b->members[b->n] = member_bits(table, kind, *list, false);
-		b->required[b->n] = member_bits(table, kind, *list, true);
+		b->members[b->n] = member_bits(table, variant, *list, false);
+		b->required[b->n] = member_bits(table, variant, *list, true);
 		b->all_members |= b->members[b->n];
 	}
 	return b;
@@ -183,7 +186,7 @@ static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
 {
 	const char *names[MEMBERS_MAX + 1];
 
-	list_names(b->table, b->kind, bits, names);
+	list_names(b->table, b->variant, bits, names);
 	return join_words(out, names, " and ", "\"");
 }
 
@@ -223,13 +226,13 @@ static _Noreturn void refuse_way(const struct value *v,
 	    write_names(rivals, b, others != 0 ? others : way), ways);
 }
 
-int object_way(const struct value *v, const struct member *table, int kind,
+int object_way(const struct value *v, const struct member *table, int variant,
     uint64_t given, const struct ways *w)
 {
 	bool fit = !v->unused &&
 	    ((v->source->for_fit && w->own_fit) ||
 		(v->source->for_plane && w->plane_as_fit));
-	const struct way_bits *b = find_way_bits(table, kind,
+	const struct way_bits *b = find_way_bits(table, variant,
 	    fit ? w->fit_way : w->way);
 	uint64_t extra = 0, lacking = 0, way = 0;
 
@@ -254,8 +257,8 @@ int object_way(const struct value *v, const struct member *table, int kind,
 	refuse_way(v, b, given, extra != 0 ? extra : lacking, way);
 }
 
-uint64_t object_read(const struct value *v, const struct member *row, int kind,
-    void *base)
+uint64_t object_read(const struct value *v, const struct member *row,
+    int variant, void *base)
 {
 	const struct member *table = row->members;
 	const struct ways *w = row->ways;
@@ -265,18 +268,19 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 		value_refuse_type(v, "an object");
 	for (const struct member *m = table; m->name != NULL; m++)
 		if (base != NULL && m->fallback != NULL &&
-		    m->type->number_size > 0 && has_kind(m->kinds, kind))
+		    m->type->number_size > 0 &&
+		    has_variant(m->variants, variant))
 			read_default(m, (char *)base + m->offset);
 	struct value m = value_child(v), first;
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *known = member_named(table, kind, m.name,
-		    false);
+		const struct member *known = member_named(table, variant,
+		    m.name, false);
 
 		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;
 		if (known == NULL)
-			check_unknown(&m, table, kind);
+			check_unknown(&m, table, variant);
 		value_member(v, m.name, &first);
 		if (first.item != m.item)
 			value_refuse(&m, "repeated; give it once");
@@ -287,9 +291,9 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 			object_read_member(&m, known, base);
 	}
 	for (; w != NULL && w->way[0] != NULL; w++) {
-		if (!has_kind(w->kinds, kind))
+		if (!has_variant(w->variants, variant))
 			continue;
-		int way = object_way(v, table, kind, given, w);
+		int way = object_way(v, table, variant, given, w);
 
 		if (base != NULL && w->offset != 0)
 			*(unsigned *)(void *)((char *)base +
@@ -318,16 +322,16 @@ static bool is_omitted(const struct member *row, const void *at)
 	return true;
 }
 
-void object_print(struct printer *p, const struct member *row, int kind,
+void object_print(struct printer *p, const struct member *row, int variant,
     uint64_t bits, const void *base)
 {
 	const struct ways *w = row->ways;
 	const char *at = base;
 
 	for (; w != NULL && w->way[0] != NULL; w++) {
-		if (w->offset == 0 || !has_kind(w->kinds, kind))
+		if (w->offset == 0 || !has_variant(w->variants, variant))
 			continue;
-		const struct way_bits *b = find_way_bits(row->members, kind,
+		const struct way_bits *b = find_way_bits(row->members, variant,
 		    w->way);
 		const unsigned *way = (const void *)(at + w->offset);
 
@@ -337,7 +341,8 @@ void object_print(struct printer *p, const struct member *row, int kind,
 	for (row = row->members; row->name != NULL; row++, bits >>= 1) {
 		bool has = row->flag == 0 || *(const bool *)(at + row->flag);
 
-		if ((bits & 1) == 0 || !has || !has_kind(row->kinds, kind) ||
+		if ((bits & 1) == 0 || !has ||
+		    !has_variant(row->variants, variant) ||
 		    is_omitted(row, at + row->offset))
 			continue;
 		row->type->print(put_name(p, row->name), row, at + row->offset);

@@ -15,8 +15,8 @@ struct member;
 #define ALL_MEMBERS (~UINT64_C(0))
 
 /* The type of a member. Both functions get the row and the address of the field. */
-struct type {
-	const char *name; /* in the help; NULL: see member_type */
+struct member_type {
+	const char *name; /* in the help; NULL: see member_type_name */
 	void (*read)(const struct value *, const struct member *, void *);
 	/* NULL: members of this type are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
@@ -26,7 +26,7 @@ struct type {
 /* A row of a table. */
 struct member {
 	const char *name; /* NULL ends a table */
-	const struct type *type;
+	const struct member_type *type;
 	size_t offset; /* of the field in the struct */
 	/* Offset of a bool in the struct that is set when the member is read. If the
 	 * bool is false, the member is not printed. 0: there is no bool. */
@@ -35,10 +35,10 @@ struct member {
 	const struct value_range *range; /* of numbers; NULL: range_any */
 	const char *const *words;        /* possible strings; NULL ends them */
 	unsigned word_0;                 /* the field's value for words[0] */
-	/* The kinds of objects that have the member, as bits; 0: all kinds. Kind i is
+	/* The variants of objects that have the member, as bits; 0: all variants. Variant i is
 	 * word i of the table's first row, such as a type of projection. Several rows
-	 * may have the same name if their kinds differ. */
-	unsigned kinds;
+	 * may have the same name if their variants differ. */
+	unsigned variants;
 	/* The default as JSON, with angles in degrees; or NULL. A member that has its
 	 * default is printed only if `shown` is set. */
 	const char *fallback;
@@ -79,7 +79,7 @@ struct ways {
 	 * list is empty, any combination. */
 	bool own_fit;
 	const char *fit_way[WAYS_MAX + 1];
-	unsigned kinds; /* as in struct member */
+	unsigned variants; /* as in struct member */
 	/* Offset of an unsigned in the struct, which becomes way_0 plus the index
 	 * of the object's way; 0: there is no such field. */
 	size_t offset;
@@ -87,43 +87,43 @@ struct ways {
 	bool plane_as_fit; /* --plane, too, takes the ways of fit_way */
 };
 
-/* Reads an object of the kind, and returns its members as bits. Sets the struct at
+/* Reads an object of the variant, and returns its members as bits. Sets the struct at
  * `base`, if not NULL: defaults, given members, and for each struct ways of the row the
- * index of the object's way. `kind` is 0 if the table has no kinds. Ignores $schema,
+ * index of the object's way. `variant` is 0 if the table has no variants. Ignores $schema,
  * names that begin with _ and, in the outermost object, members that any document may
  * have. Refuses unknown and repeated members, and objects that fit no way. */
-uint64_t object_read(const struct value *, const struct member *row, int kind,
-    void *base);
+uint64_t object_read(const struct value *, const struct member *row,
+    int variant, void *base);
 
 /* Reads the value of a member to its field in the struct at `base`. */
 void object_read_member(const struct value *, const struct member *,
     void *base);
 
 /* Prints the struct at `base` as an object with those members in `bits` that objects of
- * the kind have. Leaves out defaults, sizes of 0 (not given), and members that belong
+ * the variant have. Leaves out defaults, sizes of 0 (not given), and members that belong
  * only to ways other than the struct's. */
-void object_print(struct printer *, const struct member *row, int kind,
+void object_print(struct printer *, const struct member *row, int variant,
     uint64_t bits, const void *base);
 
-/* Returns the first row that objects of the kind have and that is called `name`, or
+/* Returns the first row that objects of the variant have and that is called `name`, or
  * NULL. If `alias` is true, the row may also have `name` as an alias, or a name that
  * differs from it in case, _ and - only. The table may be NULL. */
-enum { ANY_KIND = -1 }; /* searches all rows */
-const struct member *member_named(const struct member *, int kind,
+enum { ANY_VARIANT = -1 }; /* searches all rows */
+const struct member *member_named(const struct member *, int variant,
     const char *name, bool alias);
 
 /* Returns the words for a member's type in the help, such as "3 numbers", "size", "left
  * or right". The words may be written to `out`. */
-const char *member_type(const struct member *, char out[LIST_ROOM]);
+const char *member_type_name(const struct member *, char out[LIST_ROOM]);
 
-/* Returns, as bits, those members of a way that objects of the kind have. `names` is a
+/* Returns, as bits, those members of a way that objects of the variant have. `names` is a
  * way, as in struct ways. If `required` is true, leaves out optional members. */
-uint64_t member_bits(const struct member *, int kind, const char *names,
+uint64_t member_bits(const struct member *, int variant, const char *names,
     bool required);
 
 /* Returns the index of the object's way. `given` has the object's members as bits.
  * Refuses an object that fits no way: it lacks a member, or has one of other ways. */
-int object_way(const struct value *, const struct member *, int kind,
+int object_way(const struct value *, const struct member *, int variant,
     uint64_t given, const struct ways *);
 
 #endif

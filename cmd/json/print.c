@@ -62,6 +62,14 @@ void put_number(struct printer *p, double v)
 	put_close(p, "");
 }
 
+void put_distance(struct printer *p, double v)
+{
+	if (isinf(v))
+		put_string(p, "infinity");
+	else
+		put_number(p, v);
+}
+
 void put_numbers(struct printer *p, const double *v, int n)
 {
 	if (n > 0)

@@ -21,7 +21,7 @@ const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
 /* Returns the place in the source's file of the byte *at. text is the whole text. */
-static struct place source_place_at(const struct source *source,
+static struct place source_place_at(const struct json_source *source,
     const char *text, const char *at)
 {
 	struct place p = { .file = source->name,
@@ -32,7 +32,8 @@ static struct place source_place_at(const struct source *source,
 	return p;
 }
 
-struct place source_place(const struct source *source, const char *pointer)
+struct place json_source_place(const struct json_source *source,
+    const char *pointer)
 {
 	struct json_check c = { .text = source->text,
 		.end = source->end,
@@ -46,8 +47,8 @@ struct place source_place(const struct source *source, const char *pointer)
 	return p;
 }
 
-struct value value_parse_document(struct source *source, const char *pointer,
-    char *text, size_t size, struct span *array)
+struct value value_parse_document(struct json_source *source,
+    const char *pointer, char *text, size_t size, struct span *array)
 {
 	/* static: the next call frees them, even after a refusal by longjmp */
 	static cJSON *parsed;
@@ -99,7 +100,7 @@ const char *value_peek(struct value *v, const char *s, const char *end)
 
 struct value value_literal(const char *text)
 {
-	static const struct source source;
+	static const struct json_source source;
 	static struct {
 		const char *text;
 		const struct cJSON *item;
@@ -192,7 +193,7 @@ void value_refuse(const struct value *v, const char *format, ...)
 	va_list args;
 
 	*write_pointer(v, pointer) = '\0';
-	const struct place place = source_place(v->source, pointer);
+	const struct place place = json_source_place(v->source, pointer);
 
 	va_start(args, format);
 	vdie_at(EXIT_INPUT, &place, format, args);

@@ -11,7 +11,7 @@
 #include "../message/utf8.h"
 
 /* The text of a document, and what the functions that read its values need. */
-struct source {
+struct json_source {
 	const char *name;    /* of the file, for messages */
 	long lines_before;   /* lines of the file before the text */
 	size_t bytes_before; /* bytes before the text on its first line */
@@ -42,7 +42,7 @@ enum json_type {
 };
 
 struct value {
-	const struct source *source;
+	const struct json_source *source;
 	const struct value *parent; /* the array or object around it, or NULL */
 	const char *name;           /* of a member, or NULL */
 	size_t index;               /* of an element or member, from 0 */
@@ -66,7 +66,7 @@ extern const struct value_range range_any, range_positive;
  * are valid until the next call. If the pointer leads to an array, its elements are not
  * parsed, and *array becomes its text; otherwise array->s becomes NULL. A byte order
  * mark in text becomes blanks. */
-struct value value_parse_document(struct source *, const char *pointer,
+struct value value_parse_document(struct json_source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
 /* Sets v->item to the type and, for a number, the number of the value at s. The other
@@ -105,7 +105,7 @@ size_t value_count(const struct value *); /* elements of an array; else 0 */
 
 /* Returns the place of the value to which a pointer leads or, if the value is missing,
  * of the object or array that lacks it. */
-struct place source_place(const struct source *, const char *pointer);
+struct place json_source_place(const struct json_source *, const char *pointer);
 
 /* Prints "projcalc: NAME: /pointer: ..." and exits with 1 or, by --keep-going, goes on
  * with the next document of --scenes. */

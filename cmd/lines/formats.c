@@ -46,7 +46,7 @@ static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	struct json_check c = { .kind = JSON_LINE,
+	struct json_check c = { .is_line = true,
 		.text = line.s,
 		.end = line.end };
 

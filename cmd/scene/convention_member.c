@@ -72,10 +72,10 @@ static void print_convention_member(struct printer *p, const struct member *row,
 	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
-const struct type type_convention = { "a name or an object",
+const struct member_type type_convention = { "a name or an object",
 	read_convention_member, print_convention_member, 0 };
 
-void require_convention(const struct value *object, const char *name)
+void convention_require(const struct value *object, const char *name)
 {
 	if (!object->unused && !object->source->has_axes)
 		value_refuse(VALUE_MISSING(object, name),

@@ -25,10 +25,10 @@ extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends them */
 extern const struct member convention_members[];
 
 /* A convention: a name, or an object of convention_members. */
-extern const struct type type_convention;
+extern const struct member_type type_convention;
 
 /* Refuses the object's member `name`, whose numbers depend on the view axes, if neither
  * the document nor the command line gives a convention. */
-void require_convention(const struct value *object, const char *name);
+void convention_require(const struct value *object, const char *name);
 
 #endif

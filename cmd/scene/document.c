@@ -185,7 +185,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
 	if (s->camera.kind == CAMERA_RVEC ||
 	    s->camera.kind == CAMERA_RVEC_TRANSLATION)
-		require_convention(&m[ROW_OF(CAMERA)], "rvec");
+		convention_require(&m[ROW_OF(CAMERA)], "rvec");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
@@ -204,7 +204,7 @@ void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants)
 {
 	struct document_wants w = *wants;
-	struct source source = wants->source;
+	struct json_source source = wants->source;
 	struct span points;
 
 	source.name = name;
@@ -251,10 +251,10 @@ void document_read(struct document *d, const char *name, char *text,
 	}
 }
 
-char *points_to_lines(const char *name, char *text, size_t size,
+char *document_read_points(const char *name, char *text, size_t size,
     int coordinates, const char *two_numbers_hint, size_t *points_size)
 {
-	struct source source = { .name = name,
+	struct json_source source = { .name = name,
 		.two_numbers_hint = two_numbers_hint,
 		.is_operand = true,
 		.scene_members = scene_members };
@@ -280,7 +280,7 @@ void document_refuse(const struct document *d, const char *reason)
 		n -= lone + 1;
 	}
 	snprintf(pointer, sizeof pointer, "%.*s", (int)n, reason);
-	const struct place place = source_place(&d->source, pointer);
+	const struct place place = json_source_place(&d->source, pointer);
 
 	die_at(EXIT_INPUT, &place, "%s", what);
 }
@@ -312,7 +312,7 @@ void put_device(struct printer *p, const struct device *d)
 	    &scene_members[ROW_OF(DEVICE)], d);
 }
 
-void print_document(const struct document *d, bool compact)
+void document_print(const struct document *d, bool compact)
 {
 	static char text[1 << 16];
 	struct printer p = { .at = text, .compact = compact, .separator = "" };

@@ -25,12 +25,12 @@ struct document {
 	/* whether bounds, the camera's eye, and pick are given */
 	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
-	struct source source; /* the text, for messages */
+	struct json_source source; /* the text, for messages */
 	/* If the whole document is one member of a scene, such as a camera, the name of
 	 * this member, which JSON pointers in messages leave out; else NULL. */
 	const char *lone_member;
 	/* The member points, rewritten in the document's text as lines, as those of
-	 * points_to_lines; or NULL. */
+	 * document_read_points; or NULL. */
 	const char *points;
 	size_t points_size;
 };
@@ -54,7 +54,7 @@ struct document_wants {
 	 * - for_fit: the eye, near, far, the width and height of a parallel projection,
 	 *   and all members of a window may be missing.
 	 * - for_plane: far may be missing; near, too, if no size or edge is at near. */
-	struct source source;
+	struct json_source source;
 	/* The convention that the option -c names, or NULL. It is the convention of the
 	 * output, and of a document that names none. */
 	const struct convention *convention;
@@ -72,7 +72,7 @@ void document_read(struct document *d, const char *name, char *text,
 /* Replaces text[0..size), a point or a list of points in JSON, by lines, and returns
  * the lines; sets *points_size to their size. Each line is a point's array without
  * blanks. The first `coordinates` elements of an array must be numbers or null. */
-char *points_to_lines(const char *name, char *text, size_t size,
+char *document_read_points(const char *name, char *text, size_t size,
     int coordinates, const char *two_numbers_hint, size_t *points_size);
 
 /* Prints "projcalc: FILE: REASON" and ends as value_refuse does. The reason, from a
@@ -85,7 +85,7 @@ void document_refuse_if(const struct document *d, const char *reason);
 /* Prints a document of the command fit, with a line for each member or, if compact, in
  * one line. Leaves SCENE_SPATIAL out of a flat document. If the camera has a gaze and
  * the projection is no matrix, the output reads back as the same scene and pick. */
-void print_document(const struct document *, bool compact);
+void document_print(const struct document *, bool compact);
 
 /* put_scene prints an object with the convention and the members SCENE_SPATIAL of a
  * scene. put_device prints a device as an object. */

@@ -97,42 +97,42 @@ static const struct value_range height_range = { SIZE_MIN, MAGNITUDE_MAX,
 		.about = "height of the rectangle, required")
 
 /* The fields `scale` and `scales` of struct viewport, both set by "scale" in JSON. */
-struct scale {
-	unsigned kind;
+struct scale_value {
+	unsigned by; /* SCALE_FILL, ... of struct viewport */
 	double units[2];
 };
 
 _Static_assert(offsetof(struct viewport, scales) ==
-	offsetof(struct viewport, scale) + offsetof(struct scale, units),
+	offsetof(struct viewport, scale) + offsetof(struct scale_value, units),
     "scales is next to scale");
 
 static void read_scale(const struct value *v, const struct member *row,
     void *out)
 {
-	struct scale *s = out;
+	struct scale_value *s = out;
 
-	s->kind = SCALE_GIVEN;
+	s->by = SCALE_GIVEN;
 	if (value_is(v, JSON_ARRAY))
 		value_numbers(v, &range_positive, 2, s->units);
 	else if (value_string(v) == NULL)
 		value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
 	else
-		s->kind = (unsigned)value_word(v, row->words);
+		s->by = (unsigned)value_word(v, row->words);
 }
 
 static void print_scale(struct printer *p, const struct member *row,
     const void *at)
 {
-	const struct scale *s = at;
+	const struct scale_value *s = at;
 
-	if (s->kind == SCALE_GIVEN)
+	if (s->by == SCALE_GIVEN)
 		put_numbers(p, s->units, 2);
 	else
-		put_string(p, row->words[s->kind]);
+		put_string(p, row->words[s->by]);
 }
 
-static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
-	print_scale, sizeof(unsigned) };
+static const struct member_type type_scale = { "fill, uniform or 2 sizes",
+	read_scale, print_scale, sizeof(unsigned) };
 
 static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
@@ -215,8 +215,9 @@ static void read_bounds_point(const struct value *v, const struct member *row,
 	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
 }
 
-static const struct type type_bounds_point = { "3 numbers, or 2 of a window",
-	read_bounds_point, NULL, 0 };
+static const struct member_type type_bounds_point = {
+	"3 numbers, or 2 of a window", read_bounds_point, NULL, 0
+};
 
 #define POINT(label, field, alias, text)                               \
 	ROW(bounds, label, type_bounds_point, field, .aliases = alias, \
@@ -272,7 +273,7 @@ const struct member scene_members[] = {
 		       "\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "angle_unit", type_word, unit,
 	    .aliases = "angleunits unit units angles radians degrees",
-	    .words = angle_units, .in_any_document = true,
+	    .words = angle_unit_names, .in_any_document = true,
 	    .fallback = "\"degrees\"",
 	    .about = "unit of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "

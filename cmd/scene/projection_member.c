@@ -28,11 +28,11 @@ static const struct value_range near_ratio_range = { .min = SIZE_MIN,
 	.wanted = "a number above 0 and below 1 is wanted",
 	.max_excluded = true };
 
-const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
-	"matrix", NULL };
+const char *const projection_type_names[] = { "persp", "ortho", "oblique",
+	"volume", "matrix", NULL };
 static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
-/* The types as bits, in the order of projection_types. */
+/* The types as bits, in the order of projection_type_names. */
 enum {
 	PERSP = 1,
 	ORTHO = 2,
@@ -45,7 +45,7 @@ enum {
 
 #define OFFSET(m) offsetof(struct projection, m)
 #define MEMBER(types, label, value, field, ...) \
-	ROW(projection, label, value, field, .kinds = types, __VA_ARGS__)
+	ROW(projection, label, value, field, .variants = types, __VA_ARGS__)
 #define NUMBER(types, label, field, ...) \
 	MEMBER(types, label, type_numbers, field, __VA_ARGS__)
 #define ANGLE(types, label, field, ...) \
@@ -58,7 +58,7 @@ enum {
 
 /* The rows are in the order in which members are printed. */
 const struct member projection_members[] = {
-	MEMBER(0, "type", type_word, type, .words = projection_types,
+	MEMBER(0, "type", type_word, type, .words = projection_type_names,
 	    .word_0 = PROJECTION_PERSP,
 	    .about = "type; commands persp, ortho, oblique, volume imply it"),
 	MEMBER(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
@@ -167,23 +167,23 @@ const struct ways projection_ways[] = {
 	      "field aspect?", "width height edges_at?",
 	      "width aspect? edges_at?", "height aspect? edges_at?",
 	      "left right bottom top edges_at?", "angles", "intrinsics" },
-	    .kinds = PERSP, .offset = OFFSET(section) },
+	    .variants = PERSP, .offset = OFFSET(section) },
 	{ { "width height", "width aspect?", "height aspect?",
 	      "left right bottom top" },
 	    .own_fit = true,
 	    .fit_way = { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
-	    .kinds = PARALLEL, .offset = OFFSET(section),
+	    .variants = PARALLEL, .offset = OFFSET(section),
 	    .way_0 = SECTION_SIZE },
-	{ { "kind", "angle" }, .kinds = OBLIQUE },
+	{ { "kind", "angle" }, .variants = OBLIQUE },
 	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .plane_as_fit = true,
-	    .kinds = PARALLEL },
-	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
+	    .variants = PARALLEL },
+	{ { "half_width half_height", "size aspect?" }, .variants = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
-	    .kinds = VOLUME, .offset = OFFSET(eye_given_by) },
-	{ { "z_near z_far" }, .own_fit = true, .kinds = VOLUME },
+	    .variants = VOLUME, .offset = OFFSET(eye_given_by) },
+	{ { "z_near z_far" }, .own_fit = true, .variants = VOLUME },
 	/* no fit_way, as fit_scene refuses every matrix */
-	{ { "matrix" }, .own_fit = true, .kinds = MATRIX },
+	{ { "matrix" }, .own_fit = true, .variants = MATRIX },
 	{ .way = { NULL } },
 };
 
@@ -208,7 +208,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 	char all[LIST_ROOM];
 	int n = 0, most = 0;
 
-	for (int i = 0; projection_types[i] != NULL; i++) {
+	for (int i = 0; projection_type_names[i] != NULL; i++) {
 		struct value m = value_child(v);
 		int count = 0; /* a name adds 2, an alias 1 */
 
@@ -219,7 +219,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 		n = count > most ? 0 : n;
 		most = count > most ? count : most;
 		if (count == most)
-			names[n++] = projection_types[i];
+			names[n++] = projection_type_names[i];
 	}
 	names[n] = NULL;
 	value_refuse(VALUE_MISSING(v, "type"), "missing; %s %s", add[n > 1],
@@ -240,8 +240,8 @@ static void read_type(const struct value *v, struct projection *p)
 	if (implied != PROJECTION_NONE && p->type != implied)
 		value_refuse(&m,
 		    "is \"%s\", not \"%s\"; project takes any type",
-		    projection_types[p->type - 1],
-		    projection_types[implied - 1]);
+		    projection_type_names[p->type - 1],
+		    projection_type_names[implied - 1]);
 }
 
 /* Refuses a perspective that lacks near or far. fit computes both. Intrinsics and
@@ -279,9 +279,9 @@ static void read_projection(const struct value *v, const struct member *row,
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
 	read_type(v, p);
-	/* an index in projection_types, which has no PROJECTION_NONE */
-	int kind = (int)p->type - 1;
-	uint64_t seen = object_read(v, row, kind, p);
+	/* an index in projection_type_names, which has no PROJECTION_NONE */
+	int variant = (int)p->type - 1;
+	uint64_t seen = object_read(v, row, variant, p);
 
 	p->unit = (enum angle_unit)v->source->unit;
 	/* the default direction, 45, is in degrees in every document */
@@ -319,7 +319,7 @@ static void set_image_size(const struct value *v,
 		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	require_convention(v, "intrinsics");
+	convention_require(v, "intrinsics");
 	p->width = viewport->width;
 	p->height = viewport->height;
 }
@@ -365,7 +365,7 @@ static void print_projection(struct printer *printer, const struct member *row,
     const void *at)
 {
 	struct projection p = *(const struct projection *)at;
-	int kind = (int)p.type - 1;
+	int variant = (int)p.type - 1;
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = ALL_MEMBERS;
 	/* members that are not printed: an aspect from the viewport, the default
@@ -384,12 +384,12 @@ static void print_projection(struct printer *printer, const struct member *row,
 
 	for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
 		if (groups[i].is_hidden)
-			bits &= ~member_bits(row->members, kind,
+			bits &= ~member_bits(row->members, variant,
 			    groups[i].names, false);
 	if (sized)
 		p.half_width *= 2; /* "size" is twice half_width */
-	object_print(printer, row, kind, bits, &p);
+	object_print(printer, row, variant, bits, &p);
 }
 
-const struct type type_projection = { NULL, read_projection, print_projection,
-	0 };
+const struct member_type type_projection = { NULL, read_projection,
+	print_projection, 0 };

@@ -11,10 +11,10 @@
 /* The members of a projection, and the ways to combine them. */
 extern const struct member projection_members[];
 extern const struct ways projection_ways[];
-extern const struct type type_projection;
+extern const struct member_type type_projection;
 
 /* The names of the types of projections, from PROJECTION_PERSP on; NULL ends them. */
-extern const char *const projection_types[];
+extern const char *const projection_type_names[];
 
 /* Completes a projection that was read from the value: takes a missing aspect and, for
  * intrinsics, the size of the image from the viewport, which may be NULL. */

@@ -6,7 +6,7 @@
 
 #include "../../core/scene/scene.h"
 
-const char *const angle_units[] = { "degrees", "radians", NULL };
+const char *const angle_unit_names[] = { "degrees", "radians", NULL };
 
 static void read_numbers(const struct value *v, const struct member *row,
     void *out)
@@ -26,7 +26,7 @@ static void print_numbers(struct printer *p, const struct member *row,
 	put_numbers(p, at, (int)row->n);
 }
 
-const struct type type_numbers = { NULL, read_numbers, print_numbers,
+const struct member_type type_numbers = { NULL, read_numbers, print_numbers,
 	sizeof(double) };
 
 static void read_flag(const struct value *v, const struct member *row,
@@ -51,7 +51,8 @@ static void print_flag(struct printer *p, const struct member *row,
 		put_literal(p, is ? "true" : "false");
 }
 
-const struct type type_flag = { NULL, read_flag, print_flag, sizeof(bool) };
+const struct member_type type_flag = { NULL, read_flag, print_flag,
+	sizeof(bool) };
 
 static void read_word(const struct value *v, const struct member *row,
     void *out)
@@ -65,9 +66,10 @@ static void print_word(struct printer *p, const struct member *row,
 	put_string(p, row->words[*(const unsigned *)at - row->word_0]);
 }
 
-const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
+const struct member_type type_word = { NULL, read_word, print_word,
+	sizeof(unsigned) };
 
-const struct type type_points = { "a point or a list", NULL, NULL, 0 };
+const struct member_type type_points = { "a point or a list", NULL, NULL, 0 };
 
 static void read_object(const struct value *v, const struct member *row,
     void *out)
@@ -81,7 +83,7 @@ static void print_object(struct printer *p, const struct member *row,
 	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
-const struct type type_object = { NULL, read_object, print_object, 0 };
+const struct member_type type_object = { NULL, read_object, print_object, 0 };
 
 static void read_far(const struct value *v, const struct member *row, void *out)
 {
@@ -95,14 +97,6 @@ static void read_far(const struct value *v, const struct member *row, void *out)
 		read_numbers(v, row, out);
 }
 
-void put_distance(struct printer *p, double v)
-{
-	if (isinf(v))
-		put_string(p, "infinity");
-	else
-		put_number(p, v);
-}
-
 static void print_far(struct printer *p, const struct member *row,
     const void *at)
 {
@@ -110,8 +104,8 @@ static void print_far(struct printer *p, const struct member *row,
 	put_distance(p, *(const double *)at);
 }
 
-const struct type type_far = { "size or \"infinity\"", read_far, print_far,
-	sizeof(double) };
+const struct member_type type_far = { "size or \"infinity\"", read_far,
+	print_far, sizeof(double) };
 
 const char *const vector_names[] = { "row", "column", NULL };
 
@@ -232,8 +226,9 @@ static void print_affine(struct printer *p, const struct member *row,
 	put_close(p, "]");
 }
 
-const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct type type_affine = { "matrix", read_matrix, print_affine, 0 };
+const struct member_type type_matrix = { "matrix", read_matrix, NULL, 0 };
+const struct member_type type_affine = { "matrix", read_matrix, print_affine,
+	0 };
 
 #define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
@@ -325,5 +320,5 @@ static void print_intrinsics(struct printer *p, const struct member *row,
 	put_close(p, "]");
 }
 
-const struct type type_intrinsics = { "4 numbers, K or P", read_intrinsics,
-	print_intrinsics, 0 };
+const struct member_type type_intrinsics = { "4 numbers, K or P",
+	read_intrinsics, print_intrinsics, 0 };

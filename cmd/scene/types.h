@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The types of members that several tables of cmd/scene share: how a value of a row is
- * read to a field and printed again (struct type in object.h). Types are constants, and
+ * read to a field and printed again (struct member_type in object.h). Types are constants, and
  * a field owns its value: nothing points to the document. The comment on a type says
  * what its members are in JSON and, after "in the struct", what their fields are. */
 #ifndef TYPES_H
@@ -9,17 +9,17 @@
 #include "../json/object.h"
 
 /* A number or, if the row has n, an array of n numbers; in the struct doubles. */
-extern const struct type type_numbers;
+extern const struct member_type type_numbers;
 
 /* true or false or, if the row has words, one of its two words; in the struct a bool,
  * which is true for the second word. */
-extern const struct type type_flag;
+extern const struct member_type type_flag;
 
 /* One of the row's words; in the struct an enum: row.word_0 plus the word's index. */
-extern const struct type type_word;
+extern const struct member_type type_word;
 
 /* The names of enum angle_unit, in its order; NULL ends them. */
-extern const char *const angle_units[];
+extern const char *const angle_unit_names[];
 
 /* "row" and "column", the vectors that a matrix may be for; NULL ends them. */
 extern const char *const vector_names[];
@@ -28,20 +28,19 @@ extern const char *const vector_names[];
  * rows, for row vectors unless source->column_vectors is set; or an object with members
  * "matrix" and "vectors". type_affine may also be 3 rows of 4 for column vectors, or 4
  * rows of 3 for row vectors. In the struct a double[4][4] for row vectors. */
-extern const struct type type_matrix, type_affine;
+extern const struct member_type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
  * P; in the struct a double[3][4], the matrix P. */
-extern const struct type type_intrinsics;
+extern const struct member_type type_intrinsics;
 
-/* A number, or "infinity"; in the struct a double. put_distance prints it. */
-extern const struct type type_far;
-void put_distance(struct printer *, double);
+/* A number, or "infinity"; in the struct a double. */
+extern const struct member_type type_far;
 
 /* An object with the members and ways of the row. */
-extern const struct type type_object;
+extern const struct member_type type_object;
 
 /* A point or a list of points. document.c makes lines of them for the job. */
-extern const struct type type_points;
+extern const struct member_type type_points;
 
 #endif

@@ -20,7 +20,7 @@ struct text {
  * it. */
 static void parse(const void *argument)
 {
-	struct source source = { .name = "s.json" };
+	struct json_source source = { .name = "s.json" };
 	const struct text *t = argument;
 	char *copy = malloc(t->size + 1);
 
@@ -312,7 +312,7 @@ static void test_lines(void **state)
 	(void)state;
 	for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
 		const char *s = lines[i].text, *end = s + strlen(s);
-		struct json_check c = { .kind = JSON_LINE,
+		struct json_check c = { .is_line = true,
 			.text = s,
 			.end = end };
 

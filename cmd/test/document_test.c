@@ -220,7 +220,8 @@ static void assert_points(const char *typed, const char *lines)
 	struct document d;
 
 	memcpy(text, typed, size);
-	const char *points = points_to_lines("POINTS", text, size, 3, NULL, &n);
+	const char *points = document_read_points("POINTS", text, size, 3, NULL,
+	    &n);
 
 	assert_int_equal(n, strlen(lines));
 	assert_memory_equal(points, lines, n);

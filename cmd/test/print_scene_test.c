@@ -54,7 +54,7 @@ static void sample_fitted(struct document *d)
 
 static void call_print(const void *d)
 {
-	print_document(d, false);
+	document_print(d, false);
 }
 
 static void assert_same_map(const struct map *a, const struct map *b)

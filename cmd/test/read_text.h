@@ -8,7 +8,7 @@
 
 struct refusal {
 	const struct document_wants *
-	    wants; /* given to document_read; if NULL, points_to_lines reads the text */
+	    wants; /* given to document_read; if NULL, document_read_points reads the text */
 	const char *text;
 	const char *line; /* the expected message after "projcalc: s.json: " */
 };
@@ -22,7 +22,7 @@ static inline void read_text(const void *argument)
 
 	memcpy(text, r->text, size);
 	if (r->wants == NULL)
-		points_to_lines("s.json", text, size, 3, NULL, &n);
+		document_read_points("s.json", text, size, 3, NULL, &n);
 	else
 		document_read(&d, "s.json", text, size, r->wants);
 	free(text);

@@ -6,7 +6,7 @@
 /* Parses an array of n values, asserts n, and returns the first value, a number. */
 static double first_number(const char *array, size_t n)
 {
-	struct source source = { .name = "s.json" };
+	struct json_source source = { .name = "s.json" };
 	struct span none;
 	char text[1024];
 
