@@ -136,7 +136,7 @@ $(VECTOR)/avx512.o: FLAGS += $(call x86, \
 # their frames is limited. With -flto clang merges a command's functions of several
 # files into one frame of up to 96 KB.
 FRAME = $(if $(findstring -flto,$(CFLAGS)),131072,32768)
-$(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.o \
+$(addprefix $(BUILD)/core/,exact/ex.o exact/map.o exact/sum.o derive/frustum.o \
     derive/pick.o derive/ray.o) \
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
     cmd/lines cmd/stream cmd/number cmd/number/vector): \

@@ -7,7 +7,7 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* Names in the order of enum taxon, enum kind and enum buffer. */
+/* Names in the order of enum taxon, enum taxon_kind and enum buffer. */
 static const char *const taxon_names[] = { "orthographic", "oblique",
 	"perspective", "reverse perspective" };
 static const char *const kind_names[] = { "multiview", "isometric", "dimetric",
@@ -92,24 +92,25 @@ static void put_sides(struct printer *p, const char *name, int sides,
 
 static void put_picture(struct printer *p, const struct picture *r)
 {
+	const struct taxonomy *t = &r->taxonomy;
 	const bool no_near = projection_is_open(&r->scene.projection);
 
-	put_string(put_name(p, "projection"), taxon_names[r->taxon]);
-	put_string(put_name(p, "kind"), kind_names[r->kind]);
-	put_vector(put_name(p, "foreshortening"), r->foreshortening, 3);
-	put_rows(p, "vanishing_points", r->vanishing_point[0], 3, 2,
-	    r->taxon <= TAXON_OBLIQUE);
-	put_number(put_name(p, "fovx"), r->fov[0]);
-	put_number(put_name(p, "fovy"), r->fov[1]);
-	put_vector(put_name(p, "eye"), r->eye, 3);
-	put_vector(put_name(p, "gaze"), r->gaze, 3);
+	put_string(put_name(p, "projection"), taxon_names[t->taxon]);
+	put_string(put_name(p, "kind"), kind_names[t->kind]);
+	put_vector(put_name(p, "foreshortening"), t->foreshortening, 3);
+	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
+	    t->taxon <= TAXON_OBLIQUE);
+	put_number(put_name(p, "fovx"), t->fov[0]);
+	put_number(put_name(p, "fovy"), t->fov[1]);
+	put_vector(put_name(p, "eye"), t->eye, 3);
+	put_vector(put_name(p, "gaze"), t->gaze, 3);
 	put_distance(put_name(p, "near"), r->near);
 	put_distance(put_name(p, "far"), r->far);
 	put_number(put_name(p, "aspect"), r->aspect);
 	put_name(p, "reverse_z");
 	put_literal(p, no_near ? "null" : r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", 4, r->near_edge, 0);
-	put_rows(p, "frustum", r->corner[0], 8, 3, false);
+	put_rows(p, "frustum", t->corner[0], 8, 3, false);
 	put_sides(p, "frustum_planes", 6, r->frustum_plane[0], 4);
 	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3,
 	    isnan(r->intrinsics[0][0]));

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../core/derive/frustum.h"
+#include "../core/derive/pick.h"
+#include "../core/points/points.h"
 #include "json/print.h"
 #include "call/operands.h"
 #include "message/message.h"

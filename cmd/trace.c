@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../core/points/points.h"
 #include "call/operands.h"
 #include "message/message.h"
 

@@ -17,7 +17,7 @@
 #include <stdio.h>
 
 #include "../../core/bench/clock.h"
-#include "../../core/points/transform.h"
+#include "../../core/points/points.h"
 #include "../../core/test/sample.h"
 #include "view.h"
 

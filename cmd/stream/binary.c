@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "../../core/points/kernel/little.h"
+#include "../../core/points/points.h"
 #include "job.h"
 
 bool binary_to_binary(const struct job *j)

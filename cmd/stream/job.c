@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../../core/points/point.h"
+#include "../../core/points/points.h"
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 

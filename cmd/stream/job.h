@@ -6,6 +6,7 @@
 #define JOB_H
 
 #include "../../core/derive/frustum.h"
+#include "../../core/derive/ray.h"
 #include "../lines/line.h"
 #include "../message/message.h"
 #include "source.h"

@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "clock.h"
-#include "../points/transform.h"
+#include "../points/points.h"
 #include "../test/sample.h"
 
 enum { RUNS = 101, CALLS = 4, PRECISIONS = 3, CASES = 4, COPIES = 4 };

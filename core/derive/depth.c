@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "picture.h"
+#include "depth.h"
 
 /* The depth of a point is z / w. Let n be the gradient of w or, if w is constant, of z.
  * D (struct depth) is measured along n from the eye or, if w is constant, from the

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "frustum.h"
+#include "error_bound.h"
 
 #include <math.h>
 

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "../points/point.h"
+
 void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
 	double h[2] = { 1, 1 }, pixels[2] = { 1, 1 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The view volume, or the edges of a 2D window, and what follows from them: whether a
- * point is outside, bounds of errors, rays, and the points near a position. */
+/* The view volume, or the edges of a 2D window: its planes, its corners, and whether a
+ * point is outside. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -64,59 +64,5 @@ struct volume {
 
 /* Makes the volume of a scene. Returns NULL, or the member at fault and why. */
 const char *volume_of(const struct scene *, struct volume *);
-
-/* Writes to bound[enum precision] an upper bound of the errors of the coordinates of
- * images, for all model points in the view volume. The unit is that of the device or,
- * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if a
- * point's w could be at most 16 times its error, or if 1/w is beyond the range of the
- * precision. Returns NULL, or the member at fault and why. */
-const char *error_bounds(const struct scene *, const struct volume *,
-    double bound[3]);
-
-/* The maps from a position on the device to its ray, in world space. */
-struct ray_maker {
-	struct transform to_world;  /* from x y depth to a point on the ray */
-	double depth;               /* device z of the near plane */
-	struct transform direction; /* from x y to a vector along the ray */
-};
-
-/* Makes the maps for rays_cast. Returns NULL, or the member at fault and why. */
-const char *ray_maker_of(const struct scene *, struct ray_maker *);
-
-/* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes, in world
- * space, the point where the ray meets the near plane, or the eye if there is no near
- * plane, and the unit direction of the ray from near to far. The numbers are the
- * nearest doubles or, if single, floats; a position without a ray gets nan. The columns
- * have room for POINTS_BLOCK numbers. Returns true only if all numbers are finite. */
-bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
-    double *const point[3], double *const direction[3], size_t n);
-
-/* Makes the transform from x y in the space `from` (device or ndc) to the point where
- * the ray of x y meets the plane a x + b y + c z + d = 0 of the space `to` (model,
- * world or view). w is positive in front of the eye. Returns NULL or the reason. */
-const char *ray_plane_transform(const struct scene *, enum space from,
-    enum space to, const double plane[4], struct transform *);
-
-/* A circle on the device. Points with images in it are picked, ordered by `depth`. */
-struct picker {
-	const struct transform *to_device; /* from model space */
-	struct transform depth; /* z of the image is the distance from near */
-	double at[2], radius;   /* on the device */
-};
-
-/* Sets to_device and depth of a picker. Returns NULL, or the member and the reason. */
-const char *picker_of(const struct scene *, const struct transform *to_device,
-    struct picker *);
-
-/* Returns whether the exact image of a point is in the picker's circle. `device` is the
- * image rounded to the nearest doubles. */
-bool pick_is_within(const struct picker *, const double in[4],
-    const double device[2]);
-
-/* Returns the double nearest to a point's distance from the near plane. */
-double pick_distance(const struct picker *, const double in[4]);
-
-/* Returns the sign of p's distance from the near plane minus q's. */
-int pick_compare(const struct picker *, const double p[4], const double q[4]);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "picture.h"
+#include "lens.h"
 
 const char *lens_of(const struct scene *s, struct lens *l)
 {
@@ -17,6 +17,8 @@ const char *lens_of(const struct scene *s, struct lens *l)
 		    l->volume.to_clip.m[i / 4][i % 4]);
 	view_limits(s, l->half, l->scale);
 	l->scene = s;
+	l->mirrors = s->convention.right_handed !=
+	    answer_convention(s)->right_handed;
 	l->parallel = vec3_is_zero(l->clip[3]);
 	l->reversed = projection_is_reversed(&s->projection, &s->convention);
 	return NULL;

@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "frustum.h"
+#include "pick.h"
 
 #include <math.h>
+
+#include "../points/point.h"
+#include "frustum.h"
 
 /* The distance of a point from a plane is the plane's function at the point over the
  * length of the function's gradient in view space. Without near and far planes the

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "frustum.h"
+#include "ray.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "../points/kernel/midway.h"
+#include "../points/point.h"
+#include "../points/points.h"
 
 /* Makes the map from device x and y to a vector along the ray. The ray lies in the
  * planes x w = X and y w = Y, where X, Y and w are columns of the map from view space

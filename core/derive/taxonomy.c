@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "picture.h"
+#include "taxonomy.h"
 
 /* The relative tolerance of the tests for equal or zero lengths and parallel axes. */
 #define KIND_TOLERANCE 0x1p-40
@@ -9,7 +9,7 @@ static bool nearly_equal(double a, double b)
 	return fabs(a - b) <= KIND_TOLERANCE * fmax(fabs(a), fabs(b));
 }
 
-static enum kind axonometric_kind(const double f[3])
+static enum taxon_kind axonometric_kind(const double f[3])
 {
 	double most = fmax(fmax(f[0], f[1]), f[2]);
 	int same = 0;
@@ -26,7 +26,7 @@ static enum kind axonometric_kind(const double f[3])
 
 /* Sets taxon, kind and foreshortening of a parallel projection. The projection of a
  * vector a along d onto the plane with the normal n is a - d (n . a) / (n . d). */
-static void classify_parallel(const struct lens *l, struct picture *t)
+static void classify_parallel(const struct lens *l, struct taxonomy *t)
 {
 	const struct sum *n = l->clip[2];
 	struct sum d[3], across[3], v[3];
@@ -58,7 +58,7 @@ static void classify_parallel(const struct lens *l, struct picture *t)
 
 /* Returns the kind by the number of vanishing points: one for each world axis that is
  * not parallel to the projection plane. */
-static enum kind perspective_kind(const struct lens *l)
+static enum taxon_kind perspective_kind(const struct lens *l)
 {
 	const struct sum *g = l->clip[3];
 	int n = 0;
@@ -97,7 +97,7 @@ static void set_fov(const struct lens *l, double fov[2])
 
 /* Sets kind, field of view and vanishing points of a perspective. The vanishing point
  * of a world axis is the image of the axis's direction, the point x y z 0. */
-static void classify_perspective(const struct lens *l, struct picture *t)
+static void classify_perspective(const struct lens *l, struct taxonomy *t)
 {
 	const struct scene *s = l->scene;
 	struct map screen = l->volume.to_clip, to_device;
@@ -131,7 +131,7 @@ static void world_point(const struct lens *l, const struct sum h[4],
 		p[j] = sum_ratio_or_nan(world[j], world[3]);
 }
 
-void taxonomy_of(const struct lens *l, struct picture *t)
+void taxonomy_of(const struct lens *l, struct taxonomy *t)
 {
 	const struct volume *v = &l->volume;
 	struct sum far;

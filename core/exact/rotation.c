@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "trig.h"
+#include "rotation.h"
 
 #include <math.h>
+
+#include "trig.h"
 
 /* Computes the symmetric matrix K with q' K q = trace(Q' M), where Q is the rotation of
  * the unit quaternion q, and ' transposes. The quaternion of the rotation nearest to M

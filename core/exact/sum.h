@@ -4,7 +4,7 @@
 #ifndef SUM_H
 #define SUM_H
 
-#include "exact.h"
+#include "ex.h"
 
 /* The value is exact if error is 0. If not, it is within 2^(error - EX_RANGE) of the
  * exact number. Sines, cosines, roots and most quotients have errors. Each operation

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Sines, cosines and cotangents, the arc tangent, and rotations. Angles in degrees are
- * reduced exactly, and rational results, such as the sine of 30 degrees, are exact. */
+/* Sines, cosines and cotangents, and the arc tangent. Angles in degrees are reduced
+ * exactly, and rational results, such as the sine of 30 degrees, are exact. */
 #ifndef TRIG_H
 #define TRIG_H
 
-#include "map.h"
+#include "sum.h"
 
 /* The bound of the relative error of a sine, cosine or cotangent that is not exact. */
 #define TRIG_BOUND 0x1p-313
@@ -28,18 +28,5 @@ bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc);
 /* Returns the double nearest to atan2(y, x) in degrees, from 0 to 180; y must be >= 0.
  * Returns nan if x and y are 0. */
 double trig_atan2_degrees(struct sum y, struct sum x);
-
-/* Computes the matrix, for column vectors, of the rotation about a vector by its length
- * in radians. Returns false if the length is above 2 pi. */
-bool rotation_about(const double vector[3], struct sum r[3][3]);
-
-/* ROTATION_NONE: the determinant is not positive, as in a matrix that mirrors.
- * ROTATION_MANY: two singular values are so near 0 that no one rotation is nearest. */
-enum rotation_result { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
-
-/* Computes the rotation nearest to the upper left 3x3 of a matrix, its polar factor, as
- * a quaternion x y z w of any norm. The error is within 2^-250 of the norm. */
-enum rotation_result rotation_nearest(const double matrix[4][4],
-    struct sum q[4]);
 
 #endif

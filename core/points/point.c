@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "transform.h"
+#include "point.h"
 
 #include <math.h>
 

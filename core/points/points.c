@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "transform.h"
+#include "points.h"
 
 #include <math.h>
+
+#include "point.h"
 
 static double rounded(double a, bool single)
 {

@@ -41,30 +41,4 @@ void transform_init(struct transform *, enum space from, enum space to,
 /* Computes the members relative, origin and for_kernel from the member map. */
 void transform_prepare(struct transform *);
 
-/* Computes the images of n <= POINTS_BLOCK points. in and out are columns of
- * POINTS_BLOCK numbers for x, y, z and w. Coordinates beyond the range of doubles, and
- * those of points without an image, are nan in PRECISION_EXACT, but may be infinite in
- * other precisions. In PRECISION_SINGLE coordinates are floats, infinite beyond their
- * range. Returns true if all coordinates are finite. */
-bool points_map(const struct transform *, enum precision,
-    const double *const in[4], double *const out[4], size_t n);
-
-/* Computes the images of rows of floats as rows of floats, in PRECISION_SINGLE. Returns
- * false, and leaves the rows of out undefined, if points_map has to compute the images,
- * for example because a point has no image. */
-bool points_map_floats(const struct transform *, const char *in, char *out,
-    size_t n);
-
-/* Computes the doubles nearest to the coordinates of the exact image, for a point that
- * the kernels cannot round with certainty. A coordinate beyond the range of doubles is
- * nan; all coordinates are nan if the point has no image. */
-void point_exact(const struct transform *, const double in[4], double out[4]);
-
-/* Returns the float nearest to exact coordinate j; `image` is the nearest double. */
-float point_single(const struct transform *, const double in[4], int j,
-    double image);
-
-/* Returns coordinate j of the undivided image of the point, times the map's divisor. */
-struct sum point_column(const struct transform *, int j, const double in[4]);
-
 #endif

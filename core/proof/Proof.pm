@@ -54,7 +54,7 @@ sub told {
 sub claims {
 	my ($core) = @_;
 	my $exact = "$core/points/kernel/exact.h";
-	my %claim = (EX_ROUND_BOUND => macro("$core/exact/exact.h", 'EX_ROUND_BOUND'),
+	my %claim = (EX_ROUND_BOUND => macro("$core/exact/ex.h", 'EX_ROUND_BOUND'),
 	    COLUMN_UNITS => told($exact, 'columns', qr/together (\d+(?:\.\d+)?) u/),
 	    COLUMN_LOW => told($exact, 'low parts', qr{above (\d+(?:\.\d+)?) times 2\^-26 B}),
 	    QUOTIENT_LOW => told($exact, 'quotients of low parts', qr/(\d+) u times the low parts/),

@@ -110,7 +110,7 @@ sub mutant {
 	my $copy = "$tmp/mutant";
 	remove_tree($copy);
 	make_path("$copy/exact", "$copy/points/kernel");
-	for my $header (qw(exact/dd.h exact/exact.h points/kernel/exact.h
+	for my $header (qw(exact/dd.h exact/ex.h points/kernel/exact.h
 	    points/kernel/approx.h points/kernel/kernel.h)) {
 		spew("$copy/$header", slurp("$core/$header"));
 	}

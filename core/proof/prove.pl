@@ -95,8 +95,8 @@ sub trigonometry {
 # Proves EX_ERROR. A quotient is cut off after EX_QUOTIENT_WORDS words, of which the
 # first may be 1. A root is rounded there; each step doubles its digits.
 sub quotients {
-	my ($words) = slurp("$core/exact/exact.h") =~ /enum \{ EX_QUOTIENT_WORDS = (\d+) \}/;
-	my ($bound) = macro("$core/exact/exact.h", 'EX_ERROR') =~ /0x1p(-\d+)/;
+	my ($words) = slurp("$core/exact/ex.h") =~ /enum \{ EX_QUOTIENT_WORDS = (\d+) \}/;
+	my ($bound) = macro("$core/exact/ex.h", 'EX_ERROR') =~ /0x1p(-\d+)/;
 	verdict('quotients and roots: EX_ERROR', $bound,
 	    -64 * ($words - 1));
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera.h"
 
+#include "../exact/rotation.h"
+
 /* The axes of view space: axis i is the unit vector v[i] / length[i]. v is not divided,
  * as its elements are polynomials, whose terms cancel exactly. If length[1] is exact,
  * all axes are scaled to this length, which becomes the map's divisor. */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../test/points.h"
+#include "../test/block.h"
 
 enum { MANY = 256 };
 

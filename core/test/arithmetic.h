@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Sums, products and quotients of ex, which is the type of core/exact/exact.h, for
+/* Sums, products and quotients of ex, which is the type of core/exact/ex.h, for
  * tests. */
 #ifndef ARITHMETIC_H
 #define ARITHMETIC_H
 
 #include <limits.h>
 
-#include "../exact/exact.h"
+#include "../exact/ex.h"
 
 static inline ex ex_neg(ex a)
 {

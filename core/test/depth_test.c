@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdio.h>
 
-#include "../derive/frustum.h"
-#include "sample.h"
 #include "../derive/picture.h"
+#include "sample.h"
 #include "truth.h"
 #include "numbers.h"
 
@@ -84,7 +83,7 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 {
 	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reverse_z : t->reverse_z;
-	bool parallel = t->taxon <= TAXON_OBLIQUE;
+	bool parallel = t->taxonomy.taxon <= TAXON_OBLIQUE;
 	real inverse[4][4], normal[3], gradient[3];
 
 	truth_matrix(s, SPACE_CLIP, SPACE_VIEW, inverse);

@@ -4,7 +4,7 @@
 #include "../derive/frustum.h"
 
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 /* Samples points on the edges, rounded to doubles of the space from, points at the
  * doubles next to these, and others. */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* No point of the view volume has an error above the bound that inspect
  * prints. */
-#include "../derive/frustum.h"
+#include "../derive/error_bound.h"
 
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 /* Sets the lower and upper corner of the view volume in ndc. */
 static void corners_of(const struct scene *s, real low[3], real high[3])

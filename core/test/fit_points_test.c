@@ -5,7 +5,7 @@
 
 #include "../points/transform.h"
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 enum { CLOUD = 300, ROOM = 304, PIECES = 3 };
 

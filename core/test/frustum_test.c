@@ -4,7 +4,7 @@
 #include "../derive/frustum.h"
 
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 /* Moves every second point onto a plane of the volume, but for rounding. */
 static void onto_planes(const struct scene *s, enum space from, struct block *b)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Sums, products, quotients, roots and rounding of core/exact/exact.c against GMP, for
+/* Sums, products, quotients, roots and rounding of core/exact/ex.c against GMP, for
  * numbers of every length up to EX_WORDS. The command integers_test COUNT makes most
  * tests try 1000 COUNT numbers; without COUNT it is 20. */
 #include "claims.h"

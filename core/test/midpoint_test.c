@@ -7,7 +7,7 @@
 #include <stdlib.h>
 
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 enum { STEPS = 60 };
 

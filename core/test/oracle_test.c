@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "points.h"
+#include "block.h"
 
 /* Counts of coordinates by their verdict, of points that a kernel took, and of those
  * among them that it left undecided. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The points within a radius, their distances and their order, against MPFR. */
-#include "../derive/frustum.h"
+#include "../derive/pick.h"
 
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 /* The distance of model points from the near plane along the gaze, in the convention
  * of the document: the difference of a column of view and near, divided by divisor. */

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Tests point_exact, which computes one point with sums of core/exact, for ties,
  * zeros, the eye plane and nan. Most cases also test the kernels. */
-#include "../points/transform.h"
 
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 /* Compares the image of a point, as doubles and as floats, with MPFR. */
 static void check_point(const struct truth *truth, const struct transform *t,

@@ -2,7 +2,7 @@
 /* Blocks of points by every copy of the kernels, with every precision, and points
  * alone. */
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 /* Cameras and targets at small whole numbers. Some points are on the eye plane, and a
  * coordinate that is 0 comes out as 0. */

@@ -2,9 +2,10 @@
 /* Rays, and the points where they meet planes, are the nearest doubles and floats to
  * their true values by MPFR. */
 #include "../derive/frustum.h"
+#include "../derive/ray.h"
 
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
 /* The homogeneous world point n of a position and depth on the device, and gain, which
  * is the derivative of n / w by depth times w squared. gain is along the ray. */

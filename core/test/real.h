@@ -7,7 +7,7 @@
 #include <mpfr.h>
 #include <stdbool.h>
 
-#include "../exact/exact.h"
+#include "../exact/ex.h"
 
 /* Numbers from 1e-150 to 1e150 differ by up to 1000 bits, and products of two of their
  * sums by up to 2000. */

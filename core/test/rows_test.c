@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "points.h"
+#include "block.h"
 
 enum { ROWS = 53 };
 

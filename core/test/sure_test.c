@@ -6,9 +6,9 @@
  * products differ by at most two. The coordinates are made without the mathematical
  * library, as its last bits differ between systems. */
 #include "claims.h"
-#include "points.h"
+#include "block.h"
 
-#include "../derive/frustum.h"
+#include "../derive/ray.h"
 
 enum { BLOCKS = 24 };
 

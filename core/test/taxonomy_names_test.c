@@ -9,9 +9,9 @@ static void kinds_have_their_names(void **state)
 {
 	static const double along[5][3] = { { 0, 0, 1 }, { 1, 1, 1 },
 		{ 1, 1, 3 }, { 1, 2, 3 }, { 1, 0, 3 } };
-	static const enum kind orthographic[] = { KIND_MULTIVIEW,
+	static const enum taxon_kind orthographic[] = { KIND_MULTIVIEW,
 		KIND_ISOMETRIC, KIND_DIMETRIC, KIND_TRIMETRIC, KIND_TRIMETRIC };
-	static const enum kind perspective[] = { KIND_ONE_POINT,
+	static const enum taxon_kind perspective[] = { KIND_ONE_POINT,
 		KIND_THREE_POINT, KIND_THREE_POINT, KIND_THREE_POINT,
 		KIND_TWO_POINT };
 	struct scene s = { .has_camera = true };
@@ -31,9 +31,9 @@ static void kinds_have_their_names(void **state)
 			.near = 1,
 			.far = HUGE_VAL };
 		assert_null(picture_of(&s, &t));
-		assert_int_equal(t.taxon, TAXON_PERSPECTIVE);
-		assert_int_equal(t.kind, perspective[i]);
-		assert_number(t.fov[1], 50 + i);
+		assert_int_equal(t.taxonomy.taxon, TAXON_PERSPECTIVE);
+		assert_int_equal(t.taxonomy.kind, perspective[i]);
+		assert_number(t.taxonomy.fov[1], 50 + i);
 
 		*p = (struct projection){ .type = PROJECTION_ORTHO,
 			.section = SECTION_SIZE,
@@ -41,8 +41,8 @@ static void kinds_have_their_names(void **state)
 			.height = 2,
 			.far = 5 };
 		assert_null(picture_of(&s, &t));
-		assert_int_equal(t.taxon, TAXON_ORTHOGRAPHIC);
-		assert_int_equal(t.kind, orthographic[i]);
+		assert_int_equal(t.taxonomy.taxon, TAXON_ORTHOGRAPHIC);
+		assert_int_equal(t.taxonomy.kind, orthographic[i]);
 	}
 }
 
@@ -62,15 +62,15 @@ static void obliques_have_their_names(void **state)
 		p->kind = angle > 0 ? OBLIQUE_ANGLE : OBLIQUE_CABINET;
 		p->projector_angle = angle;
 		assert_null(picture_of(&s, &t));
-		assert_int_equal(t.taxon,
+		assert_int_equal(t.taxonomy.taxon,
 		    angle == 90 ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE);
-		assert_int_equal(t.kind,
+		assert_int_equal(t.taxonomy.kind,
 		    angle == 0      ? KIND_CABINET :
 			angle == 45 ? KIND_CAVALIER :
 			angle == 90 ? KIND_MULTIVIEW :
 				      KIND_GENERAL);
-		assert_number(t.foreshortening[0], 1);
-		assert_true(angle > 0 || t.foreshortening[2] == 0.5);
+		assert_number(t.taxonomy.foreshortening[0], 1);
+		assert_true(angle > 0 || t.taxonomy.foreshortening[2] == 0.5);
 	}
 }
 
@@ -106,12 +106,12 @@ static void eyes_are_on_their_side(void **state)
 		if (bare)
 			p->type = PROJECTION_MATRIX;
 		assert_null(picture_of(&s, &t));
-		assert_int_equal(t.taxon, taxon);
-		assert_true(t.eye[2] == (reverse ? 4 : -1) * sign);
+		assert_int_equal(t.taxonomy.taxon, taxon);
+		assert_true(t.taxonomy.eye[2] == (reverse ? 4 : -1) * sign);
 		assert_int_equal(t.reverse_z, turned);
-		assert_true(t.gaze[2] == (turned ? -sign : sign));
-		assert_true(fabs(t.corner[0][2]) == (turned ? 2 : 1));
-		assert_true(fabs(t.corner[7][2]) == (turned ? 1 : 2));
+		assert_true(t.taxonomy.gaze[2] == (turned ? -sign : sign));
+		assert_true(fabs(t.taxonomy.corner[0][2]) == (turned ? 2 : 1));
+		assert_true(fabs(t.taxonomy.corner[7][2]) == (turned ? 1 : 2));
 	}
 }
 
@@ -144,10 +144,10 @@ static void depth_may_be_reversed(void **state)
 		}
 		assert_null(picture_of(&s, &t));
 		assert_true(t.reverse_z);
-		assert_int_equal(t.taxon, TAXON_PERSPECTIVE);
-		assert_true(t.gaze[2] == (k & 1 ? -1 : 1));
-		assert_true(t.corner[0][2] == t.gaze[2]);
-		assert_true(isnan(t.corner[4][0]) == ((k & 2) != 0));
+		assert_int_equal(t.taxonomy.taxon, TAXON_PERSPECTIVE);
+		assert_true(t.taxonomy.gaze[2] == (k & 1 ? -1 : 1));
+		assert_true(t.taxonomy.corner[0][2] == t.taxonomy.gaze[2]);
+		assert_true(isnan(t.taxonomy.corner[4][0]) == ((k & 2) != 0));
 	}
 }
 

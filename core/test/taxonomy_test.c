@@ -36,7 +36,7 @@ static void matrix_row(const struct truth *t, int i, struct sized h[4])
 }
 
 static void check_vanishing_points(const struct scene *s,
-    const struct picture *t, struct tally *tally)
+    const struct taxonomy *t, struct tally *tally)
 {
 	struct truth truth;
 
@@ -51,7 +51,7 @@ static void check_vanishing_points(const struct scene *s,
 
 /* Checks the eye, where clip x, y and w are 0, and the corners, by the inverse matrix.
  * The viewport's scale decides where the side planes are. */
-static void check_places(const struct scene *s, const struct picture *t,
+static void check_places(const struct scene *s, const struct picture *p,
     struct tally *tally)
 {
 	static const int side[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 },
@@ -65,9 +65,9 @@ static void check_places(const struct scene *s, const struct picture *t,
 	truth_scene(s, SPACE_CLIP, SPACE_WORLD, &truth);
 	truth_limits(s, limit);
 	matrix_row(&truth, 2, h);
-	check_point(t->eye, h, 3, true, tally);
+	check_point(p->taxonomy.eye, h, 3, true, tally);
 	for (int c = 0; c < 8; c++) {
-		double depth = (c >= 4) != t->reverse_z ? 1 : low;
+		double depth = (c >= 4) != p->reverse_z ? 1 : low;
 		struct sized at[2];
 
 		for (int k = 0; k < 2; k++)
@@ -81,7 +81,7 @@ static void check_places(const struct scene *s, const struct picture *t,
 				    sized_mul(at[k],
 					truth_element(&truth, k, j)));
 		}
-		check_point(t->corner[c], h, 3,
+		check_point(p->taxonomy.corner[c], h, 3,
 		    mpfr_sgn(h[3].value) > 0 &&
 			!projection_is_open(&s->projection),
 		    tally);
@@ -89,7 +89,7 @@ static void check_places(const struct scene *s, const struct picture *t,
 }
 
 /* Checks the angles of view: the arc cosine of the normals of opposite planes. */
-static void check_fov(const struct scene *s, const struct picture *t,
+static void check_fov(const struct scene *s, const struct taxonomy *t,
     struct tally *tally)
 {
 	real m[4][4], limit[2];
@@ -120,8 +120,8 @@ static void check_fov(const struct scene *s, const struct picture *t,
 /* Checks foreshortening. A world axis is a sum of a vector along the projectors and two
  * perpendicular vectors in the plane. The length of the sum of these two vectors is the
  * length of the image. */
-static void check_foreshortening(const struct scene *s, const struct picture *t,
-    struct tally *tally)
+static void check_foreshortening(const struct scene *s,
+    const struct taxonomy *t, struct tally *tally)
 {
 	real m[4][4], axis[4][4], basis[4][4], in[4][4];
 	real x[3], y[3], n[3], zero[3], *d = basis[0];
@@ -160,7 +160,7 @@ static void check_foreshortening(const struct scene *s, const struct picture *t,
 }
 
 /* Checks that the gaze leads from near to far. */
-static void check_ahead(const struct picture *t)
+static void check_ahead(const struct taxonomy *t)
 {
 	for (int i = 0; i < 4; i++) {
 		double ahead = 0, least = 0;
@@ -176,7 +176,7 @@ static void check_ahead(const struct picture *t)
 }
 
 /* Checks the gaze: the gradient of w or, in a parallel projection, of z. */
-static void check_gaze(const struct scene *s, const struct picture *t,
+static void check_gaze(const struct scene *s, const struct taxonomy *t,
     struct tally *tally)
 {
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
@@ -199,7 +199,8 @@ static void numbers_are_nearest(void **state)
 		"foreshortenings", "vanishing points", "angles" };
 	struct tally tally[5] = { 0 };
 	struct scene s;
-	struct picture t;
+	static struct picture p;
+	const struct taxonomy *t = &p.taxonomy;
 	int n[2] = { 0, 0 };
 
 	(void)state;
@@ -209,20 +210,20 @@ static void numbers_are_nearest(void **state)
 
 		sample_scene(&s, k % 3 * 10);
 		sample_answer(&s);
-		if (picture_of(&s, &t) != NULL)
+		if (picture_of(&s, &p) != NULL)
 			continue;
-		bool parallel = t.taxon <= TAXON_OBLIQUE;
+		bool parallel = t->taxon <= TAXON_OBLIQUE;
 
 		n[parallel]++;
-		assert_true(isnan(t.fov[0]) == parallel);
-		assert_true(isnan(t.foreshortening[0]) == !parallel);
-		check_places(&s, &t, &tally[0]);
-		check_gaze(&s, &t, &tally[1]);
+		assert_true(isnan(t->fov[0]) == parallel);
+		assert_true(isnan(t->foreshortening[0]) == !parallel);
+		check_places(&s, &p, &tally[0]);
+		check_gaze(&s, t, &tally[1]);
 		if (parallel) {
-			check_foreshortening(&s, &t, &tally[2]);
+			check_foreshortening(&s, t, &tally[2]);
 		} else {
-			check_vanishing_points(&s, &t, &tally[3]);
-			check_fov(&s, &t, &tally[4]);
+			check_vanishing_points(&s, t, &tally[3]);
+			check_fov(&s, t, &tally[4]);
 		}
 		real_release(mark);
 	}

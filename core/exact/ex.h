@@ -6,8 +6,8 @@
  *
  * The alternative, numbers as sums of doubles, needs a wider range of exponents, a
  * fixed rounding mode, several times the time, and a proof of the sums' length. */
-#ifndef EXACT_H
-#define EXACT_H
+#ifndef EX_H
+#define EX_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Blocks of points for tests, and their exact images. */
-#ifndef POINTS_TEST_H
-#define POINTS_TEST_H
+#ifndef BLOCK_H
+#define BLOCK_H
 
-#include "../points/transform.h"
+#include "../points/point.h"
+#include "../points/points.h"
 #include "sample.h"
 #include "truth.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameters that inspect prints, against MPFR. */
 #include "../derive/picture.h"
-#include "../points/transform.h"
+#include "../points/point.h"
 
 #include "claims.h"
 
@@ -24,9 +24,9 @@ static double most_off(const struct scene *s, const struct scene *r,
 		double at[4], is[4] = { 0 }, was[4] = { 0 };
 
 		for (int k = 0; k < 3; k++)
-			at[k] = 0.4 * t->corner[i][k] +
-			    0.3 * t->corner[i ^ 1][k] +
-			    0.3 * t->corner[i ^ 6][k];
+			at[k] = 0.4 * t->taxonomy.corner[i][k] +
+			    0.3 * t->taxonomy.corner[i ^ 1][k] +
+			    0.3 * t->taxonomy.corner[i ^ 6][k];
 		at[3] = 1;
 		if (isnan(at[0] + at[1] + at[2]))
 			continue;

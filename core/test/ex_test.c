@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sums and products of core/exact/exact.c are exact, and quotients, roots and rounding
- * are within the bounds that exact.h gives. MPFR has the truth. */
+/* Sums and products of core/exact/ex.c are exact, and quotients, roots and rounding
+ * are within the bounds that ex.h gives. MPFR has the truth. */
 #include "arithmetic.h"
 #include "claims.h"
 

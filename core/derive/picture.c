@@ -3,138 +3,9 @@
 
 #include <string.h>
 
-/* A component of a vector below this share of the vector's length counts as a rounding
- * error of the given numbers. */
-#define NEGLIGIBLE 0x1p-40
-
-/* The map from view to clip space, in axes X, Y and D that make it upright: clip y and
- * w do not depend on X, nor w on Y. X is to the right, Y upward, and D along the gaze.
- * Clip coordinates are
- *
- *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
- *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = w[0] D + w[1],
- *
- * all times the map's divisor, which cancels. In a perspective w grows along D, and D
- * is 0 at the eye, so xy[0][3], xy[1][3] and w[1] are 0. */
-struct upright {
-	struct sum xy[2][4], w[2];
-	struct sum axis[3][3]; /* X, Y and D in view space */
-	bool uses_view_axes;   /* if not, find_rq_axes finds the axes */
-	bool turned;           /* w grows against the convention's gaze */
-	bool tilted;           /* z depends on X or Y */
-};
-
-/* Returns whether the handedness of answer_convention is not the document's. The map
- * from world to view space then mirrors. */
-static bool is_mirrored(const struct scene *s)
-{
-	return s->convention.right_handed != answer_convention(s)->right_handed;
-}
-
-/* Sets the axes to those of view space. They are turned by 180 degrees about Y if w
- * grows against the convention's gaze, and X is negated if is_mirrored. Returns false
- * if the axes do not make the map upright. */
-static bool set_view_axes(const struct lens *l, struct upright *u)
-{
-	const struct convention *c = answer_convention(l->scene);
-	const struct sum(*g)[4] = l->clip;
-	bool upright = sum_sign(g[1][0]) == 0;
-
-	u->turned = sum_sign(g[3][2]) * (convention_looks_back(c) ? -1 : 1) < 0;
-	const bool minus[3] = { u->turned != is_mirrored(l->scene),
-		c->view_y_down, u->turned != convention_looks_back(c) };
-
-	for (int i = 0; i < 9; i++)
-		u->axis[i / 3][i % 3] = sum_of_double(i / 3 != i % 3 ? 0 :
-			minus[i / 3]                                 ? -1 :
-								       1);
-	for (int i = 0; i < 4; i++)
-		upright &= sum_sign(g[2 + i % 2][i / 2]) == 0;
-	return upright && sum_sign(g[0][0]) != 0 && sum_sign(g[1][1]) != 0;
-}
-
-static void normalise(struct sum v[3])
-{
-	struct sum length = vec3_length(v);
-
-	for (int i = 0; i < 3; i++)
-		v[i] = sum_quotient(v[i], length);
-}
-
-static bool is_negligible(struct sum a, struct sum b)
-{
-	return sum_compare(sum_abs(a), sum_scale(sum_abs(b), NEGLIGIBLE)) <= 0;
-}
-
-/* Finds the axes by the method of Gram and Schmidt from the gradients of clip x, y, z
- * and w: an RQ decomposition. D is along the gradient of w or, if w is constant, from
- * near to far. Y is the part of the gradient of y that is perpendicular to D. The sign
- * of X gives the camera the handedness of answer_convention. */
-static void find_rq_axes(const struct lens *l, struct upright *u)
-{
-	const struct scene *s = l->scene;
-	const struct sum(*g)[4] = l->clip, *n = g[l->parallel ? 2 : 3];
-	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
-	bool negates_x = answer_convention(s)->right_handed != is_mirrored(s);
-
-	for (int i = 0; i < 3; i++) {
-		u->axis[2][i] = sum_negated_if(l->parallel &&
-			l->reversed != (sum_sign(g[3][3]) < 0),
-		    n[i]);
-		u->axis[1][i] = sum_minor(g[1][i], nn, n[i], yn);
-	}
-	normalise(u->axis[2]);
-	normalise(u->axis[1]);
-	vec3_cross(u->axis[1], u->axis[2], u->axis[0]);
-	for (int i = 0; i < 3; i++)
-		u->axis[0][i] = sum_negated_if(negates_x, u->axis[0][i]);
-	vec3_cross(g[2], g[3], tilt);
-	u->tilted = !is_negligible(vec3_length(tilt),
-	    sum_mul(vec3_length(g[2]), vec3_length(n)));
-}
-
-static void set_elements(const struct lens *l, struct upright *u)
-{
-	for (int i = 0; i < 6; i++)
-		u->xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3], u->axis[i % 3]);
-	u->w[0] = vec3_dot(l->clip[3], u->axis[2]);
-}
-
-/* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far is
- * against the gaze (if parallel), or the picture is upside down (if without_camera). */
-static bool has_turned_camera(const struct lens *l, const struct upright *u)
-{
-	const struct projection *p = &l->scene->projection;
-	int deeper = sum_sign(vec3_dot(l->clip[2], u->axis[2]));
-
-	if (p->type != PROJECTION_MATRIX)
-		return false;
-	if (l->parallel && (deeper * sum_sign(u->w[1]) < 0) != l->reversed)
-		return true;
-	return p->without_camera && sum_sign(u->xy[0][0]) < 0 &&
-	    sum_sign(u->xy[1][1]) < 0;
-}
-
-static void upright_of(const struct lens *l, struct upright *u)
-{
-	*u = (struct upright){ 0 };
-	if (l->parallel) {
-		u->xy[0][3] = l->clip[0][3];
-		u->xy[1][3] = l->clip[1][3];
-		u->w[1] = l->clip[3][3];
-	}
-	u->uses_view_axes = set_view_axes(l, u);
-	set_elements(l, u);
-	if (u->uses_view_axes && !has_turned_camera(l, u))
-		return;
-	u->uses_view_axes = false;
-	find_rq_axes(l, u);
-	set_elements(l, u);
-	for (int i = 0; i < 2; i++)
-		for (int j = i + 1; j < (l->parallel ? 3 : 2); j++)
-			if (is_negligible(u->xy[i][j], u->xy[i][i]))
-				u->xy[i][j] = sum_of_double(0);
-}
+#include "../exact/trig.h"
+#include "error_bound.h"
+#include "upright.h"
 
 /* Sets the aspect. If the axes are those of view space, sets near_edge from two
  * opposite corners of the near plane. */
@@ -201,7 +72,7 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	for (int k = 0; k < 3; k++)
 		c->eye[k] = l->parallel ?
 		    map_nearest(&l->to_world, 3, k, false) :
-		    r->eye[k];
+		    r->taxonomy.eye[k];
 	lens_axis(l, u->axis[2], c->at);
 	lens_axis(l, u->axis[1], c->up);
 }
@@ -209,14 +80,14 @@ static void set_camera(const struct lens *l, const struct upright *u,
 /* Computes K of struct picture from half and scale (the margin is 0 here). In pixels
  * from the viewport's corner, clip x becomes half + scale x / w to the right, and clip
  * y half + scale y / w upward or, if pixels count from the top, half - scale y / w
- * downward. The axes of K are X of *u, or -X if is_mirrored, Y of *u, or -Y if pixels
+ * downward. The axes of K are X of *u, or -X if l->mirrors, Y of *u, or -Y if pixels
  * count from the top, and the gaze. */
 static void set_intrinsics(const struct lens *l, const struct upright *u,
     double k[3][3])
 {
 	const struct scene *s = l->scene;
 	bool down = !answer_convention(s)->origin_bottom_left;
-	const bool minus[3] = { is_mirrored(s), down, false };
+	const bool minus[3] = { l->mirrors, down, false };
 
 	for (int i = 0; i < 6; i++) {
 		int row = i / 3, j = i % 3;
@@ -308,7 +179,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	}
 	for (int i = 0; i < 9; i++)
 		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
-	/* if is_mirrored, X of K and x of r->scene's view space are opposite */
+	/* if l->mirrors, X of K and x of r->scene's view space are opposite */
 	p->intrinsics[0][0] = fabs(p->intrinsics[0][0]);
 	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
@@ -345,17 +216,17 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool by_intrinsics = sum_sign(u->xy[0][1]) != 0 ||
 	    projection_is_open(p);
 	bool mirrored = (sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0) !=
-	    is_mirrored(s);
+	    l->mirrors;
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
 	/* a document gives a volume an eye beyond far only on purpose */
 	bool reverse = p->type == PROJECTION_VOLUME &&
-	    r->taxon == TAXON_REVERSE;
+	    r->taxonomy.taxon == TAXON_REVERSE;
 
 	/* a corner is nan if it is at infinity or behind the eye */
 	for (int i = 0; i < 8; i++)
-		behind &= isnan(r->corner[i][0]);
+		behind &= isnan(r->taxonomy.corner[i][0]);
 	/* a perspective matrix that is negated as a whole seems to mirror */
 	bool negated = !parallel && !transposed && mirrored && behind;
 	bool known = transposed || reverse || negated;
@@ -370,13 +241,14 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
 		    u->uses_view_axes && parallel && r->reverse_z,
 		[NOTE_RADIANS] = p->type == PROJECTION_PERSP &&
-		    p->unit == DEGREES && fmin(r->fov[0], r->fov[1]) < 3.2 &&
+		    p->unit == DEGREES &&
+		    fmin(r->taxonomy.fov[0], r->taxonomy.fov[1]) < 3.2 &&
 		    (p->section <= SECTION_VIEW_ANGLE ||
 			p->section == SECTION_ANGLES),
 		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) &&
 		    !(is_central(r->intrinsics[0][2], p->width) &&
 			is_central(r->intrinsics[1][2], p->height)),
-		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, is_mirrored(s)),
+		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->w[1]) < 0),
 		[NOTE_NO_INTRINSICS] = by_intrinsics &&
@@ -428,7 +300,7 @@ const char *picture_of(const struct scene *s, struct picture *p)
 		return why;
 	/* a double whose bits are all 1 is nan */
 	memset(p, 0xff, offsetof(struct picture, notes));
-	taxonomy_of(&l, p);
+	taxonomy_of(&l, &p->taxonomy);
 	set_parameters(&l, p);
 	known.known[SPACE_WORLD][false] = &l.to_view;
 	known.known[SPACE_WORLD][true] = &l.to_world;

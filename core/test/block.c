@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "points.h"
+#include "block.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "exact.h"
+#include "ex.h"
 
 #include <limits.h>
 #include <stdatomic.h>

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+/* Distances in space that values of a depth buffer stand for, and the lengths of the
+ * buffer's steps. */
+#ifndef DEPTH_H
+#define DEPTH_H
+
+#include "lens.h"
+
+/* The formats of depth buffers. */
+enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
+
+/* A point of depth z has the distance D = (num[0] z + num[1]) / (den[0] z + den[1]). z
+ * is device depth; without a viewport, z is 0 to 1. D is measured on the normal of the
+ * projection plane: in a perspective from the eye, in a parallel projection from the
+ * origin of view space (depth.c says which way). den[0] is 0 only in a parallel
+ * projection. In a perspective den[0] z + den[1] is positive in front of the eye. */
+struct depth {
+	struct sum num[2], den[2];
+	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
+	bool reversed;    /* the near plane has the larger ndc depth */
+	bool open;        /* there are no near and far planes */
+	bool constant;    /* the viewport's min_z is max_z; low is 0, high 1 */
+};
+
+void depth_of(const struct lens *, struct depth *);
+
+/* Writes the distance of the near or far plane as the quotient num / den. */
+void depth_quotient(const struct depth *, bool far, struct sum *num,
+    struct sum *den);
+
+/* Returns the distance of the near or far plane: infinite if the plane is at infinity,
+ * nan if the plane is behind the eye or does not exist. */
+double depth_distance(const struct depth *, bool far);
+
+/* Returns the length in space of one step of the buffer's depth, from the near or far
+ * plane toward the other plane. A step of BUFFER_FLOAT32 ends at the next float.
+ * Returns nan if the plane is at infinity or does not exist, or if the whole range of
+ * depth is less than a step. */
+double depth_step(const struct depth *, enum buffer, bool far);
+
+/* Returns the length in space of one step of the buffer's depth, from points at the
+ * given distance toward the eye. */
+double depth_step_at(const struct depth *, enum buffer, double distance);
+
+#endif

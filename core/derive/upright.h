@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT */
+/* The axes of the picture: X to the right, Y upward and D along the gaze. A camera, edges
+ * and intrinsics are read off the map to clip space in these axes. */
+#ifndef UPRIGHT_H
+#define UPRIGHT_H
+
+#include "lens.h"
+
+/* The map from view to clip space, in axes X, Y and D that make it upright: clip y and
+ * w do not depend on X, nor w on Y. X is to the right, Y upward, and D along the gaze.
+ * Clip coordinates are
+ *
+ *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
+ *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = w[0] D + w[1],
+ *
+ * all times the map's divisor, which cancels. In a perspective w grows along D, and D
+ * is 0 at the eye, so xy[0][3], xy[1][3] and w[1] are 0. */
+struct upright {
+	struct sum xy[2][4], w[2];
+	struct sum axis[3][3]; /* X, Y and D in view space */
+	bool
+	    uses_view_axes; /* if not, the axes are found by an RQ decomposition */
+	bool turned;        /* w grows against the convention's gaze */
+	bool tilted;        /* z depends on X or Y */
+};
+
+void upright_of(const struct lens *, struct upright *);
+
+#endif
