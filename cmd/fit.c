@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "../core/derive/fit.h"
+#include "call/input.h"
 #include "call/operands.h"
 #include "message/message.h"
 
@@ -58,7 +59,7 @@ static void fit_read_points(const struct options *o, struct document *d)
 		document_refuse_if(d,
 		    fit_directions(&d->scene, d->has_eye, &fit.directions));
 	}
-	run_points(o, d, &j);
+	operands_run_job(o, d, &j);
 	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
 		document_refuse(d, "/bounds: missing, and there are no points");
 }
@@ -74,7 +75,7 @@ static _Noreturn void refuse_fit(const struct options *o,
 
 	if (d->has_bounds || strncmp(reason, bounds, n) != 0)
 		document_refuse(d, reason);
-	if (o->n_points == 1 && first_nonblank(o->points[0]) != '[')
+	if (o->n_points == 1 && input_first_char(o->points[0]) != '[')
 		place = (struct place){ .file = o->points[0] };
 	else if (o->n_points > 0)
 		place = (struct place){ .file = "POINTS" };
@@ -86,8 +87,8 @@ void run_fit(const struct options *o)
 {
 	struct document d;
 
-	read_document(o, &d);
-	bool points = has_points(o, &d);
+	params_read_document(o, &d);
+	bool points = operands_have_points(o, &d);
 
 	if (d.scene.answer != NULL)
 		document_refuse(&d,

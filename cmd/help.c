@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: MIT */
+#include "help.h"
+
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "call/options.h"
+#include "call/option_row.h"
+#include "call/synonyms.h"
 #include "scene/convention_member.h"
 #include "message/message.h"
 
 static void put_heading(const char *text)
 {
-	bool colored = is_colored(STDOUT_FILENO);
+	bool colored = output_is_colored(STDOUT_FILENO);
 
-	print("%s%s%s", colored ? "\033[1m" : "", text,
+	output_printf("%s%s%s", colored ? "\033[1m" : "", text,
 	    colored ? "\033[0m" : "");
 }
 
@@ -26,21 +29,21 @@ static void print_member(const struct member *row, const char *const *types)
 
 	snprintf(type, sizeof type, "%s%s%s", member_type_name(row, list),
 	    unit != NULL ? ", " : "", unit != NULL ? unit : "");
-	print("  %-*s%-*s", NAME_WIDTH, row->name, TYPE_WIDTH, type);
+	output_printf("  %-*s%-*s", NAME_WIDTH, row->name, TYPE_WIDTH, type);
 	if (strlen(type) > TYPE_WIDTH)
-		print("\n%*s", NAME_WIDTH + 2 + TYPE_WIDTH, "");
-	print(" %s", row->about);
+		output_printf("\n%*s", NAME_WIDTH + 2 + TYPE_WIDTH, "");
+	output_printf(" %s", row->about);
 	if (row->default_from != NULL)
-		print("; default %s, else %.*s", row->default_from,
+		output_printf("; default %s, else %.*s", row->default_from,
 		    (int)strlen(row->fallback) - 2, row->fallback + 1);
 	else if (row->fallback != NULL)
-		print("; default %s", row->fallback);
+		output_printf("; default %s", row->fallback);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
 		if (row->variants >> i & 1) {
-			print("%s%s", before, types[i]);
+			output_printf("%s%s", before, types[i]);
 			before = ", ";
 		}
-	print("%s\n", *before == ',' ? ")" : "");
+	output_printf("%s\n", *before == ',' ? ")" : "");
 }
 
 /* Prints the rows of a table that are set in `bits` and that objects of the variant have.
@@ -58,13 +61,14 @@ static void print_members(const struct member *table, int variant,
 void help_all(const struct command *c)
 {
 	put_heading("usage:");
-	print(" projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
+	output_printf(" projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
 	for (; c->name != NULL; c++)
-		print("  %-10s %s\n", c->name, c->about);
-	print("\nPARAMS is a JSON file, - for standard input (default), or "
-	      "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
-	      "See projcalc help COMMAND, projcalc help camera (or another "
-	      "member), man projcalc.\n");
+		output_printf("  %-10s %s\n", c->name, c->about);
+	output_printf(
+	    "\nPARAMS is a JSON file, - for standard input (default), or "
+	    "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
+	    "See projcalc help COMMAND, projcalc help camera (or another "
+	    "member), man projcalc.\n");
 }
 
 static void print_options(const struct command *c)
@@ -78,7 +82,7 @@ static void print_options(const struct command *c)
 		snprintf(left, sizeof left, "%s--%s %s",
 		    r->letter != 0 ? letter : "    ", r->name,
 		    r->argument != NULL ? r->argument : "");
-		print("  %-24s %s\n", left, r->about);
+		output_printf("  %-24s %s\n", left, r->about);
 	}
 }
 
@@ -90,38 +94,39 @@ static void print_params(const struct command *c)
 	for (const struct member *row = scene_members; row->name != NULL; row++)
 		if (w->lone_member >> (row - scene_members) & 1 ||
 		    strcmp(row->name, c->name) == 0) {
-			print("\n");
+			output_printf("\n");
 			put_heading(row->name);
-			print(":\n");
+			output_printf(":\n");
 			print_members(row->members,
 			    (int)w->source.implied_type - 1, ALL_MEMBERS);
 		}
 	put_heading("\nscene:\n");
 	print_members(scene_members, ANY_VARIANT, document_used_members(w));
-	print("projcalc help NAME describes a member that is an object.\n");
+	output_printf(
+	    "projcalc help NAME describes a member that is an object.\n");
 }
 
 void help_command(const struct command *c)
 {
-	const char *operands = c->kind == HELP ? "[COMMAND | MEMBER]" :
-	    command_reads_points(c)            ? "[PARAMS [POINTS...]]" :
-						 "[PARAMS]";
+	const char *operands = c->kind == COMMAND_HELP ? "[COMMAND | MEMBER]" :
+	    command_reads_points(c) ? "[PARAMS [POINTS...]]" :
+				      "[PARAMS]";
 
 	put_heading("usage:");
-	print(" projcalc %s [OPTION...] %s\n%s\n\n", c->name, operands,
+	output_printf(" projcalc %s [OPTION...] %s\n%s\n\n", c->name, operands,
 	    c->about);
 	print_options(c);
-	if (c->kind != HELP)
+	if (c->kind != COMMAND_HELP)
 		print_params(c);
 	put_heading("\nexample:");
-	print(" projcalc %s %s\n", c->name, c->example);
+	output_printf(" projcalc %s %s\n", c->name, c->example);
 }
 
 /* Prints `name` and, for each member m of a convention, the word that is selected by
  * choices[m->offset]. If `choices` is NULL, prints the names of the members instead. */
 static void print_convention_row(const char *name, const bool *choices)
 {
-	print("  %-8s", name);
+	output_printf("  %-8s", name);
 	for (const struct member *m = convention_members; m->name != NULL;
 	     m++) {
 		size_t width = strlen(m->name);
@@ -129,10 +134,10 @@ static void print_convention_row(const char *name, const bool *choices)
 		for (int i = 0; i < 2; i++)
 			if (strlen(m->words[i]) > width)
 				width = strlen(m->words[i]);
-		print(" %-*s", m[1].name != NULL ? (int)width : 0,
+		output_printf(" %-*s", m[1].name != NULL ? (int)width : 0,
 		    choices != NULL ? m->words[choices[m->offset]] : m->name);
 	}
-	print("\n");
+	output_printf("\n");
 }
 
 bool help_member(const char *name)
@@ -146,19 +151,19 @@ bool help_member(const char *name)
 	if (synonym_find(name, &row) == NULL)
 		return false;
 	put_heading(row->name);
-	print(": %s\n\n", row->about);
+	output_printf(": %s\n\n", row->about);
 	if (row->members == NULL || row->words != NULL)
 		print_member(row, NULL);
 	if (row->members != NULL)
 		print_members(row->members, ANY_VARIANT, ALL_MEMBERS);
 	if (row->members == convention_members) {
-		print("\n");
+		output_printf("\n");
 		print_convention_row("", NULL);
 		for (int i = 0; i < CONVENTIONS; i++)
 			print_convention_row(convention_names[i],
 			    (const bool *)&conventions[i]);
 	}
 	put_heading("\nexample:");
-	print(" projcalc %s\n", row->command);
+	output_printf(" projcalc %s\n", row->command);
 	return true;
 }

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "help_json.h"
+
 #include <stdio.h>
 
-#include "call/options.h"
+#include "call/option_row.h"
 #include "message/message.h"
 #include "scene/convention_member.h"
 
@@ -50,7 +52,7 @@ static void put_command(struct printer *p, const struct command *c)
 		if (option_is_for(r, c))
 			put_string(p, r->name);
 	put_close(p, "]");
-	if (c->kind != HELP) {
+	if (c->kind != COMMAND_HELP) {
 		put_words(p, "reads", names, document_used_members(&c->wants));
 		/* a command for 2D and 3D documents needs no member in both */
 		put_words(p, "needs", names,
@@ -183,5 +185,5 @@ void help_json(const struct command *commands, const char *version)
 	put_words(&p, "formats", format_names, ~0u);
 	put_words(&p, "spaces", space_names, ~0u);
 	put_close(&p, "}\n");
-	print("%s", text);
+	output_printf("%s", text);
 }

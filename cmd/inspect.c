@@ -5,6 +5,7 @@
 #include "../core/derive/picture.h"
 #include "json/print.h"
 #include "call/operands.h"
+#include "call/option_row.h"
 #include "message/message.h"
 
 /* Names in the order of enum taxon, enum taxon_kind and enum buffer. */
@@ -216,12 +217,12 @@ void run_inspect(const struct options *o)
 {
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
-		.style = options_style(o),
+		.style = options_matrix_style(o),
 		.compact = o->out == FORMAT_JSON,
 		.separator = "" };
 	struct document d;
 
-	read_document(o, &d);
+	params_read_document(o, &d);
 	if (d.flat && (o->tolerance > 0 || o->distances.n > 0))
 		document_refuse(&d,
 		    "/projection: missing; -t and --distances are about the "

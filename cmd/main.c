@@ -2,7 +2,11 @@
 #include <fenv.h>
 #include <string.h>
 
+#include "call/input.h"
 #include "call/operands.h"
+#include "call/synonyms.h"
+#include "help.h"
+#include "help_json.h"
 #include "message/message.h"
 
 #define VERSION "0.3.0"
@@ -20,7 +24,7 @@
 
 /* The command is for one type of projection. A viewport may determine its aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
-	MATRIX_3D, run_matrix,                                             \
+	COMMAND_MATRIX_3D, run_matrix,                                             \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
 	    .source.implied_type = type },                                 \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
@@ -33,11 +37,11 @@
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
 #define FLAT_MAP(a, b, members)                                            \
-	MATRIX_2D, run_matrix, .wants = { NEEDS_##members },               \
+	COMMAND_MATRIX_2D, run_matrix, .wants = { NEEDS_##members },               \
 	.from = FLAT_##a, .to = FLAT_##b, .points_to = FLAT_##b
 
 static const struct command commands[] = {
-	{ "lookat", "print the matrix from world to view", MATRIX_3D, run_matrix,
+	{ "lookat", "print the matrix from world to view", COMMAND_MATRIX_3D, run_matrix,
 	    .wants = { NEEDS_ONE(CAMERA, 0) },
 	    .from = SPACE_WORLD, .to = SPACE_VIEW, .points_to = SPACE_VIEW,
 	    .example = "'{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
@@ -66,21 +70,21 @@ static const struct command commands[] = {
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
 	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, \"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "take points from any space to any other: to pixels, or back",
-	    PROJECT, run_project,
+	    COMMAND_PROJECT, run_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "trace", "print points in every space, and the planes that they are outside of",
-	    TRACE, run_trace,
+	    COMMAND_TRACE, run_trace,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[1,1,1]'" },
 	{ "pick", "print the points within a radius of a device position, nearest first",
-	    PICK, run_pick,
+	    COMMAND_PICK, run_pick,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
 	    .example = "--at 320,240 --radius 3 '" SCENE_EXAMPLE
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "print the scene with a camera that holds bounds or points tightly",
-	    FIT, run_fit,
+	    COMMAND_FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .source.for_fit = true,
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
@@ -89,10 +93,10 @@ static const struct command commands[] = {
 		"\"aspect\": 1.5}}' '[[-1,-1,-1], [1,1,1]]'" },
 	{ "inspect",
 	    "describe the projection or 2D window: angles, edges, error bounds",
-	    INSPECT, run_inspect,
+	    COMMAND_INSPECT, run_inspect,
 	    .wants = { .flat_members = SCENE_WINDOW, .used = SCENE_SPATIAL },
 	    .example = "'" SCENE_EXAMPLE "'" },
-	{ "help", "describe a command, or a member of the scene", HELP,
+	{ "help", "describe a command, or a member of the scene", COMMAND_HELP,
 	    .example = "camera" },
 	{ .name = NULL },
 };
@@ -101,16 +105,16 @@ static const struct command commands[] = {
 static void run_help(const struct options *o)
 {
 	const char *what = o->params;
-	const struct command *c = find_command(commands, what);
+	const struct command *c = command_find(commands, what);
 
-	if (o->n_points > 0 || (o->json && !is_stdin(what)))
+	if (o->n_points > 0 || (o->json && !input_is_stdin(what)))
 		die(EXIT_USAGE,
 		    "help: '%s' is one word too many; give one command or "
 		    "member, or --json",
 		    o->n_points > 0 ? o->points[0] : what);
 	if (o->json)
 		help_json(commands, VERSION);
-	else if (is_stdin(what))
+	else if (input_is_stdin(what))
 		help_all(commands);
 	else if (c != NULL)
 		help_command(c);
@@ -123,11 +127,11 @@ static void *run_scenes(void *data)
 	const struct options *o = data;
 	jmp_buf refused;
 
-	if (o->scenes && o->keep_going && !is_binary(options_output(o)))
+	if (o->scenes && o->keep_going && !is_binary(options_out_format(o)))
 		message_state.on_refusal = &refused;
 	if (setjmp(refused) != 0)
-		answer_refused_scene(options_output(o));
-	while (params_next(o)) {
+		answer_refused_scene(options_out_format(o));
+	while (params_next_document(o)) {
 		o->command->run(o);
 		if (ex_has_overflowed())
 			die_at(EXIT_INPUT, &(struct place){ .of_scene = true },
@@ -147,7 +151,7 @@ int main(int argc, char **argv)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = o.command = find_command(commands, argv[1]);
+	const struct command *c = o.command = command_find(commands, argv[1]);
 
 	o.version = strcmp(argv[1], "--version") == 0 ||
 	    strcmp(argv[1], "-V") == 0;
@@ -156,10 +160,10 @@ int main(int argc, char **argv)
 	if (c != NULL)
 		options_read(&o, argv + 2);
 	if (o.version) {
-		print("projcalc " VERSION "\n");
+		output_printf("projcalc " VERSION "\n");
 	} else if (o.help) {
 		help_command(c);
-	} else if (c->kind == HELP) {
+	} else if (c->kind == COMMAND_HELP) {
 		run_help(&o);
 	} else {
 		operands_check(&o);

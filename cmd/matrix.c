@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "matrix.h"
+
 #include <math.h>
 
 #include "../core/points/kernel/little.h"
@@ -6,6 +8,7 @@
 #include "json/print.h"
 #include "message/message.h"
 #include "scene/types.h"
+#include "call/option_row.h"
 
 /* kept_axes[n - 3]: the n rows or columns of a map that are printed; in 2D no z. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
@@ -68,7 +71,7 @@ static struct elements elements_of(const struct document *d,
 	return m;
 }
 
-void print_matrix(const struct options *o, const struct document *d,
+void matrix_print(const struct options *o, const struct document *d,
     const struct transform *t)
 {
 	static char text[16 * (NUMBER_MAX + 2) + 64];
@@ -76,7 +79,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	bool floats = single || o->out == FORMAT_F32;
 	bool column = answer_convention(&d->scene)->column_vectors;
 	struct printer p = { .at = text,
-		.style = options_style(o),
+		.style = options_matrix_style(o),
 		.floats = single,
 		.compact = true,
 		.separator = "" };
@@ -101,10 +104,11 @@ static void matrix_prepare(const struct options *o, const struct document *d,
 	bool planes = o->flags || o->visible;
 
 	document_refuse_if(d,
-	    c->kind == MATRIX_2D ? flat_transform(s, (enum flat_space)c->from,
-				       (enum flat_space)to, &j->transform) :
-				   scene_transform(s, (enum space)c->from,
-				       (enum space)to, false, &j->transform));
+	    c->kind == COMMAND_MATRIX_2D ?
+		flat_transform(s, (enum flat_space)c->from, (enum flat_space)to,
+		    &j->transform) :
+		scene_transform(s, (enum space)c->from, (enum space)to, false,
+		    &j->transform));
 	if (planes)
 		document_refuse_if(d,
 		    flat_frustum_of(s, (enum flat_space)c->from, &j->frustum));
@@ -117,16 +121,16 @@ void run_matrix(const struct options *o)
 	struct document d;
 	static struct job j;
 
-	read_document(o, &d);
+	params_read_document(o, &d);
 
-	bool points = !o->matrix && has_points(o, &d);
+	bool points = !o->matrix && operands_have_points(o, &d);
 
 	matrix_prepare(o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
-		print_matrix(o, &d, &j.transform);
+		matrix_print(o, &d, &j.transform);
 		return;
 	}
-	j.space = c->kind == MATRIX_2D ? flat_names[c->points_to] :
-					 space_names[c->points_to];
-	run_points(o, &d, &j);
+	j.space = c->kind == COMMAND_MATRIX_2D ? flat_names[c->points_to] :
+						 space_names[c->points_to];
+	operands_run_job(o, &d, &j);
 }

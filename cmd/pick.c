@@ -243,9 +243,9 @@ void run_pick(const struct options *o)
 		.data = &hits };
 
 	hits.json = o->has_out && o->out == FORMAT_JSON;
-	hits.style = options_style(o);
+	hits.style = options_matrix_style(o);
 	hits.n = hits.size = 0;
-	read_document(o, &d);
+	params_read_document(o, &d);
 	hits_set_circle(&d, o, &hits);
 	document_refuse_if(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
@@ -259,5 +259,5 @@ void run_pick(const struct options *o)
 		    "pick prints lines as they were read; leave -o out, or "
 		    "use -o json");
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
-	run_points(o, &d, &j);
+	operands_run_job(o, &d, &j);
 }

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "call/operands.h"
+#include "matrix.h"
+#include "call/option_row.h"
 #include "message/message.h"
 
 /* Refuses options that --ray or --plane excludes. */
@@ -74,7 +76,7 @@ void run_project(const struct options *o)
 	static struct job j;
 
 	project_check(o);
-	read_document(o, &d);
+	params_read_document(o, &d);
 
 	const enum space to = o->has_to ? o->to :
 	    o->ray || plane             ? SPACE_WORLD :
@@ -91,10 +93,10 @@ void run_project(const struct options *o)
 		    "dimensions; give \"viewport\", or say --to ndc");
 	document_refuse_if(&d, project_prepare(&d.scene, o, from, to, &j));
 	if (o->matrix) {
-		print_matrix(o, &d, &j.transform);
+		matrix_print(o, &d, &j.transform);
 		return;
 	}
 	j.from = from != SPACE_MODEL ? space_names[from] : NULL;
 	j.space = space_names[to];
-	run_points(o, &d, &j);
+	operands_run_job(o, &d, &j);
 }

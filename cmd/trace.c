@@ -6,6 +6,7 @@
 
 #include "../core/points/points.h"
 #include "call/operands.h"
+#include "call/option_row.h"
 #include "message/message.h"
 
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
@@ -148,7 +149,7 @@ void run_trace(const struct options *o)
 		.data = &trace };
 	struct document d;
 
-	read_document(o, &d);
+	params_read_document(o, &d);
 	trace = (struct trace){ .n_spaces = SPACES };
 	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
 		trace.n_spaces--;
@@ -162,5 +163,5 @@ void run_trace(const struct options *o)
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],
 		    o->out == FORMAT_JSON ? "\"%s\":" : "%-8s", space_names[s]);
-	run_points(o, &d, &j);
+	operands_run_job(o, &d, &j);
 }

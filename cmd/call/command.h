@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Each command is a row of the table in main.c. */
+/* A command is a row of the table in main.c, and its run_ function is in the file of its
+ * name. These functions are declared here, as only that table calls them. */
 #ifndef COMMAND_H
 #define COMMAND_H
 
@@ -8,19 +9,19 @@
 #include "../scene/document.h"
 
 struct options;
-struct transform;
 
 /* Commands of one kind take the same options. Each kind is a bit, so that the member
  * `kinds` of struct option_row can name several kinds. */
 enum command_kind {
-	MATRIX_3D = 1, /* prints a 3D matrix, or the images of points */
-	PROJECT = 2,
-	PICK = 4,
-	FIT = 8,
-	INSPECT = 16,
-	TRACE = 32,
-	MATRIX_2D = 64, /* prints a 2D matrix, or the images of 2D points */
-	HELP = 128,
+	COMMAND_MATRIX_3D = 1, /* prints a 3D matrix, or the images of points */
+	COMMAND_PROJECT = 2,
+	COMMAND_PICK = 4,
+	COMMAND_FIT = 8,
+	COMMAND_INSPECT = 16,
+	COMMAND_TRACE = 32,
+	COMMAND_MATRIX_2D =
+	    64, /* prints a 2D matrix, or the images of 2D points */
+	COMMAND_HELP = 128,
 };
 
 struct command {
@@ -29,12 +30,12 @@ struct command {
 	enum command_kind kind;
 	/* Reads the scene and prints the answer. Does not return after an error. */
 	void (*run)(const struct options *);
-	/* The command's needs of a document. To a copy of them, read_document adds what
+	/* The command's needs of a document. To a copy of them, params_read_document adds what
 	 * the options need, and the place of the document's text in its file. */
 	struct document_wants wants;
-	/* For MATRIX_3D and MATRIX_2D: the matrix maps the space `from` to the space
+	/* For COMMAND_MATRIX_3D and COMMAND_MATRIX_2D: the matrix maps the space `from` to the space
 	 * `to`, and points are printed in the space `points_to`. The values are of enum
-	 * space for MATRIX_3D, of enum flat_space for MATRIX_2D. */
+	 * space for COMMAND_MATRIX_3D, of enum flat_space for COMMAND_MATRIX_2D. */
 	int from, to, points_to;
 	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;
@@ -47,22 +48,8 @@ void run_pick(const struct options *);
 void run_fit(const struct options *);
 void run_inspect(const struct options *);
 
-/* Prints the matrix of a transform in the format and precision of the options, for row
- * or column vectors as the convention of the answer says. For a space whose points have
- * two coordinates, the matrix lacks the row or column of z. */
-void print_matrix(const struct options *, const struct document *,
-    const struct transform *);
-
-/* Print help. help_all lists the commands, up to a row without a name. help_command
- * describes one command. help_member describes a member of the scene or of its objects,
- * and returns false if no member has the name. help_json prints all help as JSON. */
-void help_all(const struct command *);
-void help_command(const struct command *);
-bool help_member(const char *name);
-void help_json(const struct command *, const char *version);
-
 /* Returns the command called `name` in the table c, which a NULL name ends; or NULL. */
-static inline const struct command *find_command(const struct command *c,
+static inline const struct command *command_find(const struct command *c,
     const char *name)
 {
 	for (; c->name != NULL; c++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "operands.h"
+#include "input.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -14,12 +14,12 @@
 #include "../stream/source.h"
 #include "../message/message.h"
 
-bool is_stdin(const char *operand)
+bool input_is_stdin(const char *operand)
 {
 	return strcmp(operand, "-") == 0;
 }
 
-char first_nonblank(const char *s)
+char input_first_char(const char *s)
 {
 	while (isspace((unsigned char)*s))
 		s++;
@@ -38,7 +38,7 @@ static int open_file(const char *name)
 	return fd;
 }
 
-bool check_input(const char *name, int fd)
+bool input_check(const char *name, int fd)
 {
 	const struct place place = { .file = name };
 	struct stat in, out;
@@ -54,23 +54,23 @@ bool check_input(const char *name, int fd)
 	return true;
 }
 
-int open_input(const char *name)
+int input_open(const char *name)
 {
-	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
+	int fd = input_is_stdin(name) ? STDIN_FILENO : open_file(name);
 
-	if (fd < 0 || !check_input(name, fd))
+	if (fd < 0 || !input_check(name, fd))
 		die_at(EXIT_USAGE, &(struct place){ .file = name }, "%s",
 		    strerror(errno));
 	return fd;
 }
 
-static void text_reserve(struct text *t, size_t room)
+static void text_reserve(struct input_text *t, size_t room)
 {
 	t->s = xrealloc(t->s, room + PIECE_MARGIN);
 	t->room = room;
 }
 
-bool text_read_more(struct text *t, int fd, const char *name)
+bool input_append(struct input_text *t, int fd, const char *name)
 {
 	ssize_t n;
 
@@ -89,28 +89,28 @@ bool text_read_more(struct text *t, int fd, const char *name)
 	return n > 0;
 }
 
-struct text text_of_file(const char *name)
+struct input_text input_of_file(const char *name)
 {
-	struct text t = { 0 };
-	int fd = open_input(name);
+	struct input_text t = { 0 };
+	int fd = input_open(name);
 
-	while (text_read_more(&t, fd, name))
+	while (input_append(&t, fd, name))
 		continue;
 	close(fd);
 	return t;
 }
 
-struct text text_of_operand(const char *operand)
+struct input_text input_of_operand(const char *operand)
 {
-	struct text t = { .size = strlen(operand) };
+	struct input_text t = { .size = strlen(operand) };
 
 	text_reserve(&t, t.size);
 	memcpy(t.s, operand, t.size);
 	return t;
 }
 
-void text_free(struct text *t)
+void input_free(struct input_text *t)
 {
 	free(t->s);
-	*t = (struct text){ 0 };
+	*t = (struct input_text){ 0 };
 }

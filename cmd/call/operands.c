@@ -8,6 +8,8 @@
 #include <unistd.h>
 
 #include "../message/message.h"
+#include "input.h"
+#include "option_row.h"
 
 /* Refuses `word`, an operand that is no file, for the reason `why`. The message ends
  * with `hint` or, if `word` is the name of an option of c, suggests this option. Skips
@@ -21,7 +23,7 @@ static _Noreturn void refuse_no_file(const struct command *c, const char *word,
 
 	while (strncmp(name, "\xe2\x80", 2) == 0 && (name[2] & 0xf0) == 0x90)
 		name += 3;
-	r = option_named(name);
+	r = option_find(name);
 	if (option_is_for(r, c))
 		die_at(EXIT_USAGE, &place, "%s; did you mean --%s?", why, name);
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
@@ -31,16 +33,16 @@ static _Noreturn void refuse_no_file(const struct command *c, const char *word,
 static void check_file(const struct command *c, const char *name,
     const char *hint)
 {
-	if (is_stdin(name))
-		check_input(name, STDIN_FILENO);
-	else if (!check_input(name, -1) || access(name, R_OK) != 0)
+	if (input_is_stdin(name))
+		input_check(name, STDIN_FILENO);
+	else if (!input_check(name, -1) || access(name, R_OK) != 0)
 		refuse_no_file(c, name, strerror(errno), hint);
 }
 
 void operands_check(const struct options *o)
 {
 	const struct command *c = o->command;
-	bool from_stdin = is_stdin(o->params);
+	bool from_stdin = input_is_stdin(o->params);
 	char hint[160];
 
 	snprintf(hint, sizeof hint,
@@ -50,7 +52,7 @@ void operands_check(const struct options *o)
 		"%s' shows",
 	    c->name);
 	/* the shell splits an object without quotes: the first operand lacks } */
-	if (first_nonblank(o->params) != '{')
+	if (input_first_char(o->params) != '{')
 		check_file(c, o->params, hint);
 	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
 		refuse_no_file(c, o->params, "has no }", hint);
@@ -59,30 +61,30 @@ void operands_check(const struct options *o)
 	if (o->columns.n != 1)
 		snprintf(hint, sizeof hint,
 		    "POINTS are a file, - or '[%.*s]'%s",
-		    2 * coordinates_of(o) + 1, "1.5,2,3,4",
-		    c->kind == PICK ? POSITION_HINT : "");
+		    2 * options_coordinates(o) + 1, "1.5,2,3,4",
+		    c->kind == COMMAND_PICK ? POSITION_HINT : "");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
-		if (is_stdin(name) && from_stdin)
+		if (input_is_stdin(name) && from_stdin)
 			die(EXIT_USAGE,
 			    "standard input is named twice; name a file for "
 			    "one of them");
-		from_stdin |= is_stdin(name);
-		if (first_nonblank(name) != '[')
+		from_stdin |= input_is_stdin(name);
+		if (input_first_char(name) != '[')
 			check_file(c, name, hint);
 	}
 }
 
-bool has_points(const struct options *o, const struct document *d)
+bool operands_have_points(const struct options *o, const struct document *d)
 {
 	bool none = o->n_points == 0 && d->points == NULL;
 
-	if (none && o->points_option != NULL)
+	if (none && o->points_only_option != NULL)
 		die_at(EXIT_USAGE, &(struct place){ .of_scene = true },
 		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
-		    o->command->name, o->points_option);
+		    o->command->name, o->points_only_option);
 	return !none;
 }
 
@@ -214,7 +216,7 @@ static void prepare_job(struct job *j, const struct options *o)
 	/* a ray is made from 2 numbers, x y, and written as 6: point and direction */
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
-		.out = dialect_of(options_output(o), o->separator),
+		.out = dialect_of(options_out_format(o), o->separator),
 		.header = o->header ? HEADER_YES :
 		    o->no_header    ? HEADER_NONE :
 				      HEADER_MAYBE,
@@ -265,37 +267,38 @@ static void run_json_points(const struct options *o, struct job *j,
  * --scenes, the text of a file is kept for the next scenes. */
 static void run_operand(const struct options *o, struct job *j, int i)
 {
-	static struct text *kept;
+	static struct input_text *kept;
 	const char *operand = i < o->n_points ? o->points[i] : "-";
 	const size_t kept_size = ((size_t)o->n_points + 1) * sizeof *kept;
 
-	if (first_nonblank(operand) == '[') {
+	if (input_first_char(operand) == '[') {
 		size_t size;
-		struct text t = text_of_operand(operand);
+		struct input_text t = input_of_operand(operand);
 		const char *points = document_read_points("POINTS", t.s, t.size,
 		    j->layout.reads, j->layout.z_hint, &size);
 
 		run_json_points(o, j, "POINTS", points, size);
-		text_free(&t);
+		input_free(&t);
 	} else if (o->scenes) {
 		if (kept == NULL)
 			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
-			kept[i] = text_of_file(operand);
+			kept[i] = input_of_file(operand);
 		stream(j, source_of_text(operand, kept[i].s, kept[i].size));
 	} else {
-		int fd = open_input(operand);
+		int fd = input_open(operand);
 
 		stream(j, source_of_file(operand, fd));
 		close(fd);
 	}
 }
 
-void run_points(const struct options *o, const struct document *d,
+void operands_run_job(const struct options *o, const struct document *d,
     struct job *j)
 {
 	prepare_job(j, o);
-	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params)) {
+	if (o->n_points == 0 && d->points == NULL &&
+	    input_is_stdin(o->params)) {
 		const struct place p = json_source_place(&d->source, "/points");
 
 		die_at(EXIT_USAGE, &p,

@@ -2,322 +2,192 @@
 #include "options.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../core/scene/scene.h"
 #include "../message/message.h"
-#include "../message/utf8.h"
-#include "../scene/convention_member.h"
+#include "../message/words.h"
+#include "option_row.h"
+#include "synonyms.h"
 
-const char *const precision_names[] = { "exact", "double", "single", NULL };
-
-const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
-	"device", NULL };
-
-/* Sets *r->global, or the option's member, to the index of `word` in r->words. */
-static void option_read_word(struct options *o, const struct option_row *r,
-    char *word)
+/* Fills `names` with the names of the command's options that begin with `word`, and a
+ * NULL after them. Returns how many names there are. */
+static int option_names(const struct command *c, const char *word,
+    const char *names[OPTIONS_MAX + 1])
 {
-	unsigned *at = r->global != NULL ? r->global :
-					   (void *)((char *)o + r->offset);
-	const char *near = nearest_word(word, r->words);
-	char all[LIST_ROOM];
-
-	for (unsigned i = 0; r->words[i] != NULL; i++)
-		if (strcmp(r->words[i], word) == 0) {
-			*at = i;
-			return;
-		}
-	if (near != NULL)
-		die(EXIT_USAGE, "--%s: unknown word '%s'; did you mean %s?",
-		    r->name, word, near);
-	die(EXIT_USAGE, "--%s: unknown word '%s'; use %s", r->name, word,
-	    join_words(all, r->words, " or ", ""));
-}
-
-static int whole_number(const struct option_row *r, const char *word, int min,
-    int max)
-{
-	char *end;
-	long n = strtol(word, &end, 10);
-
-	if (end == word || *end != '\0' || n < min || n > max)
-		die(EXIT_USAGE,
-		    "--%s: '%s' is not a whole number from %d to %d", r->name,
-		    word, min, max);
-	return (int)n;
-}
-
-static void option_read_whole_number(struct options *o,
-    const struct option_row *r, char *word)
-{
-	*(int *)((char *)o + r->offset) = whole_number(r, word, r->min, r->max);
-}
-
-/* Reads the name of a format or of binary records, such as "f32x4". */
-static void option_read_format(struct options *o, const struct option_row *r,
-    char *word)
-{
-	const int record_max = 64;
-	int *record = r->letter == 'o' ? &o->out_record : &o->in_record;
-
-	if (strpbrk(word, "./") != NULL)
-		die(EXIT_USAGE, "--%s: '%s' is not a format; %s", r->name, word,
-		    r->letter == 'o' ? "use > to write a file" :
-				       "give files of points after PARAMS");
-	*record = 0;
-	if (strncmp(word, "f32x", 4) == 0 || strncmp(word, "f64x", 4) == 0) {
-		*record = whole_number(r, word + 4, 2, record_max);
-		word[3] = '\0';
-	}
-	option_read_word(o, r, word);
-}
-
-/* Sets the option's member to a number from SIZE_MIN to MAGNITUDE_MAX. */
-static void option_read_size(struct options *o, const struct option_row *r,
-    char *word)
-{
-	const char *end = word + strlen(word);
-	double *v = (void *)((char *)o + r->offset);
-
-	if (number_read(word, end, v) != end ||
-	    !(*v >= SIZE_MIN && *v <= MAGNITUDE_MAX))
-		die(EXIT_USAGE,
-		    "--%s: '%s' is not a number from 1e-150 to 1e150", r->name,
-		    word);
-}
-
-/* Reads a list of r->min to r->max numbers with commas between them. */
-static void option_read_numbers(struct options *o, const struct option_row *r,
-    char *word)
-{
-	struct number_list *list = (void *)((char *)o + r->offset);
-	const char *at = word, *end = word + strlen(word);
-
-	for (int n = 0; n < r->max; n++) {
-		at = number_read(at, end, &list->v[n]);
-		if (at == NULL || !(fabs(list->v[n]) <= MAGNITUDE_MAX))
-			break;
-		list->n = n + 1;
-		if (at == end && list->n >= r->min)
-			return;
-		if (*at++ != ',')
-			break;
-	}
-	die(EXIT_USAGE,
-	    "--%s: '%s' is not %s: numbers up to 1e150 with commas between "
-	    "them, as in --%s %s",
-	    r->name, word, r->argument, r->name, r->example);
-}
-
-/* Reads the word tab, or a character that can't be part of a number or a name. */
-static void option_read_separator(struct options *o, const struct option_row *r,
-    char *word)
-{
-	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
-		o->separator = '\t';
-	else if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
-	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
-		die(EXIT_USAGE,
-		    "--%s: '%s' can't separate fields; use one character "
-		    "such as ; or |, or tab",
-		    r->name, word);
-	else
-		o->separator = *word;
-}
-
-/* Returns the first word of a list that commas divide. Sets *list to the next word, or
- * to NULL if there is none. */
-static char *cut_word(char **list)
-{
-	char *word = *list;
-
-	*list = strchr(word, ',');
-	if (*list != NULL)
-		*(*list)++ = '\0';
-	return word;
-}
-
-static void option_read_styles(struct options *o, const struct option_row *r,
-    char *list)
-{
-	enum number_kind kind = r->letter == 'd' ? NUMBER_DECIMALS :
-						   NUMBER_DIGITS;
-	struct styles *s = &o->styles;
-
-	if (s->n > 0 && s->style[0].kind != kind)
-		die(EXIT_USAGE,
-		    "--decimals and --digits exclude each other; give one of "
-		    "them a number for each coordinate");
-	for (s->n = 0; list != NULL; s->n++) {
-		int n = whole_number(r, cut_word(&list), r->min, r->max);
-
-		if (s->n == COORDINATES_MAX)
-			die(EXIT_USAGE, "--%s: more than six numbers", r->name);
-		for (int k = s->n; k < COORDINATES_MAX; k++)
-			s->style[k] = (struct number_style){ .kind = kind,
-				.n = n };
-	}
-}
-
-/* Reads a list of fields of a line, each by its number, from 1, or its name: "2,z". */
-static void option_read_columns(struct options *o, const struct option_row *r,
-    char *list)
-{
-	const int fields_max = 1000000;
-	struct columns *c = &o->columns;
-
-	for (*c = (struct columns){ 0 }; list != NULL; c->n++) {
-		char *word = cut_word(&list);
-
-		if (c->n == 4)
-			die(EXIT_USAGE, "--%s: more than four fields", r->name);
-		if (strspn(word, "0123456789") == strlen(word))
-			c->field[c->n] = whole_number(r, word, 1, fields_max) -
-			    1;
-		else
-			c->name[c->n] = word;
-		for (int i = 0; i < c->n; i++)
-			if (c->field[i] == c->field[c->n] &&
-			    strcmp(c->name[i] != NULL ? c->name[i] : "",
-				c->name[c->n] != NULL ? word : "") == 0)
-				die(EXIT_USAGE, "--%s: '%s' is there twice",
-				    r->name, word);
-	}
-}
-
-static const char *const message_forms[] = { "text", "json", NULL };
-static const char *const color_names[] = { "auto", "always", "never", NULL };
-
-/* Kinds of commands that share options, as unions of bits of enum command_kind. */
-enum {
-	TAKE_FLAGS = PROJECT | TRACE | MATRIX_2D, /* take --flags, --visible */
-	PRINT_IMAGES = MATRIX_3D | TAKE_FLAGS,
-	PRINT_POINTS = PRINT_IMAGES | PICK,
-	READ_POINTS = PRINT_POINTS | FIT,
-	PRINT_NUMBERS = PRINT_POINTS | INSPECT, /* take -d and --digits */
-	ALL_BUT_HELP = READ_POINTS | INSPECT,
-	ALL_COMMANDS = ALL_BUT_HELP | HELP,
-};
-
-#define FLAG(member) .flag = offsetof(struct options, member)
-#define OFFSET(member) .offset = offsetof(struct options, member)
-
-/* clang-format off */
-const struct option_row option_rows[] = {
-	{ "convention", 'c', ALL_BUT_HELP,
-	    "answer in this convention: d3d, gl, vulkan, webgpu or opencv",
-	    "NAME", option_read_word, OFFSET(convention), .words = convention_names,
-	    FLAG(has_convention) },
-	{ "input", 'i', READ_POINTS,
-	    "read points as text (default), csv, tsv, json, f64, f32 or f32x4",
-	    "FORMAT", option_read_format, OFFSET(in), .words = format_names,
-	    .points_only = true },
-	{ "output", 'o', ALL_BUT_HELP,
-	    "print in this format; the default for points is the format of the input",
-	    "FORMAT", option_read_format, OFFSET(out), .words = format_names, FLAG(has_out) },
-	{ "separator", 0, READ_POINTS, "separate fields of csv by this character, or by tab",
-	    "C", .read = option_read_separator },
-	{ "header", 0, READ_POINTS, "take the first line of csv for a header",
-	    FLAG(header), .points_only = true },
-	{ "no-header", 0, READ_POINTS, "take the first line of csv for a row",
-	    FLAG(no_header), .points_only = true },
-	{ "columns", 0, READ_POINTS,
-	    "find coordinates in these fields: 2,3,4, or names in csv and JSON",
-	    "LIST", .read = option_read_columns, .points_only = true },
-	{ "decimals", 'd', PRINT_NUMBERS, "print N decimals; for points a list may have one N for each coordinate",
-	    "N,...", option_read_styles, .min = 0, .max = 100 },
-	{ "digits", 0, PRINT_NUMBERS,
-	    "print at most N significant digits; a list as for -d",
-	    "N,...", option_read_styles, .min = 1, .max = 100 },
-	{ "precision", 'p', PRINT_IMAGES,
-	    "compute points in exact (default), double or single arithmetic",
-	    "NAME", option_read_word, OFFSET(precision), .words = precision_names },
-	{ "tolerance", 't', INSPECT,
-	    "name the cheapest precision whose error is at most T; default 0.5",
-	    "T", option_read_size, OFFSET(tolerance) },
-	{ "distances", 0, INSPECT,
-	    "print depth_step also at these distances, from near to far",
-	    "D,...", option_read_numbers, OFFSET(distances), .min = 1,
-	    .max = NUMBER_LIST_MAX, .example = "10,1000" },
-	{ "from", 0, PROJECT | TRACE,
-	    "read points in this space: model, world, view, clip, ndc or device",
-	    "SPACE", option_read_word, OFFSET(from), .words = space_names, FLAG(has_from) },
-	{ "to", 0, PROJECT,
-	    "print points in this space; default device, or ndc without a viewport",
-	    "SPACE", option_read_word, OFFSET(to), .words = space_names, FLAG(has_to) },
-	{ "homogeneous", 'H', PROJECT, "print x y z w without division",
-	    FLAG(homogeneous) },
-	{ "matrix", 'm', MATRIX_3D | PROJECT | MATRIX_2D,
-	    "print the matrix and read no points", FLAG(matrix) },
-	{ "at", 0, PICK, "find points around this position on the device",
-	    "X,Y", option_read_numbers, OFFSET(pick_at), .min = 2, .max = 2,
-	    .example = "320,240" },
-	{ "radius", 0, PICK, "find points within this radius, in device units",
-	    "R", option_read_size, OFFSET(radius) },
-	{ "ray", 0, PROJECT,
-	    "read x y on the device; print a point of the ray, and its direction",
-	    FLAG(ray) },
-	{ "plane", 0, PROJECT,
-	    "read x y; print where the ray meets a x + b y + c z + d = 0",
-	    "A,B,C,D", option_read_numbers, OFFSET(plane), .min = 4, .max = 4,
-	    .example = "0,0,1,0" },
-	{ "append", 0, MATRIX_3D | PROJECT | MATRIX_2D,
-	    "keep each line whole and add the image behind it",
-	    FLAG(append), .points_only = true },
-	{ "flags", 0, TAKE_FLAGS,
-	    "add a word: in, or the planes that the point is outside of",
-	    FLAG(flags), .points_only = true },
-	{ "visible", 0, TAKE_FLAGS, "print only points inside the view volume or window",
-	    FLAG(visible), .points_only = true },
-	{ "keep-going", 0, ALL_BUT_HELP,
-	    "go on after a wrong scene or a bad line; print nan for the line",
-	    FLAG(keep_going) },
-	{ "jobs", 'j', READ_POINTS, "use N threads; default one for each processor",
-	    "N", option_read_whole_number, OFFSET(jobs), .min = 1, .max = 256 },
-	{ "progress", 0, READ_POINTS, "report on standard error how many lines are done",
-	    FLAG(progress) },
-	{ "scenes", 0, ALL_BUT_HELP, "read any number of scenes from PARAMS, one after another",
-	    FLAG(scenes) },
-	{ "json", 0, HELP, "print all that the program knows of itself as JSON",
-	    FLAG(json) },
-	{ "errors", 0, ALL_COMMANDS, "print messages as text (default) or json",
-	    "FORM", option_read_word, .words = message_forms,
-	    .global = &message_state.json },
-	{ "color", 0, ALL_COMMANDS, "colour messages and help: auto (default), always or never",
-	    "WHEN", option_read_word, .words = color_names,
-	    .global = &message_state.color },
-	{ "help", 'h', ALL_COMMANDS, "print the help of the command", FLAG(help) },
-	{ "version", 'V', ALL_COMMANDS, "print the version", FLAG(version) },
-	{ .name = NULL },
-};
-/* clang-format on */
-
-_Static_assert(sizeof option_rows / sizeof *option_rows <= OPTIONS_MAX + 1,
-    "OPTIONS_MAX is too small");
-
-const struct option_row *option_named(const char *name)
-{
-	const size_t n = strcspn(name, "= ");
+	const size_t n = strlen(word);
+	int count = 0;
 
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (strlen(r->name) == n && strncmp(r->name, name, n) == 0)
-			return r;
-	return NULL;
+		if (option_is_for(r, c) && strncmp(r->name, word, n) == 0)
+			names[count++] = r->name;
+	names[count] = NULL;
+	return count;
 }
 
-bool option_is_for(const struct option_row *r, const struct command *c)
+/* Refuses `word`, an option that c does not take. `name` is `word` without dashes or,
+ * if `word` is a letter such as "-t" that other commands take, its long name. */
+static _Noreturn void refuse_option(const struct command *c, const char *word,
+    const char *name)
 {
-	return r != NULL && c != NULL && (r->kinds & c->kind) != 0;
+	const char *names[OPTIONS_MAX + 1], *near;
+
+	/* one letter that no option has is too short to be looked up as a member */
+	if (strcmp(word + 1, name) != 0)
+		synonym_check_option(c, word, name);
+	option_names(c, "", names);
+	near = word_nearest(name, names);
+	if (near != NULL)
+		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
+		    c->name, word, near);
+	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists them",
+	    c->name, word, c->name);
+}
+
+/* Returns c's option for `word`: "--", then the name or a unique beginning of it. */
+static const struct option_row *find_long_option(const struct command *c,
+    const char *word)
+{
+	const char *name = word + 2, *names[OPTIONS_MAX + 1];
+	const struct option_row *r = option_find(name);
+	char list[LIST_ROOM];
+	int count = option_names(c, name, names);
+
+	if (r != NULL && option_is_for(r, c) && strcmp(r->name, name) == 0)
+		return r;
+	if (r != NULL || *name == '\0' || count == 0)
+		refuse_option(c, word, name);
+	if (count > 1)
+		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name,
+		    word, join_words(list, names, " or ", ""));
+	return option_find(names[0]);
+}
+
+/* Returns c's option with this letter. Refuses a letter that no option of c has. */
+static const struct option_row *find_letter_option(const struct command *c,
+    char letter)
+{
+	const char word[] = { '-', letter, '\0' };
+	const struct option_row *r = option_rows;
+
+	while (r->name != NULL && r->letter != letter)
+		r++;
+	if (r->name == NULL || !option_is_for(r, c))
+		refuse_option(c, word, r->name != NULL ? r->name : word + 1);
+	return r;
+}
+
+/* Sets an option. An option that takes an argument gets `value`. If `value` is NULL, it
+ * gets the next word, **next, and *next moves past this word. */
+static void set_option(struct options *o, const struct option_row *r,
+    char *value, char ***next)
+{
+	if (r->argument == NULL && value != NULL)
+		die(EXIT_USAGE, "%s: --%s takes no argument", o->command->name,
+		    r->name);
+	if (r->argument != NULL && value == NULL && **next == NULL)
+		die(EXIT_USAGE, "%s: --%s needs an argument: %s",
+		    o->command->name, r->name, r->argument);
+	if (r->argument != NULL)
+		r->read(o, r, value != NULL ? value : *(*next)++);
+	if (r->points_only)
+		o->points_only_option = r->name;
+	if (r->flag != 0)
+		*(bool *)((char *)o + r->flag) = true;
+}
+
+/* Sets the options of a word such as "--name=value", or "-md3" for -m -d 3. Refuses the
+ * name of an option or member after one dash: "-to" is not -t with the argument o. */
+static void set_options_of_word(struct options *o, char *word, char ***next)
+{
+	const struct command *c = o->command;
+	const struct option_row *r;
+	char *equals = strchr(word, '=');
+
+	if (equals != NULL)
+		*equals = '\0';
+	if (word[1] == '-') {
+		set_option(o, find_long_option(c, word),
+		    equals != NULL ? equals + 1 : NULL, next);
+		return;
+	}
+	if (word[1] != '\0' && word[2] != '\0')
+		synonym_check_option(c, word, word + 1);
+	if (equals != NULL)
+		*equals = '=';
+	do {
+		r = find_letter_option(c, *++word);
+		set_option(o, r,
+		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL,
+		    next);
+	} while (r->argument == NULL && word[1] != '\0');
+}
+
+/* Returns whether a word is an operand, not an option. "-" and "-1.5" are operands. */
+static bool is_operand(const char *word)
+{
+	return *word != '-' || word[1] == '\0' || word[1] == '.' ||
+	    isdigit((unsigned char)word[1]);
+}
+
+/* Sets the format of the output of trace, inspect and fit: text or JSON. The default is
+ * JSON if trace reads points in JSON, else text. */
+static void choose_output(struct options *o)
+{
+	if (!o->has_out)
+		o->out = o->command->kind == COMMAND_TRACE &&
+			o->in == FORMAT_JSON ?
+		    FORMAT_JSON :
+		    FORMAT_TEXT;
+	o->has_out = true;
+	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
+		die(EXIT_USAGE,
+		    "%s prints text or json; use -o text or -o json",
+		    o->command->name);
+}
+
+/* Moves the operands to the beginning of `words`. Options may stand between operands,
+ * unless the environment has POSIXLY_CORRECT. */
+void options_read(struct options *o, char **words)
+{
+	char **operand = o->points = words;
+	bool mixed = getenv("POSIXLY_CORRECT") == NULL, options = true;
+
+	while (*words != NULL) {
+		char *word = *words++;
+
+		if (options && strcmp(word, "--") == 0) {
+			options = false;
+		} else if (options && !is_operand(word)) {
+			set_options_of_word(o, word, &words);
+		} else {
+			*operand++ = word;
+			options = options && mixed;
+		}
+		if (o->help || o->version)
+			return;
+	}
+	if ((o->command->kind &
+		(COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
+		choose_output(o);
+	if (operand > o->points)
+		o->params = *o->points++;
+	o->n_points = (int)(operand - o->points);
+	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
+		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
+	if (o->out_record > 0 &&
+	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
+		die(EXIT_USAGE,
+		    "--output: records are only for points, in the format "
+		    "of the input; use -o %s for coordinates alone",
+		    format_names[o->out]);
 }
 
 void options_read_first(char **words)
 {
 	for (char **w = words; *w != NULL && strcmp(*w, "--") != 0; w++) {
 		const struct option_row *r = strncmp(*w, "--", 2) == 0 ?
-		    option_named(*w + 2) :
+		    option_find(*w + 2) :
 		    NULL;
 		char *equals = strchr(*w, '=');
 		char *argument = equals != NULL ? equals + 1 : w[1];
@@ -327,9 +197,9 @@ void options_read_first(char **words)
 	}
 }
 
-int coordinates_of(const struct options *o)
+int options_coordinates(const struct options *o)
 {
-	if (o->command->kind == MATRIX_2D || o->ray || o->plane.n > 0)
+	if (o->command->kind == COMMAND_MATRIX_2D || o->ray || o->plane.n > 0)
 		return 2;
 	if (o->from == SPACE_CLIP ||
 	    (o->from == SPACE_DEVICE && o->homogeneous))
@@ -337,12 +207,12 @@ int coordinates_of(const struct options *o)
 	return 3;
 }
 
-enum format options_output(const struct options *o)
+enum format options_out_format(const struct options *o)
 {
 	return o->has_out ? o->out : o->in;
 }
 
-struct number_style options_style(const struct options *o)
+struct number_style options_matrix_style(const struct options *o)
 {
 	if (o->styles.n > 1)
 		die(EXIT_USAGE,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "operands.h"
+#include "params.h"
 
 #include <ctype.h>
 #include <string.h>
@@ -8,6 +8,7 @@
 #include "../json/check.h"
 #include "../json/text.h"
 #include "../message/message.h"
+#include "input.h"
 #include "../scene/convention_member.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
@@ -15,7 +16,7 @@ enum { DOCUMENT_MAX = 1 << 28 };
 static struct {
 	const char *name;
 	int fd; /* -1: nothing of PARAMS is left to read */
-	struct text text;
+	struct input_text text;
 	long number; /* index of the document, from 1 */
 	/* Offsets in text: the document begins at `begin`, and the search for its end
 	 * continues at `end`. The search counts quotes and brackets only, so that it
@@ -31,18 +32,18 @@ static struct {
 
 static void params_open(const struct options *o)
 {
-	bool typed = first_nonblank(o->params) == '{';
+	bool typed = input_first_char(o->params) == '{';
 
 	params.name = typed ? "PARAMS" : o->params;
-	params.fd = typed ? -1 : open_input(o->params);
+	params.fd = typed ? -1 : input_open(o->params);
 	if (typed)
-		params.text = text_of_operand(o->params);
+		params.text = input_of_operand(o->params);
 }
 
 /* Appends more of PARAMS to params.text. Returns false at the end of PARAMS. */
 static bool params_more(void)
 {
-	struct text *t = &params.text;
+	struct input_text *t = &params.text;
 
 	if (params.fd < 0)
 		return false;
@@ -56,7 +57,7 @@ static bool params_more(void)
 		die_at(EXIT_INPUT, &(struct place){ .file = params.name },
 		    "longer than 256 MiB; give points in a file of their own, "
 		    "as POINTS");
-	if (text_read_more(t, params.fd, params.name))
+	if (input_append(t, params.fd, params.name))
 		return true;
 	close(params.fd);
 	params.fd = -1;
@@ -132,7 +133,7 @@ static bool next_scene(void)
 	return found;
 }
 
-bool params_next(const struct options *o)
+bool params_next_document(const struct options *o)
 {
 	if (params.number++ == 0)
 		params_open(o);
@@ -166,16 +167,16 @@ static void check_not_points(const struct options *o)
  * meant as positions on the device, for which pick and project have options. */
 static const char *find_two_numbers_hint(const struct options *o)
 {
-	if (o->command->kind == PICK)
+	if (o->command->kind == COMMAND_PICK)
 		return POSITION_HINT;
-	if (o->command->kind != PROJECT || o->from != SPACE_DEVICE ||
+	if (o->command->kind != COMMAND_PROJECT || o->from != SPACE_DEVICE ||
 	    o->homogeneous || (o->has_to && o->to != SPACE_WORLD))
 		return NULL;
 	return "; for points x y, --ray prints their rays, and --plane A,B,C,D "
 	       "where the rays meet a plane";
 }
 
-void read_document(const struct options *o, struct document *d)
+void params_read_document(const struct options *o, struct document *d)
 {
 	struct document_wants wants = o->command->wants;
 
@@ -195,9 +196,9 @@ void read_document(const struct options *o, struct document *d)
 		wants.convention = &conventions[o->convention];
 	/* the document's points are not read if operands replace them */
 	if (command_reads_points(o->command) && !o->matrix && o->n_points == 0)
-		wants.coordinates = coordinates_of(o);
+		wants.coordinates = options_coordinates(o);
 	document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &wants);
 	if (!o->scenes && d->points == NULL)
-		text_free(&params.text);
+		input_free(&params.text);
 }

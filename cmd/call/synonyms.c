@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-#include "options.h"
+#include "synonyms.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "operands.h"
 #include "../message/message.h"
-#include "../message/utf8.h"
+#include "../message/words.h"
+#include "input.h"
+#include "option_row.h"
 #include "../scene/members.h"
 
 enum {
@@ -94,7 +95,7 @@ static const char *option_takers(const struct option_row *r,
 }
 
 /* Refuses `name`. The message is `unknown`, then `hint`, a text like those that
- * synonym_of returns. If the hint is an option, and c lacks it or is NULL, the message
+ * word_hint returns. If the hint is an option, and c lacks it or is NULL, the message
  * lists the commands that take the option. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *name, const char *hint)
@@ -109,7 +110,7 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	if (*hint != '-')
 		die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown,
 		    call);
-	const struct option_row *r = option_named(call + 2);
+	const struct option_row *r = option_find(call + 2);
 
 	if (option_is_for(r, c))
 		die(EXIT_USAGE, "%s; did you mean %s?", unknown, call);
@@ -117,7 +118,7 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	    option_takers(r, list));
 }
 
-/* Refuses `name` if it means an option or a member, or if synonym_of has a hint for it.
+/* Refuses `name` if it means an option or a member, or if word_hint has a hint for it.
  * The user typed it as an option of c or, if c is NULL, as a command or a topic. */
 static void refuse_known_word(const struct command *c, const char *unknown,
     const char *name)
@@ -125,7 +126,7 @@ static void refuse_known_word(const struct command *c, const char *unknown,
 	static const struct document_wants nothing;
 	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
 	const unsigned reads = c != NULL ? document_used_members(w) : 0;
-	const struct option_row *r = option_named(name);
+	const struct option_row *r = option_find(name);
 	/* skips SCENE_SPATIAL if an option has the name: in a call of project, --at is
 	 * more likely meant as the option of pick than as camera.at */
 	const unsigned objects[] = { w->lone_member,
@@ -138,8 +139,8 @@ static void refuse_known_word(const struct command *c, const char *unknown,
 
 	if (option_is_for(r, c))
 		refuse_synonym(c, unknown, r->name, "--*");
-	hint = synonym_of(name, '-');
-	if (hint != NULL && option_is_for(option_named(hint + 2), c))
+	hint = word_hint(name, '-');
+	if (hint != NULL && option_is_for(option_find(hint + 2), c))
 		refuse_synonym(c, unknown, name, hint);
 	/* searches aliases, too, unless an option has the name */
 	for (int i = 0; i < 2; i++) {
@@ -147,7 +148,7 @@ static void refuse_known_word(const struct command *c, const char *unknown,
 		if (m != NULL)
 			refuse_member(unknown, reads, m, object);
 	}
-	hint = synonym_of(name, '\0');
+	hint = word_hint(name, '\0');
 	if (hint != NULL)
 		refuse_synonym(c, unknown, name, hint);
 	if (r != NULL)
@@ -184,15 +185,15 @@ static const char *nearest_known(const struct command *commands,
 			names[n++] = m->name;
 	}
 	names[n] = NULL;
-	return nearest_word(word, names);
+	return word_nearest(word, names);
 }
 
 void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word)
 {
-	const char first = first_nonblank(word), *near = NULL;
+	const char first = input_first_char(word), *near = NULL;
 	const bool option = *word == '-' &&
-	    (word[1] != '-' || option_named(word + 2) != NULL);
+	    (word[1] != '-' || option_find(word + 2) != NULL);
 	/* `word` looks like an option or operand, which has to follow a command */
 	const bool early = !topic &&
 	    (option || first == '{' || first == '[' ||
@@ -206,7 +207,7 @@ void synonym_refuse_word(const struct command *commands, bool topic,
 		near = nearest_known(commands, word);
 	}
 	if (near != NULL && *near != '-' &&
-	    find_command(commands, near) == NULL)
+	    command_find(commands, near) == NULL)
 		topic = true;
 	if (near != NULL)
 		die(EXIT_USAGE, "%s; did you mean 'projcalc %s%s'?", unknown,

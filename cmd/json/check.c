@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../message/utf8.h"
+#include "../message/escape.h"
 #include "../number/number.h"
 #include "text.h"
 
@@ -107,7 +108,7 @@ static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 
 	if (!ends) {
 		hint = hint_of(s, hint);
-		escaped(what, s->at, (size_t)(token_end(s) - s->at));
+		escape_short(what, s->at, (size_t)(token_end(s) - s->at));
 	}
 	snprintf(s->reason, sizeof s->reason, "expected %s,%s%s%s%s%s", wanted,
 	    ends ? " but the text ends" : " not '", what, ends ? "" : "'",

@@ -4,7 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../message/utf8.h"
+#include "../message/escape.h"
+#include "../message/words.h"
 
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
@@ -87,7 +88,7 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 
 /* Refuses v, a member that the table lacks, unless any document may have it. The
  * message says the first of these that is true: the table has v->name as an alias;
- * synonym_of has a remark; other objects of the scene have a member v->name or else an
+ * word_hint has a remark; other objects of the scene have a member v->name or else an
  * alias v->name; the scene has a member v->name; a name in the table is near. Else the
  * message lists the table. */
 static void check_unknown(const struct value *v, const struct member *table,
@@ -96,7 +97,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 	const struct member *row = member_named(table, variant, v->name, true);
 	const struct member *scene = v->source->scene_members;
 	const struct member *of_scene = member_named(scene, 0, v->name, false);
-	const char *names[MEMBERS_MAX + 1], *hint = synonym_of(v->name, ':');
+	const char *names[MEMBERS_MAX + 1], *hint = word_hint(v->name, ':');
 	char all[LIST_ROOM];
 	int n = 0;
 
@@ -122,7 +123,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->parent->name);
 	list_names(table, variant, ALL_MEMBERS, names);
-	const char *near = nearest_word(v->name, names);
+	const char *near = word_nearest(v->name, names);
 
 	if (near != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"?", near);

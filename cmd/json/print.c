@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../message/utf8.h"
+#include "../message/escape.h"
 
 void put_text(struct printer *p, const char *s)
 {

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "../../core/scene/scene.h"
+#include "../message/words.h"
 #include "../number/number.h"
 #include "check.h"
 #include "text.h"
@@ -290,7 +291,7 @@ int value_word(const struct value *v, const char *const *words)
 	for (int i = 0; words[i] != NULL; i++)
 		if (strcmp(s, words[i]) == 0)
 			return i;
-	s = nearest_word(s, words);
+	s = word_nearest(s, words);
 	if (s != NULL)
 		value_refuse(v, "is \"%.60s\"; did you mean \"%s\"?",
 		    value_string(v), s);

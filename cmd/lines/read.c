@@ -4,7 +4,7 @@
 
 #include "../../core/scene/scene.h"
 #include "line.h"
-#include "../message/utf8.h"
+#include "../message/escape.h"
 
 /* Returns whether v, coordinate i, is in range or nan; if not, writes the reason. */
 static bool in_range(const struct layout *l, int i, double v,

@@ -5,7 +5,8 @@
 #include <stdio.h>
 #include <strings.h>
 
-#include "../message/utf8.h"
+#include "../message/escape.h"
+#include "../message/words.h"
 
 /* Appends to the reason the formatted text, cut where the reason is full. */
 static void __attribute__((format(printf, 2, 3)))
@@ -140,7 +141,7 @@ void say_field(const struct layout *l, int i, const struct field *field,
 
 	*reason = '\0';
 	say_more(reason, "%s is '%s'", coordinate_name(i),
-	    escaped(word, f.s, (size_t)(f.end - f.s)));
+	    escape_short(word, f.s, (size_t)(f.end - f.s)));
 	if (*in->open != '\0')
 		say_more(reason, "; a number is wanted%s", json_remedy(field));
 	else if (!say_remedy(l, field->value, reason))
@@ -230,7 +231,7 @@ static bool can_be_typed(const char *name)
 	char shown[ESCAPED_MAX];
 
 	return strpbrk(name, " ,'\"\\$`()[]{}<>|&;*?#~!") == NULL &&
-	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
+	    strcmp(escape_short(shown, name, strlen(name)), name) == 0;
 }
 
 /* Finds columns that may be coordinates: their names begin alike and end in the names
@@ -321,14 +322,15 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 static void say_near(const struct layout *l, struct cursor c,
     const struct names *names, const char *typed, char reason[REASON_MAX])
 {
-	const char *near = nearest_word(typed, names->list), *s;
+	const char *near = word_nearest(typed, names->list), *s;
 	const size_t head = strcspn(typed, ".[");
 	char shown[ESCAPED_MAX];
 
 	if (c.members && typed[head] != '\0' &&
 	    find_name(names, typed, head, "") >= 0) {
 		say_more(reason, "; say /");
-		for (s = escaped(shown, typed, strlen(typed)); *s != '\0'; s++)
+		for (s = escape_short(shown, typed, strlen(typed)); *s != '\0';
+		     s++)
 			if (*s != ']')
 				say_more(reason, "%c",
 				    strchr(".[", *s) != NULL ? '/' : *s);
@@ -339,7 +341,7 @@ static void say_near(const struct layout *l, struct cursor c,
 		    "number, such as 3,4,5");
 	} else if (near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
-		    escaped(shown, near, strlen(near)));
+		    escape_short(shown, near, strlen(near)));
 	}
 }
 
@@ -378,7 +380,7 @@ static void say_names(const struct layout *l, struct cursor c,
 		    reason[strlen(reason) - 1] == '?' ? "" : ";");
 	for (; i < names.n && strlen(reason) < room; i++)
 		say_more(reason, "%s%s", i > 0 ? ", " : "",
-		    escaped(shown, names.list[i], strlen(names.list[i])));
+		    escape_short(shown, names.list[i], strlen(names.list[i])));
 	if (i < names.n || names.omitted)
 		say_more(reason, i > 0 ? ", ..." : "...");
 }
@@ -406,7 +408,7 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 			    frequent, reason);
 		return;
 	}
-	escaped(shown, name, strlen(name));
+	escape_short(shown, name, strlen(name));
 	if (found->times[i] == 0) {
 		say_more(reason, "%s '%s'%s",
 		    c.names ? "the header has no column" : "has no member",

@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "utf8.h"
+#include "escape.h"
 
 #include <stdio.h>
 #include <string.h>
+
+#include "utf8.h"
 
 /* Returns whether a character looks like a blank or like nothing: no-break spaces, the
  * soft hyphen, joiners of zero width, invisible operators, the byte order mark. */
@@ -74,7 +76,7 @@ size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
 	return at;
 }
 
-const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
+const char *escape_short(char out[ESCAPED_MAX], const char *s, size_t n)
 {
 	escape_copy(out, ESCAPED_MAX, s, n, false, "...");
 	return out;

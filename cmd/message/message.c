@@ -13,11 +13,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "utf8.h"
+#include "escape.h"
 
 struct message_state message_state;
 
-bool is_colored(int fd)
+bool output_is_colored(int fd)
 {
 	const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
 
@@ -63,7 +63,7 @@ static void add_text(int status, const struct place *p,
     struct scene_place scene, const char *message)
 {
 	static const char *const colors[] = { "\033[1m", "\033[1;31m" };
-	bool colored = is_colored(STDERR_FILENO);
+	bool colored = output_is_colored(STDERR_FILENO);
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
 
 	addf("%sprojcalc:%s ", colored ? colors[status > 0] : "",
@@ -265,7 +265,7 @@ static struct {
 	size_t n;
 } printed;
 
-void print(const char *format, ...)
+void output_printf(const char *format, ...)
 {
 	va_list args, again;
 

@@ -50,7 +50,7 @@ extern struct message_state {
 
 /* Returns whether output to fd is coloured. COLOR_AUTO colours a terminal, unless the
  * environment has NO_COLOR (no-color.org) or TERM=dumb. */
-bool is_colored(int fd);
+bool output_is_colored(int fd);
 
 /* die_at and vdie_at do what say_at does, and exit with status, from any thread. */
 _Noreturn void die_at(int status, const struct place *, const char *format, ...)
@@ -77,9 +77,10 @@ void output_write(const char *s, size_t size);
 
 /* Appends text, formatted as by printf, to a buffer that output_close writes. stdio is
  * not used, because it loses text if a non-blocking pipe is full. */
-void print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void output_printf(const char *format, ...)
+    __attribute__((format(printf, 1, 2)));
 
-/* Writes the buffer of print, and closes standard output. Exits with status 3 if an
+/* Writes the buffer of output_printf, and closes standard output. Exits with status 3 if an
  * earlier write failed and the system reports it only when the output is closed. */
 void output_close(void);
 

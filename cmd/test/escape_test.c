@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../message/utf8.h"
+#include "../message/escape.h"
 
 #include <stdbool.h>
 
@@ -10,21 +10,22 @@ static void test_escaped(void **state)
 	char out[ESCAPED_MAX], text[200];
 
 	(void)state;
-	assert_string_equal(escaped(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9", 10),
+	assert_string_equal(escape_short(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9",
+				10),
 	    "a\\u001b[m\\u007f\\u009b\\xff\xc3\xa9");
-	assert_string_equal(escaped(out, "abc", 0), "");
+	assert_string_equal(escape_short(out, "abc", 0), "");
 	memset(text, 'a', sizeof text);
-	escaped(out, text, sizeof text);
+	escape_short(out, text, sizeof text);
 	assert_string_equal(out + strlen(out) - 4, "a...");
 	for (size_t at = 50; at < ESCAPED_MAX; at++) {
 		text[at] = 1;
-		escaped(out, text, sizeof text);
+		escape_short(out, text, sizeof text);
 		assert_string_equal(out + strlen(out) - 3, "...");
 		assert_true(strlen(out) < ESCAPED_MAX);
 		text[at] = 'a';
 	}
 	memset(text, 1, sizeof text);
-	escaped(out, text, sizeof text);
+	escape_short(out, text, sizeof text);
 	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
 }
 

@@ -21,7 +21,7 @@ my %params = (lookat => '{"eye":[0,0,-5],"at":[0,0,0]}', persp => $lens,
     w2n => '{"center":[0,0],"width":1,"height":1}',
     n2d => '{"width":1,"height":1}', ortho => '{"width":1,"height":1,"near":0,"far":1}');
 
-my ($table) = slurp('cmd/message/nearest.c') =~ /synonyms\[\] = \{(.*?)\n\};/s;
+my ($table) = slurp('cmd/message/words.c') =~ /synonyms\[\] = \{(.*?)\n\};/s;
 my %words = map { $_ => 1 } (map { split } $table =~ /^\t\{ "([^"]+)"/mg),
     qw(pan rvec rotation flags columns fovy zoom eye lookAt
     radians transpose column-major near_far near-far extent);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../message/utf8.h"
+#include "../message/words.h"
 
 #include "../../core/test/numbers.h"
 
@@ -32,7 +32,7 @@ static void test_nearest(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-		const char *near = nearest_word(cases[i].word, words);
+		const char *near = word_nearest(cases[i].word, words);
 
 		assert_text(near, cases[i].near, cases[i].word);
 	}

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-#include "utf8.h"
+#include "words.h"
 
 #include <ctype.h>
 #include <string.h>
 #include <strings.h>
 
-/* Words of other programs, with blanks between them, and the hint (synonym_of) for each
+/* Words of other programs, with blanks between them, and the hint (word_hint) for each
  * of these words. Names that other programs have for members are in the tables of
  * cmd/scene. */
 static const struct {
@@ -73,7 +73,7 @@ static const struct {
 
 enum { SYNONYMS = sizeof synonyms / sizeof *synonyms };
 
-const char *synonym_of(const char *word, char first)
+const char *word_hint(const char *word, char first)
 {
 	for (int i = 0; i < SYNONYMS; i++)
 		if ((first == '\0' || *synonyms[i].hint == first) &&
@@ -90,7 +90,7 @@ static bool begins_with(const char *word, const char *start)
 	return n > 2 && strncasecmp(word, start, n) == 0;
 }
 
-/* Returns whether at most n edits, which nearest_word defines, make b of a. */
+/* Returns whether at most n edits, which word_nearest defines, make b of a. */
 static bool edits_reach(const char *a, const char *b, int n)
 {
 	for (; *a != '\0' && strncasecmp(a, b, 1) == 0; a++)
@@ -109,7 +109,7 @@ static bool edits_reach(const char *a, const char *b, int n)
 		edits_reach(a + 2, b + 2, n - 1));
 }
 
-const char *nearest_word(const char *word, const char *const *words)
+const char *word_nearest(const char *word, const char *const *words)
 {
 	const char *const *w;
 	size_t length = strlen(word);

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT */
+/* Files and operands as texts, which the caller owns until input_free. What can't be
+ * input is refused here: a directory, and the file that is also the output. */
+#ifndef INPUT_H
+#define INPUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A text of `size` bytes at `s`. `room` + PIECE_MARGIN bytes are allocated, as the
+ * readers of points read past the end of the text. */
+struct input_text {
+	char *s; /* NULL at first */
+	size_t room, size;
+};
+
+bool input_is_stdin(const char *operand);
+
+/* Returns the first character that is not white space; 0 if there is none. */
+char input_first_char(const char *);
+
+/* Returns false if fstat(fd) or, for fd < 0, stat(name) fails. Refuses, with status 2,
+ * a directory, and the file to which standard output goes: it can't be input, too. */
+bool input_check(const char *name, int fd);
+
+/* Returns a descriptor of a file, or of standard input for "-". Refuses with exit
+ * status 2 what input_check refuses, and a file that can't be opened. */
+int input_open(const char *name);
+
+/* Appends the next bytes of fd to the text. Returns false at the end of the file. */
+bool input_append(struct input_text *, int fd, const char *name);
+
+/* Returns the text of a file, or of standard input for "-". */
+struct input_text input_of_file(const char *name);
+
+struct input_text input_of_operand(const char *operand);
+void input_free(struct input_text *);
+
+#endif

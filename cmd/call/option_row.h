@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: MIT */
+/* The table of all options. A row says how an option is called and read, and which
+ * commands take it; parsing, help, completions and hints follow from it. */
+#ifndef OPTION_ROW_H
+#define OPTION_ROW_H
+
+#include "options.h"
+
+/* Names in the order of enum precision and of enum space; NULL ends each array. */
+extern const char *const precision_names[], *const space_names[];
+
+struct option_row {
+	const char *name;
+	char letter;       /* or 0 */
+	unsigned kinds;    /* of the commands that take the option, as bits */
+	const char *about; /* one line of help */
+	/* For an option with an argument: the argument's name in the help, the function
+	 * that reads the argument, and the offset in struct options of the member that
+	 * the function sets. */
+	const char *argument;
+	void (*read)(struct options *, const struct option_row *, char *word);
+	size_t offset;
+	unsigned *global; /* a variable to set instead of the member; or NULL */
+	const char *const *words; /* possible arguments; NULL ends them */
+	int min, max; /* range of a whole number, or of the length of a list */
+	const char *example;
+	size_t flag;      /* offset in struct options of a bool to set; or 0 */
+	bool points_only; /* the option is for points only */
+};
+
+enum { OPTIONS_MAX = 40 };
+
+/* All options, at most OPTIONS_MAX. A name of NULL ends them. */
+extern const struct option_row option_rows[];
+
+/* Returns the option called `name`, or NULL. A NUL, = or blank ends the name. */
+const struct option_row *option_find(const char *name);
+
+/* Returns whether the command takes the option. Either may be NULL. */
+bool option_is_for(const struct option_row *, const struct command *);
+
+#endif

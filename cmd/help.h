@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* The help of a command and of a member, made from the tables of commands, options and
+ * members. */
+#ifndef HELP_H
+#define HELP_H
+
+#include "call/command.h"
+
+/* Print help. help_all lists the commands, up to a row without a name. help_command
+ * describes one command. help_member describes a member of the scene or of its objects,
+ * and returns false if no member has the name. */
+void help_all(const struct command *);
+void help_command(const struct command *);
+bool help_member(const char *name);
+
+#endif
