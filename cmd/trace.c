@@ -7,6 +7,7 @@
 #include "../core/points/points.h"
 #include "call/operands.h"
 #include "call/option_row.h"
+#include "lines/splice.h"
 #include "message/message.h"
 
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
@@ -39,8 +40,8 @@ static void images_transform(struct images *m, const struct job *j,
 
 		points_map(&trace->to[s], j->precision, from, to, n);
 		for (int k = 0; k < trace->to[s].out; k++)
-			number_texts(v[k], n, j->layout.single,
-			    j->layout.style[k], m->text[s][k]);
+			number_texts(v[k], n, j->layout.output.single,
+			    j->layout.output.style[k], m->text[s][k]);
 	}
 	frustum_outside_all(&j->frustum, from, m->outside, n);
 }
@@ -68,7 +69,7 @@ static char *trace_put_image(char *at, const struct job *j,
 			at = stpcpy(at, json ? "null" : "nan");
 		else
 			at = number_put(at, &m->text[s][k][p], m->v[s][k][p],
-			    l->single, l->style[k]);
+			    l->output.single, l->output.style[k]);
 	}
 	if (json)
 		*at++ = ']';
@@ -82,7 +83,7 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 {
 	const struct trace *trace = j->data;
 	unsigned outside = m != NULL ? m->outside[p] : OUT_NAN;
-	const struct flags *word = chunk_flags(c, outside);
+	const struct flags *word = flags_word(&c->words, outside);
 	bool json = j->layout.out.format == FORMAT_JSON;
 	char *at;
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* Prints the nanoseconds per number of each library with which number_read.cc
- * and number_write.cc could read and write, for coordinates with six decimals
- * and for doubles with all digits. */
-#include "../number/number.h"
+/* Prints the nanoseconds per number of each library with which number.cc could read and
+ * write, for coordinates with six decimals and for doubles with all digits. */
+#include "../number/vector/loops.h"
 
 #include <algorithm>
 #include <chrono>

@@ -95,9 +95,9 @@ static bool is_added_member(const struct layout *l, const char *path)
 	const bool pointer = *path == '/';
 	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
 
-	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++)
-		if (n > 0 && strlen(l->name[k]) == n &&
-		    strncmp(path + pointer, l->name[k], n) == 0)
+	for (int k = l->reads; k <= COORDINATES_MAX && !l->output.append; k++)
+		if (n > 0 && strlen(l->output.name[k]) == n &&
+		    strncmp(path + pointer, l->output.name[k], n) == 0)
 			return true;
 	return false;
 }
@@ -152,10 +152,10 @@ static void check_layout(const struct options *o, const struct layout *l,
 		    "tsv" },
 		{ o->header && o->no_header,
 		    "--header and --no-header exclude each other" },
-		{ l->append && (binary || is_binary(o->in)),
+		{ l->output.append && (binary || is_binary(o->in)),
 		    "--append: binary points have no lines to keep; use -o "
 		    "text without it" },
-		{ l->append && o->has_out && o->out != o->in,
+		{ l->output.append && o->has_out && o->out != o->in,
 		    "--append keeps lines as they were read; leave -o out" },
 		{ o->flags && (binary || (printed && record)),
 		    "--flags: binary points and records have no room for "
@@ -166,7 +166,7 @@ static void check_layout(const struct options *o, const struct layout *l,
 		{ record && l->record < l->reads,
 		    "--input: the records have fewer numbers than the "
 		    "coordinates of a point" },
-		{ l->keeps && printed && l->reads != l->writes,
+		{ l->output.keeps && printed && l->reads != l->writes,
 		    "--input: records keep the number of coordinates, and "
 		    "here it changes; use -o text, csv or json" },
 	};
@@ -202,13 +202,13 @@ static void name_numbers(struct layout *l, const char *space)
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
 	for (int k = 0; k < l->writes; k++) {
-		bool of_space = l->append && (k < 3 || l->writes <= 4);
+		bool of_space = l->output.append && (k < 3 || l->writes <= 4);
 
-		snprintf(l->name[k], sizeof *l->name, "%s%s%s",
+		snprintf(l->output.name[k], sizeof *l->output.name, "%s%s%s",
 		    of_space ? space : "", of_space ? "_" : "",
 		    l->writes > 4 ? ray[k] : coordinate_name(k));
 	}
-	strcpy(l->name[COORDINATES_MAX], l->flags ? "flags" : "");
+	strcpy(l->output.name[COORDINATES_MAX], l->output.flags ? "flags" : "");
 }
 
 static void prepare_job(struct job *j, const struct options *o)
@@ -223,17 +223,20 @@ static void prepare_job(struct job *j, const struct options *o)
 		.columns = o->columns,
 		.reads = j->rays ? 2 : j->transform.in,
 		.writes = j->rays ? 6 : j->transform.out,
-		.flags = o->flags,
-		.append = o->append,
 		.record = o->in_record,
-		.keeps = o->in_record > 0 && (!o->has_out || o->out_record > 0),
-		.single = o->precision == PRECISION_SINGLE,
 		.from = j->from,
+		.output = {
+			.flags = o->flags,
+			.append = o->append,
+			.keeps = o->in_record > 0 &&
+			    (!o->has_out || o->out_record > 0),
+			.single = o->precision == PRECISION_SINGLE,
+		},
 	};
 	j->layout.columns.by_default = o->columns.n == 0;
 	for (int k = 0; k < 4 && j->layout.columns.by_default; k++)
 		j->layout.columns.name[k] = coordinate_name(k);
-	memcpy(j->layout.style, o->styles.style, sizeof o->styles.style);
+	memcpy(j->layout.output.style, o->styles.style, sizeof o->styles.style);
 	name_numbers(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;

@@ -4,7 +4,8 @@
 #ifndef OPERANDS_H
 #define OPERANDS_H
 
-#include "../stream/job.h"
+#include "../stream/answer.h"
+#include "../stream/stream.h"
 #include "options.h"
 #include "params.h"
 

@@ -6,7 +6,7 @@
 
 #include "../../core/points/transform.h"
 #include "../json/value.h"
-#include "../lines/line.h"
+#include "../lines/layout.h"
 #include "command.h"
 
 /* The list of --decimals or --digits: a style for each printed coordinate. The last

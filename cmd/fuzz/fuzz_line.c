@@ -38,7 +38,7 @@ static bool can_read_back(const struct layout *l)
 {
 	return !is_binary(l->out.format) &&
 	    (l->columns.n == 0 || !same_dialect(l->in, l->out) ||
-		(l->reads == l->writes && !l->flags));
+		(l->reads == l->writes && !l->output.flags));
 }
 
 static void check_back(const struct layout *l, const double v[],
@@ -55,7 +55,8 @@ static void check_back(const struct layout *l, const double v[],
 		back.columns.name[i] = NULL;
 	back.columns.by_default = false;
 	back.header = HEADER_NONE;
-	back.header_fields = 0; /* the header of the output has more names */
+	back.seen.header_fields =
+	    0; /* the header of the output has more names */
 	back.in = l->out;
 	back.reads = l->writes > 4 ? 3 : l->writes;
 	if (!same_dialect(l->in, l->out))
@@ -66,8 +67,8 @@ static void check_back(const struct layout *l, const double v[],
 		return;
 	want(line.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
-		want(
-		    l->style[i].kind != NUMBER_SHORTEST || same(read[i], v[i]));
+		want(l->output.style[i].kind != NUMBER_SHORTEST ||
+		    same(read[i], v[i]));
 }
 
 /* Checks that cJSON reads the text, too, unless the text has half of a surrogate pair
@@ -95,7 +96,8 @@ static void write_back(const struct layout *l, const struct line *line,
 
 	for (int i = 0; line->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
-	end = line_write(l, line, &numbers, l->flags ? &flags : NULL, out);
+	end = line_write(l, line, &numbers, l->output.flags ? &flags : NULL,
+	    out);
 	want((size_t)(end - out) <= room);
 	struct span text = { out, end };
 

@@ -11,7 +11,7 @@
 #include <strings.h>
 
 #include "../../core/points/transform.h"
-#include "../number/number.h"
+#include "../number/vector/loops.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

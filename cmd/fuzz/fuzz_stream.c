@@ -14,7 +14,8 @@
 
 #include "../scene/document.h"
 #include "layout.h"
-#include "../stream/job.h"
+#include "../stream/answer.h"
+#include "../stream/stream.h"
 #include "../message/message.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -167,13 +168,14 @@ static void set_more(struct layout *l)
 
 	if (is_binary(in) && l->reads == l->writes) {
 		l->record = 4;
-		l->keeps = in == out;
-		l->flags = false;
+		l->output.keeps = in == out;
+		l->output.flags = false;
 	}
-	l->append = !is_binary(in) && in == out;
-	for (int k = 0; l->append && k < l->writes; k++) {
-		memmove(l->name[k] + 2, l->name[k], NAME_ROOM - 2);
-		memcpy(l->name[k], "a_", 2);
+	l->output.append = !is_binary(in) && in == out;
+	for (int k = 0; l->output.append && k < l->writes; k++) {
+		memmove(l->output.name[k] + 2, l->output.name[k],
+		    NAME_ROOM - 2);
+		memcpy(l->output.name[k], "a_", 2);
 	}
 }
 
@@ -196,11 +198,11 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	if (b & 64)
 		set_more(&j->layout);
 	if (j->rays)
-		j->layout.flags = false;
+		j->layout.output.flags = false;
 	j->visible = !j->rays && b & 1;
-	j->count_imageless = !j->layout.flags && !j->visible;
+	j->count_imageless = !j->layout.output.flags && !j->visible;
 	j->precision = (enum precision)(b / 2 % 3);
-	j->layout.single = j->precision == PRECISION_SINGLE;
+	j->layout.output.single = j->precision == PRECISION_SINGLE;
 }
 
 /* Does in one chunk what stream.c and answer.c do, as the truth about them. A newline

@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "../lines/line.h"
+#include "../lines/splice.h"
 
 enum { HEADER = 4 };
 
@@ -29,7 +30,7 @@ static inline struct layout layout_of(const uint8_t *b)
 		.columns = { .by_default = b[1] / 12 % 6 == 0 },
 		.reads = size[0],
 		.writes = size[1],
-		.flags = b[1] / 6 & 1,
+		.output.flags = b[1] / 6 & 1,
 		.from = "a",
 	};
 	static const char *const written[] = { "x", "y", "z", "w", "v", "u" };
@@ -37,12 +38,13 @@ static inline struct layout layout_of(const uint8_t *b)
 	int columns = b[1] / 12 % 6;
 
 	for (int k = 0; k < COORDINATES_MAX; k++) {
-		l.style[k].kind = b[2] % 3;
+		l.output.style[k].kind = b[2] % 3;
 		if (k < l.writes)
-			strcpy(l.name[k], written[k]);
-		l.style[k].n = b[2] / 4 % 3 == 1 ? 100 : 1 + (b[2] + k) % 17;
+			strcpy(l.output.name[k], written[k]);
+		l.output.style[k].n = b[2] / 4 % 3 == 1 ? 100 :
+							  1 + (b[2] + k) % 17;
 	}
-	strcpy(l.name[COORDINATES_MAX], l.flags ? "flags" : "");
+	strcpy(l.output.name[COORDINATES_MAX], l.output.flags ? "flags" : "");
 	if (columns == 0)
 		memcpy(l.columns.name, names, sizeof names);
 	if (is_binary(in) || columns == 0)

@@ -285,3 +285,44 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 	memcpy(at, f.s, (size_t)(f.end - f.s));
 	return at + (f.end - f.s);
 }
+
+struct cursor value_cursor(struct span value, const char *end)
+{
+	const char *s = json_skip_blanks(value.s + 1, end);
+
+	return (struct cursor){ .in = { FORMAT_JSON, ',' },
+		.s = *s == ']' || *s == '}' ? NULL : s,
+		.end = end,
+		.bracket = value.s + 1,
+		.members = *value.s == '{' };
+}
+
+struct cursor line_cursor(struct dialect in, struct span line)
+{
+	if (*format_of(in)->open != '\0')
+		return value_cursor(trimmed(in, line), line.end);
+	return (struct cursor){ .in = in, .s = line.s, .end = line.end };
+}
+
+bool cursor_next(struct cursor *c, struct field *f)
+{
+	if (c->s == NULL)
+		return false;
+	f->name.s = NULL;
+	f->unclosed = false;
+	f->previous_end = c->previous_end;
+	f->comma = c->comma;
+	format_of(c->in)->next(c, f);
+	c->s = f->next;
+	return true;
+}
+
+size_t cursor_count(struct cursor c)
+{
+	struct field f;
+	size_t n = 0;
+
+	while (cursor_next(&c, &f))
+		n++;
+	return n;
+}

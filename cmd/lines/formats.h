@@ -164,4 +164,17 @@ static inline const char *skip_separator(const char *s, const char *end)
 	return skip_blanks(text, s, end);
 }
 
+/* Returns a cursor before the first field of a line. A line of JSON has to be an array
+ * or object that json_check accepts. */
+struct cursor line_cursor(struct dialect, struct span line);
+
+/* Returns a cursor over the fields of a JSON array or object; end is the line's end. */
+struct cursor value_cursor(struct span value, const char *end);
+
+/* Reads the next field and moves the cursor past it; returns false if there is none. */
+bool cursor_next(struct cursor *, struct field *);
+
+/* Returns the number of fields after the cursor. */
+size_t cursor_count(struct cursor);
+
 #endif

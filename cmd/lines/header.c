@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "line.h"
+#include "header.h"
 
 #include <stdio.h>
+
+#include "reason.h"
 
 /* Skips a # before the names, but not a # that is a whole field. If the separator is a
  * blank, # is never a whole field: "# x y z" has three names. */
@@ -96,8 +98,8 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 
 	if (!first) /* "# 1 2" is no row if a blank is the separator */
 		return cursor_count(row) < 2 ||
-		    (!has_fields(row, l->max_fields) &&
-			!has_fields(row, l->header_fields)) ||
+		    (!has_fields(row, l->seen.max_fields) &&
+			!has_fields(row, l->seen.header_fields)) ||
 		    (l->in.separator == ' ' && is_blank(s[1]));
 	struct cursor header = header_cursor(l->in, text);
 
@@ -105,13 +107,6 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 	return header.s != text.s &&
 	    (l->header == HEADER_NONE || !layout_has_names(l) ||
 		find_missing_name(l, &c) < l->reads);
-}
-
-void layout_begin_source(struct layout *l)
-{
-	l->header_fields = l->max_fields = l->comment_names = l->first_line = 0;
-	if (l->columns.by_default)
-		l->columns.n = 0;
 }
 
 bool header_read(struct layout *l, struct span text, struct line *line,
@@ -137,8 +132,8 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 		if (chosen.times[i] > 0)
 			c->field[i] = (int)chosen.index[i];
 	c->n = l->reads;
-	l->header_fields = l->max_fields = cursor_count(header);
-	l->reordered = !layout_in_order(l);
+	l->seen.header_fields = l->seen.max_fields = cursor_count(header);
+	l->seen.reordered = !layout_in_order(l);
 	choose_parts(l, &chosen, line);
 	return true;
 }
@@ -154,13 +149,14 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 		blanks |= say_empty_field(l, f.whole, reason);
 	const size_t full = n - (f.value.s == f.value.end);
 	const bool lacks_name = first == FIRST_ROW &&
-	    full == l->header_fields + 1 && full > 2;
+	    full == l->seen.header_fields + 1 && full > 2;
 	const char separator[] = { l->in.separator, '\0' };
 
-	if (first != FIRST_NONE && full > l->max_fields &&
-	    (l->header_fields == 0 || (!lacks_name && !layout_has_names(l))))
-		l->max_fields = full;
-	if (full <= l->max_fields || l->header_fields == 0)
+	if (first != FIRST_NONE && full > l->seen.max_fields &&
+	    (l->seen.header_fields == 0 ||
+		(!lacks_name && !layout_has_names(l))))
+		l->seen.max_fields = full;
+	if (full <= l->seen.max_fields || l->seen.header_fields == 0)
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,
@@ -170,8 +166,9 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 			"has %zu fields and the %s %zu; quote a field that has "
 			"the separator in it%s%s",
 		    full,
-		    l->header_fields == l->max_fields ? "header" : "first row",
-		    l->max_fields,
+		    l->seen.header_fields == l->seen.max_fields ? "header" :
+								  "first row",
+		    l->seen.max_fields,
 		    !lacks_name            ? "" :
 			*separator == '\t' ? "\\t" :
 					     separator,

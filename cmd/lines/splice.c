@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes lines that in_place.h does not write. If the format changes, convert_point
- * writes points without --append. convert_line writes the other lines, and LINE_LOST.
+/* If the format changes, convert_point writes points without --append. convert_line
+ * writes the other lines, and LINE_LOST.
  * append_values copies a line and adds values; splice_line changes it field by field.
  *
  * The values of a point are the numbers written for it and the word of --flags: value k
@@ -10,8 +10,8 @@
 
 #include "../../core/points/kernel/little.h"
 #include "../json/text.h"
-#include "line.h"
-#include "in_place.h"
+#include "header.h"
+#include "splice.h"
 
 enum { FLAGS = COORDINATES_MAX };
 
@@ -40,14 +40,6 @@ size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 		2 * PREFIX_ROOM);
 }
 
-char *line_put_rare_number(const struct layout *l, int k, double v, char *out)
-{
-	if (isnan(v))
-		return stpcpy(out, format_of(l->out)->nan_text);
-	return l->single ? number_write_float(out, (float)v, l->style[k]) :
-			   number_write(out, v, l->style[k]);
-}
-
 /* Copies the line from w->done up to s. */
 static void copy_to(struct splice *w, const char *s)
 {
@@ -64,9 +56,9 @@ static const char *value_name(const struct splice *w, int k)
 	const struct layout *l = w->l;
 
 	if (k < l->reads && w->line->object && w->line->kind == LINE_BAD &&
-	    !l->append)
+	    !l->output.append)
 		return l->columns.name[k];
-	return l->name[k];
+	return l->output.name[k];
 }
 
 /* Writes value k or, in a header, its name. Names of coordinates do not change. */
@@ -75,7 +67,7 @@ static char *put_value(const struct splice *w, int k, char *out)
 	const struct layout *l = w->l;
 
 	if (w->numbers == NULL)
-		return !l->append && k < l->reads &&
+		return !l->output.append && k < l->reads &&
 			!is_missing(w->line->at[k]) ?
 		    format_convert(l->in, l->out, line_field(w->line, k), out) :
 		    stpcpy(out, value_name(w, k));
@@ -123,13 +115,13 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
  * same name, if f is a field of the line itself (outer), not of a value in the line. */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
-	const bool keeps = w->l->append;
+	const bool keeps = w->l->output.append;
 	int i = keeps ? -1 : coordinate_in(w, f->whole.s, f->value.s);
 
 	if (i >= 0 || f->name.s == NULL || !outer)
 		return i;
 	for (int k = keeps ? 0 : w->l->reads; k <= FLAGS; k++) {
-		const char *name = w->l->name[k];
+		const char *name = w->l->output.name[k];
 		struct span added = { name, name + strlen(name) };
 
 		if (*name != '\0' && json_is_name(f->name, added, false))
@@ -167,7 +159,7 @@ static void skip_field(struct splice *w, const struct field *f)
 /* Writes value k in the place of the field f. In a header f, which is a name, stays. */
 static void replace_field(struct splice *w, const struct field *f, int k)
 {
-	const bool coordinate = k < w->l->reads && !w->l->append;
+	const bool coordinate = k < w->l->reads && !w->l->output.append;
 	struct span at = coordinate ? line_field(w->line, k) : f->value;
 
 	w->due -= 1u << k;
@@ -321,7 +313,8 @@ static void put_other_fields(struct splice *w)
 	}
 	if (line->kind == LINE_LOST || line->object)
 		return;
-	if (line->kind == LINE_POINT && layout_in_order(l) && !l->append) {
+	if (line->kind == LINE_POINT && layout_in_order(l) &&
+	    !l->output.append) {
 		c.bracket = *in->open != '\0' ? line->s : NULL;
 		cursor_after(&c, line_field(line, l->reads - 1).end);
 		if (in->blanks && to->blanks && l->columns.n == 0 &&
@@ -337,7 +330,7 @@ static void put_other_fields(struct splice *w)
 	}
 	while (cursor_next(&c, &f)) {
 		if ((f.whole.s == f.whole.end && !empty) ||
-		    (!l->append &&
+		    (!l->output.append &&
 			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
 			continue;
 		*w->out = l->out.separator;
@@ -363,10 +356,10 @@ static void convert_line(struct splice *w)
 	bool members = w->line->object && l->out.format == l->in.format;
 
 	w->out = stpcpy(w->out, members ? "{" : to->open);
-	if (l->append)
+	if (l->output.append)
 		put_other_fields(w);
 	put_values(w, 0, members);
-	if (!l->append)
+	if (!l->output.append)
 		put_other_fields(w);
 	w->out = stpcpy(w->out, members ? "}" : to->close);
 }
@@ -400,11 +393,11 @@ char *line_write(const struct layout *l, const struct line *line,
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
 	/* in a bad object, splice_line replaces members with names of values */
-	bool appends = l->append && !(line->object && line_is_bad(line));
+	bool appends = l->output.append && !(line->object && line_is_bad(line));
 
-	if (line->kind == LINE_POINT && !same && !l->append)
-		return convert_point(l, line, *numbers, l->flags ? flags : NULL,
-		    out);
+	if (line->kind == LINE_POINT && !same && !l->output.append)
+		return convert_point(l, line, *numbers,
+		    l->output.flags ? flags : NULL, out);
 	if ((header || line->kind == LINE_COPY) &&
 	    (*format_of(l->in)->open != '\0' ||
 		*format_of(l->out)->open != '\0'))
@@ -416,7 +409,8 @@ char *line_write(const struct layout *l, const struct line *line,
 		.separator = { &l->out.separator, &l->out.separator + 1 },
 		.done = line->s,
 		.out = out,
-		.due = ((1u << l->writes) - 1) | (unsigned)l->flags << FLAGS };
+		.due = ((1u << l->writes) - 1) |
+		    (unsigned)l->output.flags << FLAGS };
 
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");

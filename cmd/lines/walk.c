@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "line.h"
+#include "walk.h"
 
 #include <math.h>
 #include <string.h>
@@ -46,10 +46,12 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	*w = (struct walk){ .in = l->in,
 		.stops = stops_of(l->in),
 		.n = l->reads,
-		.exact_fields = l->append ? (int)l->header_fields : 0,
-		.max_fields = l->header_fields > 0 ? (int)l->max_fields :
-						     STRETCH_MAX,
-		.added_names = l->append ? l->name : NULL,
+		.exact_fields = l->output.append ? (int)l->seen.header_fields :
+						   0,
+		.max_fields = l->seen.header_fields > 0 ?
+		    (int)l->seen.max_fields :
+		    STRETCH_MAX,
+		.added_names = l->output.append ? l->output.name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
 		.by_column = !layout_in_order(l) };
@@ -166,7 +168,7 @@ INLINE bool pass_string(struct walker *p, bool may_have_escapes)
 	return true;
 }
 
-/* Returns whether a plain number (plain.h) is legal JSON: 01, .5 and "1." are not. */
+/* Returns whether a plain number (loops.h) is legal JSON: 01, .5 and "1." are not. */
 INLINE bool is_json_number(const char *s, const char *end)
 {
 	s += *s == '-';

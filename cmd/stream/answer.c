@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "job.h"
+#include "answer.h"
 
 #include <stdio.h>
 #include <string.h>

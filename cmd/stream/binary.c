@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads and writes blocks of binary points. A record is a binary point that may have
- * other numbers beside the coordinates; a row is the coordinates alone. */
+#include "binary.h"
+
 #include <math.h>
 #include <stdio.h>
 
 #include "../../core/points/kernel/little.h"
 #include "../../core/points/points.h"
-#include "job.h"
 
 bool binary_to_binary(const struct job *j)
 {
@@ -15,9 +14,11 @@ bool binary_to_binary(const struct job *j)
 	    !j->visible && !j->rays;
 }
 
-size_t binary_size(const struct layout *l)
+/* Returns the number of bytes that are written for each point. */
+static size_t binary_size(const struct layout *l)
 {
-	return l->keeps ? record_size(l) : point_size(l->out.format, l->writes);
+	return l->output.keeps ? record_size(l) :
+				 point_size(l->out.format, l->writes);
 }
 
 /* Copies the coordinates of n points, each coordinate of `size` bytes, from records to
@@ -153,7 +154,7 @@ bool binary_map_floats(const struct job *j, struct chunk *c)
 	char *images = chunk_reserve(c, n * binary_size(l));
 
 	if (l->in.format != FORMAT_F32 || l->out.format != FORMAT_F32 ||
-	    !l->single || l->keeps || n == 0 ||
+	    !l->output.single || l->output.keeps || n == 0 ||
 	    !points_map_floats(&j->transform, next_rows(l, c, n), images, n))
 		return false;
 	c->size += n * binary_size(l);
@@ -168,13 +169,13 @@ bool binary_write(const struct job *j, struct chunk *c, const char *text)
 	const bool wide = l->out.format == FORMAT_F64;
 	size_t n = c->block_points, size = n * binary_size(l);
 	char *out = chunk_reserve(c, 2 * size);
-	char *images = out + (l->keeps ? size : 0);
+	char *images = out + (l->output.keeps ? size : 0);
 
 	if (!kernels_chosen()->to_rows[wide][l->writes](c->image, images, n)) {
 		set_lines(c, text, record_size(l), n);
 		return false;
 	}
-	if (l->keeps) {
+	if (l->output.keeps) {
 		memcpy(out, text, size);
 		copy_coordinates(l, out, images, true, n);
 	}
@@ -182,11 +183,13 @@ bool binary_write(const struct job *j, struct chunk *c, const char *text)
 	return true;
 }
 
-char *binary_put(const struct layout *l, const struct chunk *c,
+/* Writes a binary point for a line: the image of its point, which is point p of the
+ * block, or nan if the line is bad. Returns the end of the binary point. */
+static char *put_record(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {
 	size_t size = point_size(l->out.format, 1), written = binary_size(l);
-	bool copied = l->keeps && line->size == written;
+	bool copied = l->output.keeps && line->size == written;
 
 	if (copied)
 		memcpy(at, line->s, written);
@@ -200,4 +203,21 @@ char *binary_put(const struct layout *l, const struct chunk *c,
 		    line->kind == LINE_POINT ? c->image[k][p] : (double)NAN);
 	}
 	return at + written;
+}
+
+void binary_write_lines(const struct job *j, struct chunk *c,
+    const unsigned char *outside)
+{
+	char *at = chunk_reserve(c, c->block_lines * binary_size(&j->layout));
+
+	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
+		const struct line *line = &c->line[i];
+		const bool point = line->kind == LINE_POINT;
+
+		if (point ? !j->visible || outside[p] == 0 :
+			    line_is_bad(line) && !j->visible)
+			at = put_record(&j->layout, c, line, p, at);
+		p += point;
+	}
+	c->size = (size_t)(at - c->out);
 }

@@ -1,4 +1,6 @@
 /* SPDX-License-Identifier: MIT */
+#include "chunk.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,25 +51,4 @@ bool chunk_complain(const struct job *j, struct chunk *c, const char *reason)
 	if (!goes_on)
 		c->text = c->end;
 	return goes_on;
-}
-
-const struct flags *chunk_flags(struct chunk *c, unsigned outside)
-{
-	static const char *const names[] = { "left", "right", "bottom", "top",
-		"near", "far", "behind", "nan" };
-	struct flags *w = &c->flags[outside];
-	char *at = w->s;
-
-	if (w->size > 0)
-		return w;
-	for (int k = 0; k < 8; k++)
-		if (outside >> k & 1) {
-			if (at > w->s)
-				*at++ = '+';
-			at = stpcpy(at, names[k]);
-		}
-	if (at == w->s)
-		at = stpcpy(at, "in");
-	w->size = (size_t)(at - w->s);
-	return w;
 }

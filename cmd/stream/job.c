@@ -9,7 +9,9 @@
 #include "../../core/points/point.h"
 #include "../../core/points/points.h"
 #include "../lines/line.h"
-#include "../lines/in_place.h"
+#include "../lines/splice.h"
+#include "../lines/writer.h"
+#include "binary.h"
 
 /* Reads the next line, `text`, to the block. Returns false if the chunk ends there. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
@@ -142,131 +144,41 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
-/* The state of block_write. */
-struct writer {
-	const struct job *job;
-	struct chunk *chunk;
-	bool in_place;    /* write_in_place may write the images */
-	bool adds_values; /* values are added after those that were read */
-	int order[4];     /* of the coordinates on the previous line */
-	unsigned char outside[POINTS_BLOCK]; /* frustum_outside of point p */
-
-	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
-	 * loops, and few enough for the first-level cache. */
-	size_t first_of_batch;
-	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
-};
-
-/* Makes the texts of the batch of images that includes image p, unless w has them. */
-static void make_texts(struct writer *w, size_t p)
-{
-	const struct layout *l = &w->job->layout;
-	size_t from = p - p % NUMBER_BATCH;
-	size_t rest = w->chunk->block_points - from;
-
-	if (w->first_of_batch == from)
-		return;
-	for (int k = 0; k < l->writes; k++)
-		number_texts(&w->chunk->image[k][from],
-		    rest < NUMBER_BATCH ? rest : NUMBER_BATCH, l->single,
-		    l->style[k], w->text[k]);
-	w->first_of_batch = from;
-}
-
-/* Returns the numbers and texts of the image of point p. */
-static inline struct numbers image_of(const struct writer *w, size_t p)
-{
-	return (struct numbers){ &w->chunk->image[0][p],
-		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
-}
-
-/* Writes the line of point p with the point's image. Returns the end of the line. Each
- * branch calls image_of, as a single call takes 3 % more time in the format text. */
-static char *put_image(struct writer *w, const struct line *line, size_t p,
-    char *at)
-{
-	const struct layout *l = &w->job->layout;
-	const struct flags *flags = l->flags ?
-	    chunk_flags(w->chunk, w->outside[p]) :
-	    NULL;
-
-	make_texts(w, p);
-	if (w->in_place && is_in_order(line, l->reads) &&
-	    (!w->adds_values || can_add_in_place(l, line)))
-		return l->append ? write_in_place(l, line, true, NULL,
-				       image_of(w, p), flags, at) :
-				   write_in_place(l, line, false, NULL,
-				       image_of(w, p), flags, at);
-	if (!w->in_place || w->adds_values) {
-		const struct numbers n = image_of(w, p);
-
-		return line_write(l, line, &n, flags, at);
-	}
-	find_order(line, l->reads, w->order);
-	return write_in_place(l, line, false, w->order, image_of(w, p), flags,
-	    at);
-}
-
-/* Writes a line with the image of its point, which is point p of the block, or writes a
- * binary point for the line. In a bad line each coordinate becomes nan. */
-static char *put_line(struct writer *w, const struct line *line, size_t p,
-    char *at)
-{
-	static const double nan = (double)NAN;
-	static const struct number_text none = { .layout = 0 };
-	const struct numbers n = { &nan, &none, 0, 0 };
-	const struct job *j = w->job;
-	bool point = line->kind == LINE_POINT, bad = line_is_bad(line);
-
-	if (j->visible && (point ? w->outside[p] != 0 : bad))
-		return at;
-	if (is_binary(j->layout.out.format))
-		return point || bad ?
-		    binary_put(&j->layout, w->chunk, line, p, at) :
-		    at;
-	return point ? put_image(w, line, p, at) :
-		       line_write(&j->layout, line, &n,
-			   chunk_flags(w->chunk, OUT_NAN), at);
-}
-
 /* Appends the block's lines, with the images of its points, to the chunk's out. The
  * parameter finite may be true only if all images are finite doubles. */
 static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
 	const struct layout *l = &j->layout;
 	const size_t n = c->block_lines;
-	struct writer w; /* no initializer, as to clear the texts takes time */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
+	unsigned char outside[POINTS_BLOCK]; /* frustum_outside of point p */
 
 	if (n == 0)
 		return;
-	w.job = j;
-	w.chunk = c;
-	w.first_of_batch = SIZE_MAX;
-	for (int k = 0; k < 4; k++)
-		w.order[k] = k;
-	w.adds_values = l->append || l->flags || l->reads < l->writes;
-	w.in_place = same_dialect(l->in, l->out) &&
-	    (l->append || l->reads <= l->writes);
 	if (!finite || l->out.format == FORMAT_F32)
 		for (size_t i = 0, p = 0; i < n; i++)
 			if (c->line[i].kind == LINE_POINT &&
 			    mark_nan(j, c, p++) && c->imageless++ == 0)
 				c->first_imageless = c->n_lines + i;
-	if (l->flags || j->visible)
-		frustum_outside_all(&j->frustum, in, w.outside,
-		    c->block_points);
+	if (l->output.flags || j->visible)
+		frustum_outside_all(&j->frustum, in, outside, c->block_points);
+	if (is_binary(l->out.format)) {
+		binary_write_lines(j, c, outside);
+		return;
+	}
+	const struct written_block block = { .layout = l,
+		.line = c->line,
+		.n = n,
+		.n_images = c->block_points,
+		.image = (const double(*)[POINTS_BLOCK])c->image,
+		.outside = outside,
+		.words = &c->words,
+		.visible = j->visible };
 	const char *end = c->line[n - 1].s + c->line[n - 1].size;
 	char *at = chunk_reserve(c,
-	    is_binary(l->out.format) ?
-		n * binary_size(l) :
-		lines_room(l, n, (size_t)(end - c->line[0].s)));
+	    lines_room(l, n, (size_t)(end - c->line[0].s)));
 
-	for (size_t i = 0, p = 0; i < n; i++) {
-		at = put_line(&w, &c->line[i], p, at);
-		p += c->line[i].kind == LINE_POINT;
-	}
-	c->size = (size_t)(at - c->out);
+	c->size = (size_t)(writer_put_block(&block, at) - c->out);
 }
 
 /* Refuses a source of lines that begins like one of the formats in `others`, like .npy,

@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../lines/line.h"
+#include "../lines/layout.h"
 #include "../message/message.h"
 
 /* The most bytes that a line of points may have, with its newline. */

@@ -3,7 +3,7 @@
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
-#include "job.h"
+#include "stream.h"
 
 #include <pthread.h>
 #include <sched.h>
@@ -11,6 +11,8 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <unistd.h>
+
+#include "answer.h"
 
 /* The size of a thread's stack in bytes. By default some systems give 128 KB. The
  * command inspect needs up to 320 KB (measured), as each of its maps has 19 KB. */

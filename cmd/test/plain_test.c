@@ -5,7 +5,7 @@
 
 #include "../../core/points/transform.h"
 #include "../number/number.h"
-#include "../number/plain.h"
+#include "../number/vector/loops.h"
 
 enum { ROUNDS = 6000 };
 

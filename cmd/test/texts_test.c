@@ -7,7 +7,7 @@
 #include <float.h>
 
 #include "../../core/points/transform.h"
-#include "../number/number.h"
+#include "../number/vector/loops.h"
 
 enum { BLOCK = 512, SURPLUS = 64, GUARD = 64 };
 

@@ -3,7 +3,7 @@
  * line_read, which takes more time. These tests say which lines are left, and where
  * the numbers are on the others. */
 #include "../../core/points/transform.h"
-#include "../lines/line.h"
+#include "../lines/walk.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 /* Reads and writes numbers on x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include "../../../core/points/kernel/simd_avx2.h"
-#include "../plain.h"
+#include "loops.h"
 #include "powers.h"
 
 #define LOOPS number_loops_avx2

@@ -3,7 +3,7 @@
  * -mavx512cd -mavx512dq -mavx512vl -mfma. */
 #ifdef __AVX512BW__
 #include "../../../core/points/kernel/simd_avx512.h"
-#include "../plain.h"
+#include "loops.h"
 #include "powers.h"
 
 #define LOOPS number_loops_avx512

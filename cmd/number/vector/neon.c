@@ -2,7 +2,7 @@
 /* Reads and writes numbers on AArch64, of which NEON is a part. */
 #ifdef __AARCH64EL__
 #include "../../../core/points/kernel/simd_neon.h"
-#include "../plain.h"
+#include "loops.h"
 #include "powers.h"
 
 #define LOOPS number_loops_neon

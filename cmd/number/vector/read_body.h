@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads plain numbers (plain.h) on one kind of processor. A file that includes this one
+/* Reads plain numbers (loops.h) on one kind of processor. A file that includes this one
  * has the vectors of doubles that core/points/kernel/copy.h describes, and vectors of
  * integers, I, that write_body.h describes, and defines:
  *

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Makes rows of digits of plain numbers (plain.h), for read_body.h. */
+/* Makes rows of digits of plain numbers (loops.h), for read_body.h. */
 #ifndef READ_ROWS_H
 #define READ_ROWS_H
 
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../plain.h"
+#include "loops.h"
 
 /* Number i is the integer of the right-aligned digits[i], divided by divisor[i], which
  * is negative for a minus. A byte above 9 was no digit. */

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#include "../plain.h"
+#include "loops.h"
 #include "powers.h"
 
 #define INLINE static inline __attribute__((always_inline))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "line.h"
+#include "reason.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -74,7 +74,7 @@ static bool say_mend(const struct layout *l, struct span f,
 			 "; is '%c' the separator? ",
 	    *c);
 	say_more(reason,
-	    l->header_fields > 1 ?
+	    l->seen.header_fields > 1 ?
 		"the header has another; make both the same by tr or sed" :
 		*c == '\t' ? "say -i tsv" :
 			     "say -i csv --separator '%c'",
@@ -371,7 +371,7 @@ static void say_names(const struct layout *l, struct cursor c,
 			    "; say with --columns which the coordinates are");
 		if (names.n < l->reads || *names.list[names.n - 1] == '\0')
 			say_more(reason, "; leave out a title line by sed %zud",
-			    l->first_line);
+			    l->seen.first_line);
 		if (blank)
 			return;
 	}
@@ -471,33 +471,33 @@ void say_comment_columns(struct layout *l, struct span text)
 	    (columns[n] == '\0' ||
 		(columns[n] == ' ' && strcasecmp(*names.list, "x") == 0));
 
-	l->comment_names = first ? 0 : (size_t)names.n;
-	l->comment_numbers = numbers;
-	strcpy(l->comment_reason, reason);
+	l->seen.comment_names = first ? 0 : (size_t)names.n;
+	l->seen.comment_numbers = numbers;
+	strcpy(l->seen.comment_reason, reason);
 }
 
 bool say_needs_header(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(l->in, row);
-	bool fits = l->comment_names > 0;
+	bool fits = l->seen.comment_names > 0;
 	struct field f;
 	double v;
 
 	if (!l->columns.by_default)
 		return lost && layout_has_names(l);
-	for (size_t i = 0; fits && i < l->comment_names; i++)
+	for (size_t i = 0; fits && i < l->seen.comment_names; i++)
 		fits = cursor_next(&c, &f) &&
-		    ((l->comment_numbers >> i & 1) == 0 ||
+		    ((l->seen.comment_numbers >> i & 1) == 0 ||
 			format_read(l->in, f.value.s, f.value.end, &v) ==
 			    f.value.end);
 	if (l->header != HEADER_MAYBE ||
-	    (!l->reordered && (!fits || c.s != NULL)))
+	    (!l->seen.reordered && (!fits || c.s != NULL)))
 		return false;
 	strcpy(reason,
-	    l->reordered ?
+	    l->seen.reordered ?
 		"lacks the header of a file before; say --columns by number" :
-		l->comment_reason);
+		l->seen.comment_reason);
 	return true;
 }
 
@@ -518,5 +518,5 @@ void say_text_header(const struct layout *l, struct span line,
 	say_mend(l, line, frequent, reason);
 	say_more(reason,
 	    ", or leave it out by sed %zud, with --columns if x is not first",
-	    l->first_line);
+	    l->seen.first_line);
 }

@@ -3,7 +3,9 @@
 #include <stdio.h>
 
 #include "../../core/scene/scene.h"
+#include "header.h"
 #include "line.h"
+#include "reason.h"
 #include "../message/escape.h"
 
 /* Returns whether v, coordinate i, is in range or nan; if not, writes the reason. */
@@ -82,12 +84,12 @@ static bool columns_fit(const struct layout *l, bool members,
 static bool is_legal(const struct layout *l, struct cursor c,
     const struct chosen *found, char reason[REASON_MAX])
 {
-	if (l->append && l->header_fields > 0 &&
-	    cursor_count(c) != l->header_fields)
+	if (l->output.append && l->seen.header_fields > 0 &&
+	    cursor_count(c) != l->seen.header_fields)
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the "
 		    "image below other names",
-		    cursor_count(c), l->header_fields);
+		    cursor_count(c), l->seen.header_fields);
 	else if (c.bracket != NULL && chosen_overlap(l, found) > 0)
 		strcpy(reason,
 		    "has a coordinate in another; --columns names values "
@@ -134,21 +136,23 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		c.no_commas = line->no_commas = l->columns.n == 0;
 		choose_fields(l, c, &found);
 	}
-	if (line->kind == LINE_POINT && first == FIRST_ROW && l->reordered &&
-	    layout_has_names(l) && cursor_count(c) < l->header_fields) {
+	if (line->kind == LINE_POINT && first == FIRST_ROW &&
+	    l->seen.reordered && layout_has_names(l) &&
+	    cursor_count(c) < l->seen.header_fields) {
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu, so that its names may "
 		    "be those of other columns; say --columns by number",
-		    cursor_count(c), l->header_fields);
+		    cursor_count(c), l->seen.header_fields);
 		line->kind = LINE_REFUSED;
 		return;
 	}
-	if (line_is_bad(line) && !l->append && !can_be_kept(l, c, &found))
+	if (line_is_bad(line) && !l->output.append &&
+	    !can_be_kept(l, c, &found))
 		line->kind = LINE_LOST;
 	choose_parts(l, &found, line);
 	if (first != FIRST_LINE || !line_is_bad(line))
 		return;
-	l->max_fields = 0; /* unknown, as a bad row may lack fields */
+	l->seen.max_fields = 0; /* unknown, as a bad row may lack fields */
 	if (in->blanks && l->columns.n == 0 && found.times[l->reads - 1] > 0 &&
 	    choose_is_header(l, c))
 		say_text_header(l, text, reason);
@@ -164,7 +168,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 		.size = (uint32_t)(text.end - text.s),
 		.kind = LINE_COPY };
 	if (first_line) {
-		l->first_line++;
+		l->seen.first_line++;
 		text.s = skip_bom(text.s, text.end);
 		line->has_bom = text.s > line->s;
 	}

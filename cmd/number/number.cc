@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-/* Writes numbers. Dragonbox finds the shortest digits. A given number of decimals or
- * significant digits comes from 128 bits of the number's fraction or, if they are not
- * enough, from printf. Dragonbox consists of headers, so that the program starts
- * without loading a C++ library. */
+/* fast_float reads numbers, and Dragonbox finds the shortest digits. A given number of
+ * decimals or significant digits comes from 128 bits of the number's fraction or, if
+ * they are not enough, from printf. Both libraries consist of headers, so that the
+ * program starts without loading a C++ library. */
 #include "number.h"
 
-/* NDEBUG removes Dragonbox's assertions. */
+/* NDEBUG removes the assertions of both libraries. */
 #undef NDEBUG
 #define NDEBUG
 
@@ -16,8 +16,23 @@
 #include <cstring>
 
 #include <dragonbox/dragonbox.h>
+#include <fast_float/fast_float.h>
 
 #include "../../core/exact/wide.h"
+
+const char *number_read(const char *s, const char *end, double *v)
+{
+	bool plus = s != end && *s == '+';
+
+	s += plus;
+	if (s == end || (plus && *s == '-'))
+		return NULL;
+	fast_float::from_chars_result r = fast_float::from_chars(s, end, *v);
+	if (r.ec == std::errc::invalid_argument)
+		return NULL;
+	/* fast_float also reads what follows nan in nan(...) */
+	return std::isnan(*v) ? s + (*s == '-') + 3 : r.ptr;
+}
 
 /* The most digits that the shortest text of a double needs. */
 enum { DIGITS = 17 };

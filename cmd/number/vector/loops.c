@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
+#include "loops.h"
+
 #include "../../../core/points/kernel/kernel.h"
-#include "../plain.h"
 
 const struct number_loops *number_loops(void)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "line.h"
+#include "lookup.h"
 
 #include <limits.h>
 #include <math.h>
@@ -7,47 +7,6 @@
 #include <strings.h>
 
 #include "../json/text.h"
-
-struct cursor value_cursor(struct span value, const char *end)
-{
-	const char *s = json_skip_blanks(value.s + 1, end);
-
-	return (struct cursor){ .in = { FORMAT_JSON, ',' },
-		.s = *s == ']' || *s == '}' ? NULL : s,
-		.end = end,
-		.bracket = value.s + 1,
-		.members = *value.s == '{' };
-}
-
-struct cursor line_cursor(struct dialect in, struct span line)
-{
-	if (*format_of(in)->open != '\0')
-		return value_cursor(trimmed(in, line), line.end);
-	return (struct cursor){ .in = in, .s = line.s, .end = line.end };
-}
-
-bool cursor_next(struct cursor *c, struct field *f)
-{
-	if (c->s == NULL)
-		return false;
-	f->name.s = NULL;
-	f->unclosed = false;
-	f->previous_end = c->previous_end;
-	f->comma = c->comma;
-	format_of(c->in)->next(c, f);
-	c->s = f->next;
-	return true;
-}
-
-size_t cursor_count(struct cursor c)
-{
-	struct field f;
-	size_t n = 0;
-
-	while (cursor_next(&c, &f))
-		n++;
-	return n;
-}
 
 /* The route to a field that choose_fields looks for. path is its name or JSON pointer.
  * If path is NULL, index is the field's index, from 0; -1: the route leads nowhere. */
@@ -175,8 +134,8 @@ void choose_fields(const struct layout *l, struct cursor c, struct chosen *out)
 	    (c.bracket != NULL && l->columns.n > 0);
 	struct route routes[SOUGHT_MAX];
 	struct search r = { .l = l,
-		.n = c.names || (l->append && c.members) ? SOUGHT_MAX :
-							   l->reads,
+		.n = c.names || (l->output.append && c.members) ? SOUGHT_MAX :
+								  l->reads,
 		.text = format_of(c.in)->blanks && !named,
 		.last = named ? LONG_MAX : -1,
 		.out = out };
@@ -191,10 +150,10 @@ void choose_fields(const struct layout *l, struct cursor c, struct chosen *out)
 	}
 	for (int i = l->reads; i < r.n; i++) {
 		routes[i] = (struct route){ .index = -1 };
-		if (i >= 4 && *l->name[i - 4] != '\0' &&
-		    (l->append ||
+		if (i >= 4 && *l->output.name[i - 4] != '\0' &&
+		    (l->output.append ||
 			(i - 4 >= l->reads && format_of(l->out)->header)))
-			routes[i].path = l->name[i - 4];
+			routes[i].path = l->output.name[i - 4];
 	}
 	r.last += r.text;
 	search_fields(&r, c, routes);
@@ -238,7 +197,8 @@ bool chosen_clashes(const struct layout *l, const struct chosen *c,
 		snprintf(reason, REASON_MAX,
 		    "%s '%s', which %s adds; give it another name",
 		    members ? "has a member" : "the header has a column",
-		    l->name[i - 4], l->append ? "--append" : "the output");
+		    l->output.name[i - 4],
+		    l->output.append ? "--append" : "the output");
 	return i < SOUGHT_MAX;
 }
 

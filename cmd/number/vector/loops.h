@@ -3,13 +3,29 @@
  * kind of processor. The loops read plain numbers: [-] digits [. digits], or these with
  * an exponent as %e writes it; number_read reads all other legal numbers. The loops
  * give the same bits as number_read and the same bytes as number_write. */
-#ifndef PLAIN_H
-#define PLAIN_H
+#ifndef LOOPS_H
+#define LOOPS_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-#include "number.h"
+#include "../number.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The text of a number, made by number_texts. layout has four bytes, from the lowest:
+ * `first`, `minus`, `before` and `size`. The digits begin at chars + first. A minus
+ * precedes them if `minus` is 1; the point follows the first `before` digits. The text
+ * has `size` bytes without the minus. layout is 0 if number_write has to make the text.
+ * Each struct is in one line of the cache. */
+struct number_text {
+	char chars[60];
+	uint32_t layout;
+} __attribute__((aligned(64)));
+
+enum { NUMBER_BATCH = 64 }; /* numbers that are read or written together */
 
 /* A set of bytes: b is in the set if low[b & 15] & high[b >> 4] is not 0. */
 struct byte_set {
@@ -52,5 +68,37 @@ extern const struct number_loops number_loops_avx512, number_loops_avx2,
 
 /* Returns the loops for the processor of kernels_chosen, or NULL if it has none. */
 const struct number_loops *number_loops(void);
+
+/* Makes the texts of n numbers, of floats if single is true. t and v have room for n
+ * rounded up to a multiple of NUMBER_BATCH; the numbers in v after the first n are
+ * ignored. If number_loops returns NULL, all layouts become 0. */
+void number_texts(const double *v, size_t n, bool single,
+    struct number_style style, struct number_text *t);
+
+/* The most characters of a struct number_text on either side of the point. */
+enum { NUMBER_SIDE = 24 };
+
+/* Writes v as number_write does, but copies its text t if number_texts has made it. */
+static inline char *number_put(char *s, const struct number_text *t, double v,
+    bool single, struct number_style style)
+{
+	uint32_t layout = t->layout;
+	const char *from = t->chars + (layout & 255);
+	size_t minus = layout >> 8 & 255, before = layout >> 16 & 255;
+
+	if (__builtin_expect(layout == 0, 0))
+		return single ? number_write_float(s, (float)v, style) :
+				number_write(s, v, style);
+	*s = '-';
+	s += minus;
+	memcpy(s, from, NUMBER_SIDE);
+	s[before] = '.';
+	memcpy(s + before + 1, from + before, NUMBER_SIDE);
+	return s + (layout >> 24);
+}
+
+#ifdef __cplusplus
+}
+#endif
 
 #endif

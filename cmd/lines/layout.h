@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT */
+/* The layout of points: where the coordinates of a point stand in its line or record,
+ * and what is written in their place. A job owns its layout; while the first row of a
+ * source is not read, only one thread at a time uses it, and afterwards none changes
+ * it. */
+#ifndef LAYOUT_H
+#define LAYOUT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "../number/number.h"
+#include "formats.h"
+
+enum {
+	COORDINATES_MAX = 6, /* the most numbers written for a point */
+	NAME_ROOM = 16,      /* bytes for the name of a written number */
+	PREFIX_ROOM = 64, /* bytes for the separator and name before a value */
+};
+
+/* The fields that hold the coordinates, from --columns or a csv header. */
+struct columns {
+	int n;        /* 0: the coordinates are the first fields of a line */
+	int field[4]; /* the index, from 0, of each coordinate's field */
+	/* The name of each coordinate's column or member, by default x, y, z or
+	 * w; or a JSON pointer, which begins with /. NULL: use field[]. */
+	const char *name[4];
+	bool by_default; /* --columns is not given */
+};
+
+/* HEADER_YES: by --header. HEADER_NONE: by --no-header. HEADER_MAYBE: by neither. */
+enum header { HEADER_MAYBE, HEADER_YES, HEADER_NONE };
+
+/* What a source has told so far, of its header, its first row and its comments. */
+struct seen {
+	size_t header_fields; /* fields of the header; 0: no header */
+	/* fields of the header, or of a longer first row; 0: not known */
+	size_t max_fields;
+	bool reordered;    /* layout_in_order was false for the last header */
+	size_t first_line; /* the line number of FIRST_LINE, from 1 */
+	/* The columns that a # comment above the first row names. If the row has
+	 * comment_names fields, and numbers in the columns of comment_numbers, then it
+	 * lacks a header, and is refused with comment_reason. */
+	size_t comment_names; /* 0: no names, or the coordinates are first */
+	uint32_t comment_numbers; /* bit i: column i, from 0, needs a number */
+	char comment_reason[REASON_MAX];
+};
+
+/* How the values of a point are written: its numbers and the word of --flags. */
+struct output {
+	bool flags;  /* the word of --flags is written after the numbers */
+	bool append; /* the line stays, and the numbers are written after it */
+	bool keeps;  /* records are written whole, with new coordinates */
+	bool single; /* numbers are written as floats */
+	/* The name of each written number and, last, of the word of --flags; ""
+	 * for a number or word that gets no name or is not written. */
+	char name[COORDINATES_MAX + 1][NAME_ROOM];
+	struct number_style style[COORDINATES_MAX];
+};
+
+/* How points are read and written. A source sets `seen` and, by its header, `columns`;
+ * the options of the call set the rest. */
+struct layout {
+	struct dialect in, out;
+	int reads, writes; /* numbers of a point in the input; in the output */
+	enum header header;
+	struct columns columns;
+	int record; /* numbers in a binary record; 0: the coordinates alone */
+	const char *z_hint; /* ends the message that z is missing; or NULL */
+	const char *from;   /* the input space, such as world; or NULL */
+	struct output output;
+	struct seen seen;
+};
+
+/* Returns the size of a binary record in bytes. */
+static inline size_t record_size(const struct layout *l)
+{
+	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
+}
+
+/* Returns the index, from 0, of the field that holds coordinate i. */
+static inline int layout_field(const struct layout *l, int i)
+{
+	return l->columns.n > 0 ? l->columns.field[i] : i;
+}
+
+/* Returns whether the coordinates are the first fields, in the order x, y, z, w. */
+static inline bool layout_in_order(const struct layout *l)
+{
+	for (int i = 0; i < l->reads; i++)
+		if (layout_field(l, i) != i)
+			return false;
+	return true;
+}
+
+/* Returns whether any coordinate is looked up by the name of its column or member. */
+static inline bool layout_has_names(const struct layout *l)
+{
+	for (int i = 0; i < l->reads; i++)
+		if (l->columns.name[i] != NULL)
+			return true;
+	return false;
+}
+
+static inline const char *coordinate_name(int i)
+{
+	static const char names[][2] = { "x", "y", "z", "w" };
+
+	return names[i];
+}
+
+/* Forgets what a source has told. Call it before the next source. */
+void layout_begin_source(struct layout *);
+
+#endif

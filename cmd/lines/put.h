@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT */
+/* Puts the values of a point into a line: its numbers, and the word of --flags. */
+#ifndef PUT_H
+#define PUT_H
+
+#include "../number/vector/loops.h"
+#include "layout.h"
+
+enum { FLAG_MAX = 48 }; /* bytes for the word of --flags, as left+near */
+
+/* The numbers written for a point: v[k * stride] is number k, and text[k * text_stride]
+ * is its text. */
+struct numbers {
+	const double *v;
+	const struct number_text *text;
+	size_t stride, text_stride;
+};
+
+/* The word of --flags, such as left+near. */
+struct flags {
+	char s[FLAG_MAX];
+	size_t size;
+};
+
+/* The words that flags_word has made, by their OUT_ bits (frustum.h); else empty. */
+struct flag_words {
+	struct flags word[256];
+};
+
+/* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
+ * of the frustum planes with bits set in `outside`. */
+const struct flags *flags_word(struct flag_words *, unsigned outside);
+
+/* Writes v, number k of a point, for which number_texts (number.h) made no text. nan
+ * becomes the nan_text of the output's format. Returns the end of the output. */
+char *line_put_rare_number(const struct layout *, int k, double v, char *out);
+
+static inline char *put_word(const struct layout *l, const struct flags *w,
+    char *out)
+{
+	bool quoted = *format_of(l->out)->open != '\0';
+
+	*out = '"';
+	memcpy(out + quoted, w->s, sizeof w->s);
+	out += quoted + w->size;
+	*out = '"';
+	return out + quoted;
+}
+
+static inline char *put_coordinate(const struct layout *l, struct numbers n,
+    int k, char *out)
+{
+	const struct number_text *text = &n.text[(size_t)k * n.text_stride];
+	double v = n.v[(size_t)k * n.stride];
+
+	if (__builtin_expect(text->layout == 0, 0))
+		return line_put_rare_number(l, k, v, out);
+	return number_put(out, text, v, l->output.single, l->output.style[k]);
+}
+
+/* Copies the n bytes at s, which precede a coordinate or end the line. Copies the first
+ * byte without a branch, even if n is 0, because n is mostly 1. */
+static inline char *put_gap(const char *s, size_t n, char *out)
+{
+	*out = *s;
+	if (n > 1)
+		memcpy(out, s, n);
+	return out + n;
+}
+
+#endif

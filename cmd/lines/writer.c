@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: MIT */
+#include "writer.h"
+
+#include <math.h>
+
+#include "../../core/derive/frustum.h"
+#include "splice.h"
+
+/* The state of writer_put_block. */
+struct writer {
+	const struct written_block *block;
+	const struct layout *layout;
+	bool in_place;    /* write_in_place may write the images */
+	bool adds_values; /* values are added after those that were read */
+	int order[4];     /* of the coordinates on the previous line */
+
+	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
+	 * loops, and few enough for the first-level cache. */
+	size_t first_of_batch;
+	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
+};
+
+/* Returns whether the n coordinates are on the line in the order x, y, z, w. */
+static inline bool is_in_order(const struct line *line, int n)
+{
+	for (int k = 1; k < n; k++)
+		if (line->at[k].from < line->at[k - 1].from)
+			return false;
+	return true;
+}
+
+/* Sorts order[], a list of the coordinates 0 to n - 1, by their places on the line. */
+static void find_order(const struct line *line, int n, int order[4])
+{
+	for (int i = 1; i < n; i++)
+		for (int k = i; k > 0 &&
+		     line->at[order[k - 1]].from > line->at[order[k]].from;
+		     k--) {
+			int after = order[k];
+
+			order[k] = order[k - 1];
+			order[k - 1] = after;
+		}
+}
+
+/* Returns whether added values can be written directly after the last coordinate: they
+ * have no names, no quote follows the coordinate, and in FORMAT_TEXT one byte is the
+ * separator before it. By --append, the line must not end in blanks. */
+static bool can_add_in_place(const struct layout *l, const struct line *line)
+{
+	const struct part *last = &line->at[l->reads - 1];
+	const char *end = line->s + line->size;
+
+	if (l->output.append &&
+	    (is_blank(end[-1]) ||
+		is_blank(end[-1 - (*format_of(l->out)->close != '\0')])))
+		return false;
+	if (format_of(l->out)->blanks)
+		return last->from - line->at[l->reads - 2].to == 1;
+	return !line->object &&
+	    (!format_of(l->out)->header || last->to == line->size ||
+		line->s[last->to] != '"');
+}
+
+static inline char added_separator(const struct layout *l,
+    const struct line *line)
+{
+	return format_of(l->out)->blanks ? line->s[line->at[l->reads - 2].to] :
+					   l->out.separator;
+}
+
+/* Writes a point. If append is set, copies the line and adds all values at its end.
+ * Otherwise replaces the coordinates, which are on the line in the order order[] (NULL:
+ * x, y, z, w), and adds the other values after them. Returns the end of the output. */
+static inline __attribute__((always_inline)) char *
+write_in_place(const struct layout *l, const struct line *line, bool append,
+    const int *order, const struct numbers n, const struct flags *flags,
+    char *out)
+{
+	uint32_t done = 0;
+	int written = append ? 0 : l->reads;
+
+	for (int i = 0; i < written; i++) {
+		int k = order != NULL ? order[i] : i;
+
+		out = put_gap(line->s + done, line->at[k].from - done, out);
+		out = put_coordinate(l, n, k, out);
+		done = line->at[k].to;
+	}
+	if (append) {
+		done = line->size - (*format_of(l->out)->close != '\0');
+		out = put_gap(line->s, done, out);
+	}
+	for (int k = written; k < l->writes; k++) {
+		*out++ = added_separator(l, line);
+		out = put_coordinate(l, n, k, out);
+	}
+	if (flags != NULL) {
+		*out++ = added_separator(l, line);
+		out = put_word(l, flags, out);
+	}
+	out = put_gap(line->s + done, line->size - done, out);
+	*out = '\n';
+	return out + line->newline;
+}
+
+/* Makes the texts of the batch of images that includes image p, unless w has them. */
+static void writer_make_texts(struct writer *w, size_t p)
+{
+	const struct written_block *b = w->block;
+	const struct output *o = &w->layout->output;
+	size_t from = p - p % NUMBER_BATCH, rest = b->n_images - from;
+
+	if (w->first_of_batch == from)
+		return;
+	for (int k = 0; k < w->layout->writes; k++)
+		number_texts(&b->image[k][from],
+		    rest < NUMBER_BATCH ? rest : NUMBER_BATCH, o->single,
+		    o->style[k], w->text[k]);
+	w->first_of_batch = from;
+}
+
+/* Returns the numbers and texts of the image of point p. */
+static inline struct numbers image_of(const struct writer *w, size_t p)
+{
+	return (struct numbers){ &w->block->image[0][p],
+		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
+}
+
+/* Writes the line of point p with the point's image. Returns the end of the line. Each
+ * branch calls image_of, as a single call takes 3 % more time in the format text. */
+static char *put_image(struct writer *w, const struct line *line, size_t p,
+    char *at)
+{
+	const struct layout *l = w->layout;
+	const struct flags *flags = l->output.flags ?
+	    flags_word(w->block->words, w->block->outside[p]) :
+	    NULL;
+
+	writer_make_texts(w, p);
+	if (w->in_place && is_in_order(line, l->reads) &&
+	    (!w->adds_values || can_add_in_place(l, line)))
+		return l->output.append ? write_in_place(l, line, true, NULL,
+					      image_of(w, p), flags, at) :
+					  write_in_place(l, line, false, NULL,
+					      image_of(w, p), flags, at);
+	if (!w->in_place || w->adds_values) {
+		const struct numbers n = image_of(w, p);
+
+		return line_write(l, line, &n, flags, at);
+	}
+	find_order(line, l->reads, w->order);
+	return write_in_place(l, line, false, w->order, image_of(w, p), flags,
+	    at);
+}
+
+char *writer_put_block(const struct written_block *b, char *at)
+{
+	static const double nan = (double)NAN;
+	static const struct number_text none = { .layout = 0 };
+	const struct numbers bad = { &nan, &none, 0, 0 };
+	const struct layout *l = b->layout;
+	struct writer w; /* no initializer, as to clear the texts takes time */
+
+	w.block = b;
+	w.layout = l;
+	w.first_of_batch = SIZE_MAX;
+	for (int k = 0; k < 4; k++)
+		w.order[k] = k;
+	w.adds_values = l->output.append || l->output.flags ||
+	    l->reads < l->writes;
+	w.in_place = same_dialect(l->in, l->out) &&
+	    (l->output.append || l->reads <= l->writes);
+	for (size_t i = 0, p = 0; i < b->n; i++) {
+		const struct line *line = &b->line[i];
+		const bool point = line->kind == LINE_POINT;
+
+		if (!b->visible ||
+		    !(point ? b->outside[p] != 0 : line_is_bad(line)))
+			at = point ? put_image(&w, line, p, at) :
+				     line_write(l, line, &bad,
+					 flags_word(b->words, OUT_NAN), at);
+		p += point;
+	}
+	return at;
+}

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT */
+/* A chunk is a piece of a source and its output. Chunks are independent, so that several
+ * threads work on them at the same time; at any time one thread owns a chunk. */
+#ifndef CHUNK_H
+#define CHUNK_H
+
+#include "../../core/points/transform.h"
+#include "../lines/put.h"
+#include "../lines/walk.h"
+#include "../message/message.h"
+#include "source.h"
+
+struct job;
+
+/* The number of bad lines that are reported; any others are only counted. */
+enum { COMPLAINTS_MAX = 10 };
+
+struct complaint {
+	size_t line;             /* its index in the chunk, from 0 */
+	char reason[REASON_MAX]; /* what is wrong with the line */
+};
+
+/* Lines are counted from 0 in each chunk. A binary point counts as a line. */
+struct chunk {
+	struct chunk *next; /* in one of the lists of stream.c */
+	struct place place; /* of the first line; set by answer_chunk */
+	struct piece piece;
+	const char *text, *end; /* the bytes that are not read yet */
+	size_t n_lines;         /* lines before the block */
+	enum first first; /* whether the first byte, line or row is next */
+	bool refused;     /* no line can be read, as after a bad header */
+	bool done;        /* ready for answer_chunk */
+
+	char *out;
+	size_t size, room; /* bytes of out: used, allocated */
+	size_t n_complaints;
+	size_t imageless;       /* points without image */
+	size_t first_imageless; /* the line of the first such point */
+
+	/* The block: lines that are transformed together, with columns of numbers. */
+	size_t block_lines, block_points;
+	bool walk_planned, can_walk; /* walk_plan: was called; returned true */
+	struct walk walk;
+	struct flag_words words;
+	COLUMN_ALIGNED struct stretch stretch;
+	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
+	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
+	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
+	struct complaint complaint[COMPLAINTS_MAX];
+};
+
+struct chunk *chunk_new(void);
+
+/* Makes room for n more bytes in the chunk's out, and returns their address. The caller
+ * adds to the member size how many bytes it writes there. */
+char *chunk_reserve(struct chunk *, size_t n);
+
+/* Adds a complaint on the block's next line. Returns false if the chunk ends there. */
+bool chunk_complain(const struct job *, struct chunk *, const char *reason);
+
+#endif
