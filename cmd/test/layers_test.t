@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Checks the structure of the sources: files include and call each other in layers
 # without a ring, core only computes, only one file includes cJSON, and functions have
-# at most 60 lines. The calls of a file are the undefined names of its object in BUILD.
-# The picture of the folders in CONTRIBUTING is drawn from them.
+# at most 60 lines. The calls of a source are the undefined names of its object in
+# BUILD. The picture of the folders in CONTRIBUTING is drawn from includes and calls.
 # usage: layers_test.t [BUILD]
 #        layers_test.t -w, which draws that picture anew
 use strict;
@@ -76,6 +76,19 @@ for my $file (keys %lacks) {
 		push @talks, "$file calls $name" if $file =~ m{^core/} &&
 		    !$computes{$name =~ s/^__(\w+)_chk$/$1/r};
 		$cjson{$file} = 1 if $name =~ /^cJSON/;
+	}
+}
+
+# The calls of inline functions and macros stand in their headers. A header may call the
+# source of its own name. A test may have a global name that is static in the program.
+for my $file (grep { /\.h$/ } keys %text) {
+	my $code = $text{$file} =~ s{/\*.*?\*/}{}gsr;
+	my @bodies = ($code =~ /^\{\n(.*?)^\}/msg,
+	    $code =~ /^#define ((?:.*\\\n)*.*)/mg);
+	for my $name (map { /\b(\w+)\(/g } @bodies) {
+		my $home = $home{$name} // next;
+		$needs{$file}{$home}{$name} = 1 if $home !~ $wing &&
+		    $home =~ s/\.\w+$/.h/r ne $file;
 	}
 }
 
