@@ -127,7 +127,8 @@ static void *run_scenes(void *data)
 	const struct options *o = data;
 	jmp_buf refused;
 
-	if (o->scenes && o->keep_going && !is_binary(options_out_format(o)))
+	if (o->scenes && o->keep_going &&
+	    !format_is_binary(options_out_format(o)))
 		message_state.on_refusal = &refused;
 	if (setjmp(refused) != 0)
 		answer_refused_scene(options_out_format(o));

@@ -27,7 +27,7 @@ static void put_elements(struct printer *p, const struct elements *m,
 		const int j = i % m->columns;
 		const double v = m->at[i / m->columns][j];
 
-		if (is_binary(out.format)) {
+		if (format_is_binary(out.format)) {
 			little_put(p->at, out.format == FORMAT_F64, v);
 		} else {
 			p->separator = "";
@@ -84,7 +84,7 @@ void matrix_print(const struct options *o, const struct document *d,
 		.compact = true,
 		.separator = "" };
 	struct elements m = elements_of(d, t, floats,
-	    column && !is_binary(o->out));
+	    column && !format_is_binary(o->out));
 
 	if (o->out == FORMAT_JSON)
 		put_matrix(&p, &m, column);

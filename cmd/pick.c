@@ -65,7 +65,7 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 		memcpy(p.at, line->s, line->size);
 		p.at += line->size;
 		*p.at = '\n';
-		p.at += !is_binary(j->layout.in.format);
+		p.at += !format_is_binary(j->layout.in.format);
 	}
 	hit.size = (size_t)(p.at - text);
 	memcpy(at, &hit, offsetof(struct hit, text));

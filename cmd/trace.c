@@ -68,8 +68,9 @@ static char *trace_put_image(char *at, const struct job *j,
 		if (finite < n && (m == NULL || !isfinite(m->v[s][k][p])))
 			at = stpcpy(at, json ? "null" : "nan");
 		else
-			at = number_put(at, &m->text[s][k][p], m->v[s][k][p],
-			    l->output.single, l->output.style[k]);
+			at = number_text_put(at, &m->text[s][k][p],
+			    m->v[s][k][p], l->output.single,
+			    l->output.style[k]);
 	}
 	if (json)
 		*at++ = ']';
@@ -100,7 +101,7 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 		at = stpcpy(at, "\"flags\":\"");
 	memcpy(at, word->s, word->size);
 	at += word->size;
-	at = json ? stpcpy(at, "\"}") : line_put_rest(&j->layout, line, at);
+	at = json ? stpcpy(at, "\"}") : splice_rest(&j->layout, line, at);
 	*at++ = '\n';
 	c->size = (size_t)(at - c->out);
 }

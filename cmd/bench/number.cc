@@ -116,7 +116,7 @@ static void measure_texts(number_style style)
 				    if (i % block == 0)
 					    number_texts(values + i, block,
 						false, style, texts);
-				    s = number_put(s, &texts[i % block],
+				    s = number_text_put(s, &texts[i % block],
 					values[i], false, style);
 				    *s++ = ' ';
 			    }

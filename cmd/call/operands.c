@@ -131,7 +131,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 			    "numbers",
 			    o->columns.field[i] + 1, l->record);
 	}
-	if (n > 0 && n != l->reads && !(is_binary(o->in) && l->record == 0))
+	if (n > 0 && n != l->reads &&
+	    !(format_is_binary(o->in) && l->record == 0))
 		die(EXIT_USAGE,
 		    "--columns: %d field%s; %d coordinates are read here", n,
 		    n == 1 ? "" : "s", l->reads);
@@ -142,7 +143,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
-	const bool record = l->record > 0, binary = is_binary(l->out.format);
+	const bool record = l->record > 0,
+		   binary = format_is_binary(l->out.format);
 	const struct {
 		bool refused;
 		const char *message;
@@ -152,7 +154,7 @@ static void check_layout(const struct options *o, const struct layout *l,
 		    "tsv" },
 		{ o->header && o->no_header,
 		    "--header and --no-header exclude each other" },
-		{ l->output.append && (binary || is_binary(o->in)),
+		{ l->output.append && (binary || format_is_binary(o->in)),
 		    "--append: binary points have no lines to keep; use -o "
 		    "text without it" },
 		{ l->output.append && o->has_out && o->out != o->in,
@@ -160,7 +162,7 @@ static void check_layout(const struct options *o, const struct layout *l,
 		{ o->flags && (binary || (printed && record)),
 		    "--flags: binary points and records have no room for "
 		    "words; use -o text, and convert records before" },
-		{ o->columns.n > 0 && is_binary(o->in) && !record,
+		{ o->columns.n > 0 && format_is_binary(o->in) && !record,
 		    "--columns: binary points have no other fields; use -i "
 		    "f32x4 or f64x4 for records of four numbers" },
 		{ record && l->record < l->reads,
@@ -248,8 +250,8 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Does the job on `text`, lines of JSON that document_read_points or document_read made; the
- * format of --input does not count. Messages call the text `name`. */
+/* Does the job on `text`, lines of JSON that document_read_points or document_read
+ * made; the format of --input does not count. Messages call the text `name`. */
 static void run_json_points(const struct options *o, struct job *j,
     const char *name, const char *text, size_t size)
 {
@@ -262,7 +264,7 @@ static void run_json_points(const struct options *o, struct job *j,
 		    o->in_record > 0 ? "input" : "columns");
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
-	stream(j, source_of_text(name, text, size));
+	stream_points(j, source_of_text(name, text, size));
 	j->layout = files_layout;
 }
 
@@ -287,11 +289,12 @@ static void run_operand(const struct options *o, struct job *j, int i)
 			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
 			kept[i] = input_of_file(operand);
-		stream(j, source_of_text(operand, kept[i].s, kept[i].size));
+		stream_points(j,
+		    source_of_text(operand, kept[i].s, kept[i].size));
 	} else {
 		int fd = input_open(operand);
 
-		stream(j, source_of_file(operand, fd));
+		stream_points(j, source_of_file(operand, fd));
 		close(fd);
 	}
 }

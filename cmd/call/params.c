@@ -154,7 +154,7 @@ static void check_not_points(const struct options *o)
 		s += strcspn(s, "\n");
 	if (!isdigit((unsigned char)s[strspn(s, "+-.(")]) &&
 	    !(o->n_points > 0 && params.begin < params.end &&
-		(*s == '[' || (is_binary(o->in) && *s != '{'))))
+		(*s == '[' || (format_is_binary(o->in) && *s != '{'))))
 		return;
 	if (!command_reads_points(o->command))
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");

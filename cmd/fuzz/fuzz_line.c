@@ -36,7 +36,7 @@ static bool same(double a, double b)
  * other fields. */
 static bool can_read_back(const struct layout *l)
 {
-	return !is_binary(l->out.format) &&
+	return !format_is_binary(l->out.format) &&
 	    (l->columns.n == 0 || !same_dialect(l->in, l->out) ||
 		(l->reads == l->writes && !l->output.flags));
 }
@@ -91,12 +91,12 @@ static void write_back(const struct layout *l, const struct line *line,
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };
 	const struct numbers numbers = { v, &none, 1, 0 };
-	size_t room = lines_room(l, 1, line->size);
+	size_t room = splice_room(l, 1, line->size);
 	char *out = malloc(room), *end;
 
 	for (int i = 0; line->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
-	end = line_write(l, line, &numbers, l->output.flags ? &flags : NULL,
+	end = splice_line(l, line, &numbers, l->output.flags ? &flags : NULL,
 	    out);
 	want((size_t)(end - out) <= room);
 	struct span text = { out, end };
@@ -153,7 +153,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		return 0;
 	struct layout l = layout_of(data);
 
-	if (is_binary(l.in.format) || is_binary(l.out.format))
+	if (format_is_binary(l.in.format) || format_is_binary(l.out.format))
 		return 0;
 	/* no byte of room after the text, so that a sanitizer finds a read there */
 	char *text = malloc(size - HEADER), *end = text + size - HEADER;

@@ -173,7 +173,7 @@ static void check_texts(double v, int n)
 
 		number_texts(numbers, 5, false, style, texts);
 		for (int i = 0; i < 5; i++) {
-			*number_put(text, &texts[i], numbers[i], false,
+			*number_text_put(text, &texts[i], numbers[i], false,
 			    style) = '\0';
 			*number_write(expected, numbers[i], style) = '\0';
 			want(strcmp(text, expected) == 0);

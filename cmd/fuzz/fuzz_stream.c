@@ -166,12 +166,12 @@ static void set_more(struct layout *l)
 {
 	const enum format in = l->in.format, out = l->out.format;
 
-	if (is_binary(in) && l->reads == l->writes) {
+	if (format_is_binary(in) && l->reads == l->writes) {
 		l->record = 4;
 		l->output.keeps = in == out;
 		l->output.flags = false;
 	}
-	l->output.append = !is_binary(in) && in == out;
+	l->output.append = !format_is_binary(in) && in == out;
 	for (int k = 0; l->output.append && k < l->writes; k++) {
 		memmove(l->output.name[k] + 2, l->output.name[k],
 		    NAME_ROOM - 2);
@@ -226,7 +226,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 
 	if (c->size > 0 && !refused) {
 		add(&printed, "\n", unended);
-		unended = !is_binary(j->layout.out.format) &&
+		unended = !format_is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
 	}
 	if (!refused)
@@ -234,7 +234,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX;
 	     i++) {
 		struct place p = { .line = 1 + (long)c->complaint[i].line,
-			.of_points = is_binary(j->layout.in.format) };
+			.of_points = format_is_binary(j->layout.in.format) };
 
 		say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
 	}
@@ -282,7 +282,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	state = 1 + data[3];
 	data_at = data + HEADER;
 	data_left = size - HEADER;
-	stream(&j, source_of_file("a", SOURCE));
+	stream_points(&j, source_of_file("a", SOURCE));
 	compare(&printed, &whole);
 	compare(&said, &messages);
 	return 0;

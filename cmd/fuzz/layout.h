@@ -47,7 +47,7 @@ static inline struct layout layout_of(const uint8_t *b)
 	strcpy(l.output.name[COORDINATES_MAX], l.output.flags ? "flags" : "");
 	if (columns == 0)
 		memcpy(l.columns.name, names, sizeof names);
-	if (is_binary(in) || columns == 0)
+	if (format_is_binary(in) || columns == 0)
 		return l;
 	l.columns.n = l.reads;
 	for (int i = 0; i < l.reads; i++) {

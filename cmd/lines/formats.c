@@ -16,7 +16,8 @@ struct dialect dialect_of(enum format f, char separator)
 		row->separator != 0 ? row->separator : separator };
 }
 
-bool format_cr_only(struct dialect d, struct span line, char reason[REASON_MAX])
+bool format_has_only_cr(struct dialect d, struct span line,
+    char reason[REASON_MAX])
 {
 	const char *s = line.s;
 	bool fields = format_of(d)->escape == '"' &&
@@ -56,7 +57,7 @@ static bool json_line_check(struct dialect d, struct span line,
 		    "text? say -i csv or -i text");
 	else if (json_check(&c))
 		return true;
-	else if (format_cr_only(d, line, reason))
+	else if (format_has_only_cr(d, line, reason))
 		return false;
 	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
@@ -80,7 +81,7 @@ static void next_of_text(struct cursor *c, struct field *f)
 	f->whole = f->value;
 	c->previous_end = s;
 	after = c->no_commas ? skip_blanks(c->in, s, c->end) :
-			       skip_separator(s, c->end);
+			       skip_text_separator(s, c->end);
 	c->comma = !c->no_commas && memchr(s, ',', (size_t)(after - s)) != NULL;
 	f->next = after == c->end && !c->comma ? NULL : after;
 }

@@ -91,13 +91,13 @@ static inline bool same_dialect(struct dialect a, struct dialect b)
 	return a.format == b.format && a.separator == b.separator;
 }
 
-static inline bool is_binary(enum format f)
+static inline bool format_is_binary(enum format f)
 {
 	return format_rows[f].size > 0;
 }
 
 /* Returns the size in bytes of a binary point that has `coordinates` numbers. */
-static inline size_t point_size(enum format f, int coordinates)
+static inline size_t format_point_size(enum format f, int coordinates)
 {
 	return (size_t)coordinates * format_rows[f].size;
 }
@@ -115,7 +115,8 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 
 /* Returns whether a carriage return outside of quotes has more than blanks after it, as
  * in a source whose lines end in carriage returns alone. If so, writes the reason. */
-bool format_cr_only(struct dialect, struct span line, char reason[REASON_MAX]);
+bool format_has_only_cr(struct dialect, struct span line,
+    char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */
 static inline bool is_blank(char c)
@@ -155,7 +156,7 @@ static inline const char *skip_bom(const char *s, const char *end)
 }
 
 /* Returns the end of the FORMAT_TEXT separator at s: blanks with at most one comma. */
-static inline const char *skip_separator(const char *s, const char *end)
+static inline const char *skip_text_separator(const char *s, const char *end)
 {
 	const struct dialect text = { FORMAT_TEXT, ' ' };
 

@@ -25,7 +25,7 @@ struct cursor header_cursor(struct dialect d, struct span text)
 }
 
 /* Returns the first coordinate whose name the header lacks; l->reads if it has all. */
-static int find_missing_name(const struct layout *l, const struct chosen *c)
+static int find_missing_name(const struct layout *l, const struct lookup *c)
 {
 	int i = 0;
 
@@ -37,7 +37,7 @@ static int find_missing_name(const struct layout *l, const struct chosen *c)
 /* Returns whether the header has one column for each coordinate, and no column with a
  * name that the output adds; if not, writes the reason. */
 static bool is_usable(const struct layout *l, struct cursor header,
-    const struct chosen *c, char reason[REASON_MAX])
+    const struct lookup *c, char reason[REASON_MAX])
 {
 	int i = find_missing_name(l, c);
 
@@ -45,14 +45,14 @@ static bool is_usable(const struct layout *l, struct cursor header,
 		for (i = 0; i < l->reads && c->times[i] == 1;)
 			i++;
 	if (i < l->reads) {
-		say_missing(l, i, header, c, reason);
+		reason_missing(l, i, header, c, reason);
 		return false;
 	}
-	i = chosen_overlap(l, c);
+	i = lookup_find_overlap(l, c);
 	if (i > 0)
 		snprintf(reason, REASON_MAX, "two coordinates are column %ld",
 		    c->index[i] + 1);
-	return i == 0 && !chosen_clashes(l, c, false, reason);
+	return i == 0 && !lookup_clashes(l, c, false, reason);
 }
 
 /* Returns whether a line is an empty field, then at least l->reads fields 0, 1, 2 ...:
@@ -65,7 +65,7 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 
 	for (; cursor_next(&c, &f); k++)
 		if (k == 0 ? f.value.s < f.value.end :
-			     !is_index(f.value, k - 1))
+			     !field_is_index(f.value, k - 1))
 			return false;
 	if (k <= l->reads)
 		return false;
@@ -90,7 +90,7 @@ static bool has_fields(struct cursor c, size_t n)
 bool header_is_comment(const struct layout *l, struct span text, bool first)
 {
 	const char *s = skip_blanks(l->in, text.s, text.end);
-	struct chosen c;
+	struct lookup c;
 
 	if (!format_of(l->in)->header)
 		return true;
@@ -103,7 +103,7 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 		    (l->in.separator == ' ' && is_blank(s[1]));
 	struct cursor header = header_cursor(l->in, text);
 
-	choose_fields(l, header, &c);
+	lookup_fields(l, header, &c);
 	return header.s != text.s &&
 	    (l->header == HEADER_NONE || !layout_has_names(l) ||
 		find_missing_name(l, &c) < l->reads);
@@ -114,16 +114,16 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 {
 	struct cursor header = header_cursor(l->in, text);
 	struct columns *c = &l->columns;
-	struct chosen chosen;
+	struct lookup chosen;
 
 	const bool undecided = l->header == HEADER_MAYBE &&
 	    (c->by_default || !layout_has_names(l));
 	const bool ambiguous = undecided && is_ambiguous(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
-	    (undecided && !ambiguous && !choose_is_header(l, header)))
+	    (undecided && !ambiguous && !lookup_is_header(l, header)))
 		return false;
-	choose_fields(l, header, &chosen);
+	lookup_fields(l, header, &chosen);
 	line->kind = LINE_REFUSED;
 	if (ambiguous || !is_usable(l, header, &chosen, reason))
 		return true;
@@ -134,7 +134,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	c->n = l->reads;
 	l->seen.header_fields = l->seen.max_fields = cursor_count(header);
 	l->seen.reordered = !layout_in_order(l);
-	choose_parts(l, &chosen, line);
+	lookup_set_parts(l, &chosen, line);
 	return true;
 }
 
@@ -146,7 +146,7 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 	struct field f = { .next = NULL };
 
 	for (; cursor_next(&c, &f); n++)
-		blanks |= say_empty_field(l, f.whole, reason);
+		blanks |= reason_empty_field(l, f.whole, reason);
 	const size_t full = n - (f.value.s == f.value.end);
 	const bool lacks_name = first == FIRST_ROW &&
 	    full == l->seen.header_fields + 1 && full > 2;

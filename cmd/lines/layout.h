@@ -73,9 +73,10 @@ struct layout {
 };
 
 /* Returns the size of a binary record in bytes. */
-static inline size_t record_size(const struct layout *l)
+static inline size_t layout_record_size(const struct layout *l)
 {
-	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
+	return format_point_size(l->in.format,
+	    l->record > 0 ? l->record : l->reads);
 }
 
 /* Returns the index, from 0, of the field that holds coordinate i. */

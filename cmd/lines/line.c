@@ -23,17 +23,17 @@ static bool in_range(const struct layout *l, int i, double v,
 
 /* Reads the coordinates v. Returns false, and writes the reason, if one is wrong. */
 static bool read_coordinates(const struct layout *l, struct cursor c,
-    const struct chosen *found, double v[4], char reason[REASON_MAX])
+    const struct lookup *found, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &found->field[i];
 		const char *end = f->value.end;
 
 		if (found->times[i] != 1)
-			say_missing(l, i, c, found, reason);
+			reason_missing(l, i, c, found, reason);
 		else if (format_read(l->in, f->value.s, end, &v[i]) != end)
-			say_field(l, i, f, reason);
-		else if (!say_empty_field(l, f->whole, reason) &&
+			reason_field(l, i, f, reason);
+		else if (!reason_empty_field(l, f->whole, reason) &&
 		    in_range(l, i, v[i], reason))
 			continue;
 		return false;
@@ -53,7 +53,7 @@ static bool can_be_added(const char *path)
 
 /* Returns whether a line with a bad coordinate can be written with its other fields. */
 static bool can_be_kept(const struct layout *l, struct cursor c,
-    const struct chosen *found)
+    const struct lookup *found)
 {
 	if (c.s == NULL && !c.members)
 		return false;
@@ -62,7 +62,7 @@ static bool can_be_kept(const struct layout *l, struct cursor c,
 		    (found->times[i] == 0 && c.members &&
 			!can_be_added(l->columns.name[i])))
 			return false;
-	return chosen_overlap(l, found) == 0;
+	return lookup_find_overlap(l, found) == 0;
 }
 
 /* Returns whether --columns fits a line of JSON: it must give indexes for an array and
@@ -82,7 +82,7 @@ static bool columns_fit(const struct layout *l, bool members,
 
 /* Returns whether a line with good coordinates is legal; if not, writes the reason. */
 static bool is_legal(const struct layout *l, struct cursor c,
-    const struct chosen *found, char reason[REASON_MAX])
+    const struct lookup *found, char reason[REASON_MAX])
 {
 	if (l->output.append && l->seen.header_fields > 0 &&
 	    cursor_count(c) != l->seen.header_fields)
@@ -90,7 +90,7 @@ static bool is_legal(const struct layout *l, struct cursor c,
 		    "has %zu fields and the header %zu; --append would put the "
 		    "image below other names",
 		    cursor_count(c), l->seen.header_fields);
-	else if (c.bracket != NULL && chosen_overlap(l, found) > 0)
+	else if (c.bracket != NULL && lookup_find_overlap(l, found) > 0)
 		strcpy(reason,
 		    "has a coordinate in another; --columns names values "
 		    "apart");
@@ -109,7 +109,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
-	struct chosen found;
+	struct lookup found;
 
 	line->kind = LINE_LOST;
 	line->object = *in->open != '\0' &&
@@ -126,15 +126,15 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	}
 	if (c.bracket != NULL && !columns_fit(l, c.members, reason))
 		return;
-	choose_fields(l, c, &found);
+	lookup_fields(l, c, &found);
 	line->kind = LINE_POINT;
-	if (longer || (c.members && chosen_clashes(l, &found, true, reason)) ||
+	if (longer || (c.members && lookup_clashes(l, &found, true, reason)) ||
 	    !read_coordinates(l, c, &found, v, reason) ||
 	    !is_legal(l, c, &found, reason))
 		line->kind = LINE_BAD;
 	if (found.mixed_commas) {
 		c.no_commas = line->no_commas = l->columns.n == 0;
-		choose_fields(l, c, &found);
+		lookup_fields(l, c, &found);
 	}
 	if (line->kind == LINE_POINT && first == FIRST_ROW &&
 	    l->seen.reordered && layout_has_names(l) &&
@@ -149,13 +149,13 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 	if (line_is_bad(line) && !l->output.append &&
 	    !can_be_kept(l, c, &found))
 		line->kind = LINE_LOST;
-	choose_parts(l, &found, line);
+	lookup_set_parts(l, &found, line);
 	if (first != FIRST_LINE || !line_is_bad(line))
 		return;
 	l->seen.max_fields = 0; /* unknown, as a bad row may lack fields */
 	if (in->blanks && l->columns.n == 0 && found.times[l->reads - 1] > 0 &&
-	    choose_is_header(l, c))
-		say_text_header(l, text, reason);
+	    lookup_is_header(l, c))
+		reason_text_header(l, text, reason);
 }
 
 void line_read(struct layout *l, struct span text, enum first *first,
@@ -177,18 +177,18 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	if (s == text.end)
 		return;
 	if (first_line && (!json || *s == '#') &&
-	    format_cr_only(l->in, text, reason)) {
+	    format_has_only_cr(l->in, text, reason)) {
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_is_comment(l, text, first_line)) {
 		if (first_line)
-			say_comment_columns(l, text);
+			reason_comment_columns(l, text);
 		return;
 	} else if (first_line && in->header &&
 	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
 		line->kind = LINE_LOST;
 		text.s = s;
-		say_field(l, 0, &(struct field){ .value = text, .whole = text },
-		    reason);
+		reason_field(l, 0,
+		    &(struct field){ .value = text, .whole = text }, reason);
 	} else if (!first_line || !in->header ||
 	    !header_read(l, text, line, reason)) {
 		read_fields(l, text, *first, line, v, reason);
@@ -196,6 +196,6 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_NONE;
 	if (first_line && !json && *first != FIRST_ROW &&
 	    line->kind != LINE_REFUSED &&
-	    say_needs_header(l, text, line->kind == LINE_LOST, reason))
+	    reason_needs_header(l, text, line->kind == LINE_LOST, reason))
 		line->kind = LINE_REFUSED;
 }

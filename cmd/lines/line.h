@@ -42,7 +42,7 @@ struct line {
 /* Stands for the part of a coordinate that the line lacks. */
 static const struct part part_missing = { 1, 0 };
 
-static inline bool is_missing(struct part p)
+static inline bool part_is_missing(struct part p)
 {
 	return p.from > p.to;
 }

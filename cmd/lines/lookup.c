@@ -8,14 +8,14 @@
 
 #include "../json/text.h"
 
-/* The route to a field that choose_fields looks for. path is its name or JSON pointer.
+/* The route to a field that lookup_fields looks for. path is its name or JSON pointer.
  * If path is NULL, index is the field's index, from 0; -1: the route leads nowhere. */
 struct route {
 	const char *path;
 	long index;
 };
 
-bool is_index(struct span token, long k)
+bool field_is_index(struct span token, long k)
 {
 	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
 	     k /= 10)
@@ -24,7 +24,7 @@ bool is_index(struct span token, long k)
 }
 
 /* Returns whether a route leads to the field f, or into the value of f. The route is
- * for element i of struct chosen; f has index k. Sets *rest to the path within the
+ * for element i of struct lookup; f has index k. Sets *rest to the path within the
  * value, or to "" if the route ends at f. In a header the default name x also matches X
  * and, if the points are in a space named device, device_x and device_X. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
@@ -55,17 +55,17 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 		    (by_default ? strncasecmp : strncmp)(s, path, n) == 0;
 	}
 	return c->members ? json_is_name(f->name, token, pointer) :
-			    pointer && is_index(token, k);
+			    pointer && field_is_index(token, k);
 }
 
-/* A search for elements 0 to n - 1 of the arrays of struct chosen. */
+/* A search for elements 0 to n - 1 of the arrays of struct lookup. */
 struct search {
 	const struct layout *l;
 	int n;
 	bool text; /* FORMAT_TEXT, whose fields are found by index */
 	long last; /* the index of the last field that is looked at */
 	int separators, commas; /* counted separators; those with a comma */
-	struct chosen *out;
+	struct lookup *out;
 };
 
 /* Returns whether mixed_commas depends on the separator before f, field k of a line in
@@ -91,7 +91,7 @@ static bool separator_counts(const struct search *r, const struct field *f,
 static void search_fields(struct search *r, struct cursor c,
     const struct route routes[SOUGHT_MAX])
 {
-	struct chosen *out = r->out;
+	struct lookup *out = r->out;
 	int fields[SOUGHT_MAX] = { 0 }; /* how many fields routes[i] leads to */
 	struct field f;
 
@@ -128,7 +128,7 @@ static void search_fields(struct search *r, struct cursor c,
 			out->times[i] = 2;
 }
 
-void choose_fields(const struct layout *l, struct cursor c, struct chosen *out)
+void lookup_fields(const struct layout *l, struct cursor c, struct lookup *out)
 {
 	const bool named = c.members || c.names ||
 	    (c.bracket != NULL && l->columns.n > 0);
@@ -160,7 +160,7 @@ void choose_fields(const struct layout *l, struct cursor c, struct chosen *out)
 	out->mixed_commas = r.commas != 0 && r.commas != r.separators;
 }
 
-int chosen_overlap(const struct layout *l, const struct chosen *c)
+int lookup_find_overlap(const struct layout *l, const struct lookup *c)
 {
 	for (int i = 1; i < l->reads; i++)
 		for (int k = 0; k < i; k++)
@@ -171,7 +171,7 @@ int chosen_overlap(const struct layout *l, const struct chosen *c)
 	return 0;
 }
 
-void choose_parts(const struct layout *l, const struct chosen *c,
+void lookup_set_parts(const struct layout *l, const struct lookup *c,
     struct line *line)
 {
 	bool whole = line->kind != LINE_POINT && format_of(l->in)->header;
@@ -186,7 +186,7 @@ void choose_parts(const struct layout *l, const struct chosen *c,
 	}
 }
 
-bool chosen_clashes(const struct layout *l, const struct chosen *c,
+bool lookup_clashes(const struct layout *l, const struct lookup *c,
     bool members, char reason[REASON_MAX])
 {
 	int i = 4;
@@ -202,7 +202,7 @@ bool chosen_clashes(const struct layout *l, const struct chosen *c,
 	return i < SOUGHT_MAX;
 }
 
-bool choose_is_name(struct span f)
+bool field_is_name(struct span f)
 {
 	unsigned c = 0;
 
@@ -217,13 +217,13 @@ bool choose_is_name(struct span f)
 	return true;
 }
 
-bool choose_is_header(const struct layout *l, struct cursor header)
+bool lookup_is_header(const struct layout *l, struct cursor header)
 {
 	bool has_name = false;
-	struct chosen c;
+	struct lookup c;
 
 	header.names = false; /* find coordinates by index, as in a row */
-	choose_fields(l, header, &c);
+	lookup_fields(l, header, &c);
 	for (int i = 0; i < l->reads; i++) {
 		const struct span f = c.field[i].value;
 		double v;
@@ -231,7 +231,7 @@ bool choose_is_header(const struct layout *l, struct cursor header)
 		if (c.times[i] == 0)
 			continue;
 		if (format_read(l->in, f.s, f.end, &v) != f.end)
-			has_name |= choose_is_name(f);
+			has_name |= field_is_name(f);
 		else if (!isnan(v))
 			return false;
 	}

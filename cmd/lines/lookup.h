@@ -7,13 +7,13 @@
 #include "line.h"
 
 enum {
-	/* elements of struct chosen: 4 coordinates, then added fields */
+	/* elements of struct lookup: 4 coordinates, then added fields */
 	SOUGHT_MAX = 4 + COORDINATES_MAX + 1,
 };
 
-/* The fields that choose_fields finds: elements 0 to 3 of each array for coordinates,
+/* The fields that lookup_fields finds: elements 0 to 3 of each array for coordinates,
  * element 4 + k for name k of the layout, if the output adds a field with this name. */
-struct chosen {
+struct lookup {
 	struct field field[SOUGHT_MAX]; /* the first field that is found */
 	int times[SOUGHT_MAX];          /* the number of fields found */
 	/* the indexes, from 0, of the first and the second field found */
@@ -21,30 +21,31 @@ struct chosen {
 	bool mixed_commas; /* FORMAT_TEXT: only some separators have a comma */
 };
 
-/* Finds the fields of struct chosen in one pass over the fields after the cursor. */
-void choose_fields(const struct layout *, struct cursor, struct chosen *);
+/* Finds the fields of struct lookup in one pass over the fields after the cursor. */
+void lookup_fields(const struct layout *, struct cursor, struct lookup *);
 
 /* Sets the parts of the line that hold its coordinates. */
-void choose_parts(const struct layout *, const struct chosen *, struct line *);
+void lookup_set_parts(const struct layout *, const struct lookup *,
+    struct line *);
 
 /* Returns the index, from 0, of a coordinate whose value overlaps the value of an
  * earlier coordinate, as in the same column or JSON element; 0 if there is none. */
-int chosen_overlap(const struct layout *, const struct chosen *);
+int lookup_find_overlap(const struct layout *, const struct lookup *);
 
 /* Returns whether a column of a header or, if `members` is set, a member of an object
  * has a name that the output adds; if so, writes the reason. */
-bool chosen_clashes(const struct layout *, const struct chosen *, bool members,
+bool lookup_clashes(const struct layout *, const struct lookup *, bool members,
     char reason[REASON_MAX]);
 
 /* Returns whether a token of a JSON pointer is k in decimal, without leading zeros. */
-bool is_index(struct span token, long k);
+bool field_is_index(struct span token, long k);
 
 /* Returns whether f is a name: no digit or decimal point precedes its first letter.
  * Underscores and other alphabets count as letters; signs such as U+2212 do not. */
-bool choose_is_name(struct span f);
+bool field_is_name(struct span f);
 
 /* Returns whether a first line is a header: the fields at the indexes of coordinates
  * include at least one name and no number. */
-bool choose_is_header(const struct layout *, struct cursor);
+bool lookup_is_header(const struct layout *, struct cursor);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-char *line_put_rare_number(const struct layout *l, int k, double v, char *out)
+char *put_rare_number(const struct layout *l, int k, double v, char *out)
 {
 	if (isnan(v))
 		return stpcpy(out, format_of(l->out)->nan_text);

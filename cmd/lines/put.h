@@ -33,10 +33,10 @@ const struct flags *flags_word(struct flag_words *, unsigned outside);
 
 /* Writes v, number k of a point, for which number_texts (number.h) made no text. nan
  * becomes the nan_text of the output's format. Returns the end of the output. */
-char *line_put_rare_number(const struct layout *, int k, double v, char *out);
+char *put_rare_number(const struct layout *, int k, double v, char *out);
 
-static inline char *put_word(const struct layout *l, const struct flags *w,
-    char *out)
+static inline char *put_flags_word(const struct layout *l,
+    const struct flags *w, char *out)
 {
 	bool quoted = *format_of(l->out)->open != '\0';
 
@@ -54,8 +54,9 @@ static inline char *put_coordinate(const struct layout *l, struct numbers n,
 	double v = n.v[(size_t)k * n.stride];
 
 	if (__builtin_expect(text->layout == 0, 0))
-		return line_put_rare_number(l, k, v, out);
-	return number_put(out, text, v, l->output.single, l->output.style[k]);
+		return put_rare_number(l, k, v, out);
+	return number_text_put(out, text, v, l->output.single,
+	    l->output.style[k]);
 }
 
 /* Copies the n bytes at s, which precede a coordinate or end the line. Copies the first

@@ -91,7 +91,7 @@ static bool say_remedy(const struct layout *l, struct span f,
 	double v;
 	const char *after = number_read(f.s, f.end, &v);
 	const bool two_numbers = format_of(l->in)->header && after != NULL &&
-	    number_read(skip_separator(after, f.end), f.end, &v) != NULL;
+	    number_read(skip_text_separator(after, f.end), f.end, &v) != NULL;
 
 	if (comma == NULL && l->in.separator == ';')
 		comma = find_byte(f, ' ');
@@ -108,7 +108,7 @@ static bool say_remedy(const struct layout *l, struct span f,
 		return true;
 	else if (find_byte(f, '=') != NULL)
 		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
-	else if (after != NULL && !choose_is_name(f))
+	else if (after != NULL && !field_is_name(f))
 		say_more(reason,
 		    "; a number is wanted, and nothing else in the field; "
 		    "--columns chooses other fields");
@@ -131,7 +131,7 @@ static const char *json_remedy(const struct field *f)
 			   "; --columns takes pointers, such as /x/value";
 }
 
-void say_field(const struct layout *l, int i, const struct field *field,
+void reason_field(const struct layout *l, int i, const struct field *field,
     char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
@@ -151,7 +151,7 @@ void say_field(const struct layout *l, int i, const struct field *field,
 			", or NA");
 }
 
-bool say_empty_field(const struct layout *l, struct span f,
+bool reason_empty_field(const struct layout *l, struct span f,
     char reason[REASON_MAX])
 {
 	if (l->in.separator != ' ' || !format_of(l->in)->header || f.s < f.end)
@@ -335,7 +335,7 @@ static void say_near(const struct layout *l, struct cursor c,
 				say_more(reason, "%c",
 				    strchr(".[", *s) != NULL ? '/' : *s);
 	} else if (c.names && l->header == HEADER_MAYBE &&
-	    !choose_is_name((struct span){ c.s, c.end })) {
+	    !field_is_name((struct span){ c.s, c.end })) {
 		say_more(reason,
 		    "; if there is no header, say --columns by "
 		    "number, such as 3,4,5");
@@ -385,8 +385,8 @@ static void say_names(const struct layout *l, struct cursor c,
 		say_more(reason, i > 0 ? ", ..." : "...");
 }
 
-void say_missing(const struct layout *l, int i, struct cursor c,
-    const struct chosen *found, char reason[REASON_MAX])
+void reason_missing(const struct layout *l, int i, struct cursor c,
+    const struct lookup *found, char reason[REASON_MAX])
 {
 	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
 	const struct span none = { NULL, NULL };
@@ -400,7 +400,7 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 			    "%s is missing; %d numbers are wanted%s",
 			    coordinate_name(i), l->reads,
 			    i == 2 && l->z_hint != NULL ? l->z_hint : "");
-		else if (one || !say_empty_field(l, none, reason))
+		else if (one || !reason_empty_field(l, none, reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
 		if (one)
@@ -433,7 +433,7 @@ void say_missing(const struct layout *l, int i, struct cursor c,
 	}
 }
 
-void say_comment_columns(struct layout *l, struct span text)
+void reason_comment_columns(struct layout *l, struct span text)
 {
 	const bool csv = format_of(l->in)->header;
 	const struct dialect table = { FORMAT_CSV,
@@ -462,7 +462,7 @@ void say_comment_columns(struct layout *l, struct span text)
 	if (!say_guess(&names, l->reads, &numbers, reason)) {
 		if (!csv || table.separator == ' ' || text.s[-1] == ':' ||
 		    names.n < 3 || (words != names.n && words != 1) ||
-		    !choose_is_header(l, c))
+		    !lookup_is_header(l, c))
 			return;
 		say_more(reason, "; say --columns by number");
 	}
@@ -476,7 +476,7 @@ void say_comment_columns(struct layout *l, struct span text)
 	strcpy(l->seen.comment_reason, reason);
 }
 
-bool say_needs_header(const struct layout *l, struct span row, bool lost,
+bool reason_needs_header(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(l->in, row);
@@ -501,7 +501,7 @@ bool say_needs_header(const struct layout *l, struct span row, bool lost,
 	return true;
 }
 
-void say_text_header(const struct layout *l, struct span line,
+void reason_text_header(const struct layout *l, struct span line,
     char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(l->in, line);

@@ -7,31 +7,31 @@
 #include "lookup.h"
 
 /* Writes why the field can't be read as coordinate i, and how to mend it. */
-void say_field(const struct layout *, int i, const struct field *,
+void reason_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
 
 /* If f is an empty field of csv between blanks, writes the reason and returns true. */
-bool say_empty_field(const struct layout *, struct span f,
+bool reason_empty_field(const struct layout *, struct span f,
     char reason[REASON_MAX]);
 
 /* Writes that coordinate i was not found after the cursor, or was found twice. */
-void say_missing(const struct layout *, int i, struct cursor,
-    const struct chosen *, char reason[REASON_MAX]);
+void reason_missing(const struct layout *, int i, struct cursor,
+    const struct lookup *, char reason[REASON_MAX]);
 
 /* Sets comment_names, comment_numbers and comment_reason if `text`, a comment, names
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
-void say_comment_columns(struct layout *, struct span text);
+void reason_comment_columns(struct layout *, struct span text);
 
 /* Returns whether the first row lacks a header that it needs. If --columns gives names,
  * a LINE_LOST (`lost`) lacks a header, and already has a reason. Without --columns and
  * --no-header, a row lacks one if the last header, in an earlier file, reordered the
  * columns, or if the row fits comment_names and comment_numbers; then writes why. */
-bool say_needs_header(const struct layout *, struct span row, bool lost,
+bool reason_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
 /* Writes that a first line in FORMAT_TEXT looks like a header, unless it has a = or its
  * first field is a number or NA, or the reason tells already how to mend this field. */
-void say_text_header(const struct layout *, struct span line,
+void reason_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 
 #endif

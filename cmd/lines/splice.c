@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* If the format changes, convert_point writes points without --append. convert_line
  * writes the other lines, and LINE_LOST.
- * append_values copies a line and adds values; splice_line changes it field by field.
+ * append_values copies a line and adds values; splice_values changes it field by field.
  *
  * The values of a point are the numbers written for it and the word of --flags: value k
  * is number k if k < COORDINATES_MAX, and value FLAGS is the word. */
@@ -29,7 +29,7 @@ struct splice {
 	int last; /* added values follow this coordinate; -1: the last field */
 };
 
-size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
+size_t splice_room(const struct layout *l, size_t lines, size_t bytes)
 {
 	/* If the format changes, a byte of a field becomes up to six, as \u0001 in
 	 * JSON, and a separator up to three: a comma and two quotes. 2 * PREFIX_ROOM is
@@ -68,11 +68,11 @@ static char *put_value(const struct splice *w, int k, char *out)
 
 	if (w->numbers == NULL)
 		return !l->output.append && k < l->reads &&
-			!is_missing(w->line->at[k]) ?
+			!part_is_missing(w->line->at[k]) ?
 		    format_convert(l->in, l->out, line_field(w->line, k), out) :
 		    stpcpy(out, value_name(w, k));
 	return k < FLAGS ? put_coordinate(l, *w->numbers, k, out) :
-			   put_word(l, w->flags, out);
+			   put_flags_word(l, w->flags, out);
 }
 
 /* Writes all values from k on that are due, with their names if `members` is set. A
@@ -104,7 +104,7 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	for (int i = 0; i < w->l->reads; i++) {
 		const char *at = line_field(w->line, i).s;
 
-		if (at >= s && at <= end && !is_missing(w->line->at[i]))
+		if (at >= s && at <= end && !part_is_missing(w->line->at[i]))
 			return i;
 	}
 	return -1;
@@ -218,14 +218,14 @@ static struct cursor cursor_of(const struct layout *l, const struct line *line)
 }
 
 /* Writes the line in its own format with other values. */
-static void splice_line(struct splice *w)
+static void splice_values(struct splice *w)
 {
 	const struct layout *l = w->l;
 	struct cursor c = cursor_of(l, w->line);
 
 	w->last = (l->reads < l->writes ? l->reads : l->writes) - 1;
 	for (int i = 0; i < l->reads; i++)
-		if (is_missing(w->line->at[i]) || c.members)
+		if (part_is_missing(w->line->at[i]) || c.members)
 			w->last = -1;
 	splice_fields(w, &c, true);
 	copy_to(w, c.previous_end != NULL ? c.previous_end : c.bracket);
@@ -261,7 +261,7 @@ static void cursor_after(struct cursor *c, const char *s)
 
 	c->previous_end = s;
 	if (format_of(c->in)->blanks) {
-		after = skip_separator(s, end);
+		after = skip_text_separator(s, end);
 		c->s = after < end ? after : NULL;
 		return;
 	}
@@ -278,8 +278,9 @@ static char *put_other_numbers(const struct layout *l, const struct line *line,
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 	const bool single = l->in.format == FORMAT_F32;
 
-	for (int i = 0; i < l->record && line->size == record_size(l); i++) {
-		const char *s = line->s + point_size(l->in.format, i);
+	for (int i = 0; i < l->record && line->size == layout_record_size(l);
+	     i++) {
+		const char *s = line->s + format_point_size(l->in.format, i);
 		double v = little_get(s, !single);
 		bool coordinate = false;
 
@@ -307,7 +308,7 @@ static void put_other_fields(struct splice *w)
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
 	struct field f;
 
-	if (is_binary(l->in.format)) {
+	if (format_is_binary(l->in.format)) {
 		w->out = put_other_numbers(l, line, w->out);
 		return;
 	}
@@ -339,7 +340,7 @@ static void put_other_fields(struct splice *w)
 	}
 }
 
-char *line_put_rest(const struct layout *l, const struct line *line, char *out)
+char *splice_rest(const struct layout *l, const struct line *line, char *out)
 {
 	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
@@ -378,21 +379,21 @@ static char *convert_point(const struct layout *l, const struct line *line,
 	}
 	if (flags != NULL) {
 		*out++ = l->out.separator;
-		out = put_word(l, flags, out);
+		out = put_flags_word(l, flags, out);
 	}
-	out = line_put_rest(l, line, out);
+	out = splice_rest(l, line, out);
 	*out = *to->close;
 	out += *to->close != '\0';
 	*out = '\n';
 	return out + line->newline;
 }
 
-char *line_write(const struct layout *l, const struct line *line,
+char *splice_line(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct flags *flags, char *out)
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
-	/* in a bad object, splice_line replaces members with names of values */
+	/* in a bad object, splice_values replaces members with names of values */
 	bool appends = l->output.append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->output.append)
@@ -418,7 +419,7 @@ char *line_write(const struct layout *l, const struct line *line,
 		convert_line(&w);
 	} else {
 		if (line->kind != LINE_COPY)
-			(appends ? append_values : splice_line)(&w);
+			(appends ? append_values : splice_values)(&w);
 		copy_to(&w, line->s + line->size);
 	}
 	*w.out = '\n';

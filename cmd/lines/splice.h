@@ -7,8 +7,8 @@
 #include "line.h"
 #include "put.h"
 
-/* Returns the room that line_write needs for `lines` lines of `bytes` bytes in all. */
-size_t lines_room(const struct layout *, size_t lines, size_t bytes);
+/* Returns the room that splice_line needs for `lines` lines of `bytes` bytes in all. */
+size_t splice_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
  * after the line. If `flags` of the layout is set, the word of --flags follows the
@@ -16,13 +16,13 @@ size_t lines_room(const struct layout *, size_t lines, size_t bytes);
  * A header loses the names of coordinates that are not written, and gets the names of
  * added values; in FORMAT_TEXT the header becomes a comment. From JSON or to JSON,
  * leaves out blank lines, comments and headers. Returns the end of the output. */
-char *line_write(const struct layout *, const struct line *,
+char *splice_line(const struct layout *, const struct line *,
     const struct numbers *, const struct flags *flags, char *out);
 
 /* Writes all fields that hold no coordinate, each after a separator of the output's
  * format. If both formats are FORMAT_TEXT and --columns is not given, writes a blank
  * and the text after the coordinates. Returns the end of the output, which has at most
  * six bytes for each byte of the line plus three for each field. */
-char *line_put_rest(const struct layout *, const struct line *, char *out);
+char *splice_rest(const struct layout *, const struct line *, char *out);
 
 #endif

@@ -114,8 +114,9 @@ INLINE void pass_blanks(struct walker *p, struct dialect d)
 		pass_stop(p);
 }
 
-/* Passes a separator, in the format text as skip_separator does. Returns false if there
- * is none. Tries a single byte first, because most separators are a single byte. */
+/* Passes a separator, in the format text as skip_text_separator does. Returns false if
+ * there is none. Tries a single byte first, because most separators are a single byte.
+ * */
 INLINE bool pass_separator(struct walker *p, struct dialect d)
 {
 	bool text = d.format == FORMAT_TEXT;
@@ -243,16 +244,17 @@ INLINE bool pass_other_field(struct walker *p, struct dialect d)
 enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 
 static bool pass_nested(struct walker *, const struct target *,
-    const struct paths *, unsigned leads, int levels);
+    const struct walk_paths *, unsigned leads, int levels);
 
 /* Negative results of functions that find or pass a field. NOT_SIMPLE: line_read has to
  * read the line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
 /* Returns path i without its first name or index, for each bit i set in leads. */
-static struct paths paths_inside(const struct paths *t, unsigned leads)
+static struct walk_paths paths_inside(const struct walk_paths *t,
+    unsigned leads)
 {
-	struct paths rest;
+	struct walk_paths rest;
 
 	for (int i = 0; i < 4; i++) {
 		bool set = (leads >> i & 1) != 0;
@@ -265,7 +267,7 @@ static struct paths paths_inside(const struct paths *t, unsigned leads)
 
 /* Returns the coordinate whose path ends at the field with this name or index, or
  * NO_COORDINATE. Sets bit i of *leads if path i leads to the field or into it. */
-INLINE int follow_paths(const struct paths *t, int n, struct span name,
+INLINE int follow_paths(const struct walk_paths *t, int n, struct span name,
     unsigned *leads)
 {
 	size_t size = (size_t)(name.end - name.s);
@@ -287,7 +289,7 @@ INLINE int follow_paths(const struct paths *t, int n, struct span name,
 /* Passes a JSON value that is not a coordinate. Bit i of leads is set if path i leads
  * into the value. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
-    const struct paths *paths, unsigned leads, int levels)
+    const struct walk_paths *paths, unsigned leads, int levels)
 {
 	uint32_t from = p->at;
 
@@ -361,7 +363,7 @@ struct fields {
 	int n; /* the number of coordinates */
 	enum lookup lookup;
 	bool members; /* the fields are members of an object */
-	const struct paths *paths;
+	const struct walk_paths *paths;
 	int levels;      /* the most levels of brackets in a field */
 	unsigned passed; /* bit i: a field on path i has been passed */
 	/* separators passed, and how many of them have a comma */
@@ -464,9 +466,9 @@ INLINE bool pass_brackets(struct walker *p, struct fields f,
 
 /* Passes an array or an object that is a field. */
 static bool pass_nested(struct walker *p, const struct target *t,
-    const struct paths *paths, unsigned leads, int levels)
+    const struct walk_paths *paths, unsigned leads, int levels)
 {
-	struct paths inside;
+	struct walk_paths inside;
 
 	if (leads != 0)
 		inside = paths_inside(paths, leads);

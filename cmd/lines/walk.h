@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads simple lines fast, many at once. The index of a stretch of text lists the stops,
- * which are the bytes that can end a field. A walk goes from stop to stop and finds the
- * coordinates without looking at the bytes between the stops; vector code then reads
- * many numbers at once. A line that is not simple is left to line_read. */
+/* Reads simple lines fast, many at once. The index of a stretch of text lists the
+ * stops, which are the bytes that can end a field. A walk goes from stop to stop and
+ * finds the coordinates without looking at the bytes between the stops; vector code
+ * then reads many numbers at once. A line that is not simple is left to line_read. */
 #ifndef WALK_H
 #define WALK_H
 
@@ -25,7 +25,7 @@ struct stretch {
 
 /* path[i] leads from a JSON value to coordinate i, by names and indexes with / between.
  * The first name or index has size[i] bytes; SIZE_MAX: coordinate i is elsewhere. */
-struct paths {
+struct walk_paths {
 	const char *path[4];
 	size_t size[4];
 };
@@ -39,7 +39,7 @@ struct walk {
 	int max_fields;   /* the most fields of a row of csv */
 	bool arrays;      /* lines may be JSON arrays */
 	bool objects;     /* lines may be JSON objects */
-	struct paths paths; /* the paths to the coordinates in an object */
+	struct walk_paths paths; /* the paths to the coordinates in an object */
 	/* NULL or, by --append, the names that an object must not have */
 	const char (*added_names)[NAME_ROOM];
 	bool by_column; /* coordinate i is in column field[i], else column i */

@@ -97,7 +97,7 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 	}
 	if (flags != NULL) {
 		*out++ = added_separator(l, line);
-		out = put_word(l, flags, out);
+		out = put_flags_word(l, flags, out);
 	}
 	out = put_gap(line->s + done, line->size - done, out);
 	*out = '\n';
@@ -147,7 +147,7 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	if (!w->in_place || w->adds_values) {
 		const struct numbers n = image_of(w, p);
 
-		return line_write(l, line, &n, flags, at);
+		return splice_line(l, line, &n, flags, at);
 	}
 	find_order(line, l->reads, w->order);
 	return write_in_place(l, line, false, w->order, image_of(w, p), flags,
@@ -178,7 +178,7 @@ char *writer_put_block(const struct written_block *b, char *at)
 		if (!b->visible ||
 		    !(point ? b->outside[p] != 0 : line_is_bad(line)))
 			at = point ? put_image(&w, line, p, at) :
-				     line_write(l, line, &bad,
+				     splice_line(l, line, &bad,
 					 flags_word(b->words, OUT_NAN), at);
 		p += point;
 	}

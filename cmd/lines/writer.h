@@ -22,7 +22,7 @@ struct written_block {
 };
 
 /* Writes the lines of a block; in a bad line each coordinate becomes nan. Returns the
- * end of the output, which needs lines_room (splice.h). */
+ * end of the output, which needs splice_room (splice.h). */
 char *writer_put_block(const struct written_block *, char *out);
 
 #endif

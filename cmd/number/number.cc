@@ -35,7 +35,7 @@ const char *number_read(const char *s, const char *end, double *v)
 }
 
 /* The most digits that the shortest text of a double needs. */
-enum { DIGITS = 17 };
+enum { DOUBLE_DIGITS = 17 };
 
 static const uint64_t ten_to[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	10000000, 100000000, 1000000000, 10000000000, 100000000000,
@@ -89,7 +89,7 @@ static inline void write_17_digits(char d[64], uint64_t x)
 	p = write_three(d + 8, p);
 	p = write_three(d + 11, p);
 	write_three(d + 14, p);
-	memset(d + DIGITS, '0', 64 - DIGITS);
+	memset(d + DOUBLE_DIGITS, '0', 64 - DOUBLE_DIGITS);
 }
 
 /* Writes the n digits at d with the decimal point after the first `point` of them, if
@@ -144,17 +144,17 @@ template <class Float>
 	auto r = to_decimal(v, policy::sign::ignore,
 	    policy::trailing_zero::ignore);
 	uint64_t digits = r.significand;
-	int point = DIGITS + r.exponent;
+	int point = DOUBLE_DIGITS + r.exponent;
 	char d[64];
 
 	if (sizeof v == sizeof(float)) { /* a float has at most 9 digits */
 		digits *= ten_to[8];
 		point -= 8;
 	}
-	for (; digits < ten_to[DIGITS - 1]; digits *= 10)
+	for (; digits < ten_to[DOUBLE_DIGITS - 1]; digits *= 10)
 		point--;
 	write_17_digits(d, digits);
-	return put_digits<24>(s, d, DIGITS, point);
+	return put_digits<24>(s, d, DOUBLE_DIGITS, point);
 }
 
 static uint64_t bits_of(double v)
@@ -189,14 +189,14 @@ static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 
 /* Writes to d the digits of v rounded to n decimals, ties to even, and a null byte.
  * Returns the number of digits before the point, at least one; or 0 if v is 2^53 or
- * more, or if v has bits below 2^-127 and n is above 22. The first DIGITS digits are
- * zeros, the integer part and, if all n fit, the decimals. The first digit is always 0,
- * so that rounding up can carry into it. */
+ * more, or if v has bits below 2^-127 and n is above 22. The first DOUBLE_DIGITS digits
+ * are zeros, the integer part and, if all n fit, the decimals. The first digit is
+ * always 0, so that rounding up can carry into it. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
 	uint64_t high = 0, low = 0, digits = 0;
-	int k = 1075 - int(bits_of(v) >> 52), point = DIGITS;
+	int k = 1075 - int(bits_of(v) >> 52), point = DOUBLE_DIGITS;
 	char t[64];
 
 	if (k < 1 || (k > 127 && n > 22)) /* 22 decimals of v < 2^-75 are 0 */
@@ -206,18 +206,18 @@ static inline int find_digits(char d[192], double v, int n)
 		high = k <= 64 ? m << (64 - k) : m >> (k - 64);
 		low = k <= 64 ? 0 : m << (128 - k);
 	}
-	if (n < DIGITS - 1 && digits < ten_to[DIGITS - 1 - n]) {
+	if (n < DOUBLE_DIGITS - 1 && digits < ten_to[DOUBLE_DIGITS - 1 - n]) {
 		digits = times_ten_to(&high, &low, n) + digits * ten_to[n];
 		point -= n;
 		n = 0;
 	}
 	write_17_digits(d, digits);
-	d += DIGITS;
+	d += DOUBLE_DIGITS;
 	for (int count; n > 0; n -= count, d += count) {
-		count = n < DIGITS ? n : DIGITS;
+		count = n < DOUBLE_DIGITS ? n : DOUBLE_DIGITS;
 		digits = times_ten_to(&high, &low, count);
 		write_17_digits(t, digits);
-		memcpy(d, t + DIGITS - count, DIGITS);
+		memcpy(d, t + DOUBLE_DIGITS - count, DOUBLE_DIGITS);
 	}
 	*d = '\0';
 	if (high >> 63 && (high << 1 | low | (digits & 1)) != 0) {
@@ -240,7 +240,7 @@ static char *write_decimals(char *s, double v, int n)
 	*s = '-';
 	s += v < 0 &&
 	    (d[zeros] != '0' || strpbrk(d + zeros, "123456789") != nullptr);
-	memcpy(s, d + zeros, DIGITS);
+	memcpy(s, d + zeros, DOUBLE_DIGITS);
 	s += point - zeros;
 	*s = '.';
 	s += n > 0;
@@ -274,7 +274,7 @@ static char *write_significant(char *s, double v, int n)
 	int log2 = int(bits_of(v) >> 52) - 1023, point = 0;
 	int decimals = n - 1 - (log2 * 78913 >> 18);
 
-	if (n <= DIGITS && decimals > 0 && v > 1e-20)
+	if (n <= DOUBLE_DIGITS && decimals > 0 && v > 1e-20)
 		point = find_digits(d, v, decimals);
 	if (point == 0)
 		return print_significant(s, v, n);

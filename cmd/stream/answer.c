@@ -54,7 +54,7 @@ void answer_begin_source(const struct job *j, const struct point_source *s)
 	answer.next_line = (struct place){ .file = s->name,
 		.line = 1,
 		.scene = message_state.scene,
-		.of_points = is_binary(j->layout.in.format) };
+		.of_points = format_is_binary(j->layout.in.format) };
 	progress.bytes = 0;
 	progress.size = s->size;
 }
@@ -118,7 +118,7 @@ static void print_chunk(const struct job *j, const struct chunk *c)
 	if (c->size == 0)
 		return;
 	end_line();
-	answer.lacks_newline = !is_binary(j->layout.out.format) &&
+	answer.lacks_newline = !format_is_binary(j->layout.out.format) &&
 	    c->out[c->size - 1] != '\n';
 	output_write(c->out, c->size);
 }

@@ -7,18 +7,18 @@
 #include "../../core/points/kernel/little.h"
 #include "../../core/points/points.h"
 
-bool binary_to_binary(const struct job *j)
+bool binary_is_rows(const struct job *j)
 {
-	return is_binary(j->layout.in.format) &&
-	    is_binary(j->layout.out.format) && j->take_block == NULL &&
+	return format_is_binary(j->layout.in.format) &&
+	    format_is_binary(j->layout.out.format) && j->take_block == NULL &&
 	    !j->visible && !j->rays;
 }
 
 /* Returns the number of bytes that are written for each point. */
 static size_t binary_size(const struct layout *l)
 {
-	return l->output.keeps ? record_size(l) :
-				 point_size(l->out.format, l->writes);
+	return l->output.keeps ? layout_record_size(l) :
+				 format_point_size(l->out.format, l->writes);
 }
 
 /* Copies the coordinates of n points, each coordinate of `size` bytes, from records to
@@ -26,7 +26,8 @@ static size_t binary_size(const struct layout *l)
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool to_records, size_t n)
 {
-	const size_t record = record_size(l), row = size * (size_t)l->reads;
+	const size_t record = layout_record_size(l),
+		     row = size * (size_t)l->reads;
 
 	for (int k = 0; k < l->reads; k++) {
 		char *in_record = records + size * (size_t)layout_field(l, k);
@@ -54,7 +55,7 @@ static void copy_coordinates(const struct layout *l, char *records, char *rows,
 /* Returns the number of points of the next block. */
 static size_t count_points(const struct job *j, const struct chunk *c)
 {
-	size_t n = (size_t)(c->end - c->text) / record_size(&j->layout);
+	size_t n = (size_t)(c->end - c->text) / layout_record_size(&j->layout);
 
 	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
@@ -115,11 +116,11 @@ static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 	}
 }
 
-void binary_read(const struct job *j, struct chunk *c)
+void binary_read_block(const struct job *j, struct chunk *c)
 {
 	const struct layout *l = &j->layout;
 	const bool wide = l->in.format == FORMAT_F64;
-	size_t size = record_size(l), n = count_points(j, c);
+	size_t size = layout_record_size(l), n = count_points(j, c);
 	const char *text = c->text;
 	char reason[REASON_MAX];
 
@@ -139,7 +140,7 @@ void binary_read(const struct job *j, struct chunk *c)
 	    c->in, n, MAGNITUDE_MAX);
 
 	c->text += n * size;
-	if (!within || !binary_to_binary(j))
+	if (!within || !binary_is_rows(j))
 		set_lines(c, text, size, n);
 	if (within)
 		c->block_lines = c->block_points = n;
@@ -158,12 +159,12 @@ bool binary_map_floats(const struct job *j, struct chunk *c)
 	    !points_map_floats(&j->transform, next_rows(l, c, n), images, n))
 		return false;
 	c->size += n * binary_size(l);
-	c->text += n * record_size(l);
+	c->text += n * layout_record_size(l);
 	c->block_lines = n;
 	return true;
 }
 
-bool binary_write(const struct job *j, struct chunk *c, const char *text)
+bool binary_write_rows(const struct job *j, struct chunk *c, const char *text)
 {
 	const struct layout *l = &j->layout;
 	const bool wide = l->out.format == FORMAT_F64;
@@ -172,7 +173,7 @@ bool binary_write(const struct job *j, struct chunk *c, const char *text)
 	char *images = out + (l->output.keeps ? size : 0);
 
 	if (!kernels_chosen()->to_rows[wide][l->writes](c->image, images, n)) {
-		set_lines(c, text, record_size(l), n);
+		set_lines(c, text, layout_record_size(l), n);
 		return false;
 	}
 	if (l->output.keeps) {
@@ -188,7 +189,8 @@ bool binary_write(const struct job *j, struct chunk *c, const char *text)
 static char *put_record(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {
-	size_t size = point_size(l->out.format, 1), written = binary_size(l);
+	size_t size = format_point_size(l->out.format, 1),
+	       written = binary_size(l);
 	bool copied = l->output.keeps && line->size == written;
 
 	if (copied)

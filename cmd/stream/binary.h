@@ -7,11 +7,11 @@
 #include "job.h"
 
 /* Returns whether the job writes a binary image for every binary point of its input. */
-bool binary_to_binary(const struct job *);
+bool binary_is_rows(const struct job *);
 
 /* Reads a block of up to POINTS_BLOCK binary points. Sets the lines of the block only
- * if a point is bad or binary_to_binary is false. */
-void binary_read(const struct job *, struct chunk *);
+ * if a point is bad or binary_is_rows is false. */
+void binary_read_block(const struct job *, struct chunk *);
 
 /* Reads, transforms and writes a block of points if they are f32 in input and output,
  * the precision is single, and layout.keeps is false. If not, or if points_map_floats
@@ -21,10 +21,10 @@ bool binary_map_floats(const struct job *, struct chunk *);
 /* Appends the images of the block to out. The block's binary points begin at `text`. If
  * an image is not finite, or if point_single has to round a float, only sets the lines
  * of the block, and returns false. */
-bool binary_write(const struct job *, struct chunk *, const char *text);
+bool binary_write_rows(const struct job *, struct chunk *, const char *text);
 
-/* Appends a binary point for each point and bad line of the block: the point's image, or
- * nan. If only visible points are printed, leaves out the others and bad lines. */
+/* Appends a binary point for each point and bad line of the block: the point's image,
+ * or nan. If only visible points are printed, leaves out the others and bad lines. */
 void binary_write_lines(const struct job *, struct chunk *,
     const unsigned char *outside);
 

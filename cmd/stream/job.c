@@ -162,7 +162,7 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 				c->first_imageless = c->n_lines + i;
 	if (l->output.flags || j->visible)
 		frustum_outside_all(&j->frustum, in, outside, c->block_points);
-	if (is_binary(l->out.format)) {
+	if (format_is_binary(l->out.format)) {
 		binary_write_lines(j, c, outside);
 		return;
 	}
@@ -176,7 +176,7 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 		.visible = j->visible };
 	const char *end = c->line[n - 1].s + c->line[n - 1].size;
 	char *at = chunk_reserve(c,
-	    lines_room(l, n, (size_t)(end - c->line[0].s)));
+	    splice_room(l, n, (size_t)(end - c->line[0].s)));
 
 	c->size = (size_t)(writer_put_block(&block, at) - c->out);
 }
@@ -201,7 +201,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	};
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = (size_t)(c->end - c->text);
-	const bool binary = is_binary(j->layout.in.format);
+	const bool binary = format_is_binary(j->layout.in.format);
 	const size_t count = sizeof others / sizeof *others;
 	char reason[REASON_MAX];
 	size_t k = 0;
@@ -231,8 +231,8 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 
 void job_do(struct job *j, struct chunk *c)
 {
-	bool binary = is_binary(j->layout.in.format);
-	bool by_blocks = binary_to_binary(j);
+	bool binary = format_is_binary(j->layout.in.format);
+	bool by_blocks = binary_is_rows(j);
 
 	c->n_lines = c->size = c->n_complaints = c->imageless = 0;
 	c->refused = c->walk_planned = c->can_walk = false;
@@ -252,7 +252,7 @@ void job_do(struct job *j, struct chunk *c)
 		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c))
 			continue;
 		if (binary)
-			binary_read(j, c);
+			binary_read_block(j, c);
 		else
 			block_read(j, c);
 		if (j->take_block != NULL) {
@@ -262,7 +262,7 @@ void job_do(struct job *j, struct chunk *c)
 		bool finite = block_transform(j, c);
 
 		if (!(by_blocks && c->block_lines == c->block_points &&
-			binary_write(j, c, text)))
+			binary_write_rows(j, c, text)))
 			block_write(j, c, finite);
 	}
 }

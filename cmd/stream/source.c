@@ -13,11 +13,12 @@
 /* The most bytes that a line of points may have, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-/* The first pieces of a source have FIRST_PIECE bytes. A later piece has about 1 /
- * PIECES of the bytes read before it, and at most PIECE_ROOM. A short source thus uses
- * little fresh memory, which costs the system more time than the points in it cost a
- * thread. As the last pieces are small, too, all threads end at about the same time. */
-enum { FIRST_PIECE = 1 << 15, PIECES = 64 };
+/* The first pieces of a source have PIECE_FIRST bytes. A later piece has about 1 /
+ * PIECE_SHARE of the bytes read before it, and at most PIECE_ROOM. A short source thus
+ * uses little fresh memory, which costs the system more time than the points in it cost
+ * a thread. As the last pieces are small, too, all threads end at about the same time.
+ * */
+enum { PIECE_FIRST = 1 << 15, PIECE_SHARE = 64 };
 
 void piece_resize(struct piece *p, size_t room)
 {
@@ -29,9 +30,10 @@ void piece_resize(struct piece *p, size_t room)
  * Shrinks p if a long line had enlarged it. Returns the size at which p is full. */
 static size_t begin_piece(struct piece *p, const struct point_source *s)
 {
-	size_t n = (size_t)(s->rest.end - s->rest.s), full = FIRST_PIECE;
+	size_t n = (size_t)(s->rest.end - s->rest.s), full = PIECE_FIRST;
 
-	while (full < n || (full < PIECE_ROOM && full * PIECES < s->bytes_read))
+	while (full < n ||
+	    (full < PIECE_ROOM && full * PIECE_SHARE < s->bytes_read))
 		full *= 2;
 	size_t room = full > PIECE_ROOM ? full : PIECE_ROOM;
 
@@ -79,8 +81,8 @@ static void update_sizes(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->size + n, whole = end;
 
-	if (is_binary(l->in.format))
-		whole -= end % record_size(l);
+	if (format_is_binary(l->in.format))
+		whole -= end % layout_record_size(l);
 	else
 		while (whole > p->size && p->text[whole - 1] != '\n')
 			whole--;

@@ -232,7 +232,7 @@ static int count_threads(int wanted)
 	return 0 < wanted && wanted < processors ? wanted : processors;
 }
 
-void stream(struct job *j, struct point_source s)
+void stream_points(struct job *j, struct point_source s)
 {
 	answer_begin_source(j, &s);
 	pthread_mutex_lock(&pool.lock);

@@ -12,6 +12,6 @@ void call_with_stack(void *(*run)(void *), void *data);
 /* Does the job on the points of a source. Before it waits for more input, prints the
  * output for all points that were read. Prints errors and ends the program after them.
  * Each call must get the same struct job; its contents may change between calls. */
-void stream(struct job *, struct point_source);
+void stream_points(struct job *, struct point_source);
 
 #endif

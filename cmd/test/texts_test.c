@@ -175,7 +175,7 @@ static void check_texts(const char *copy, const double *v, size_t n,
 	number_texts(v, n, single, style, t);
 	assert_memory_equal(t + room, &none, sizeof none);
 	for (size_t i = 0; i < n; i++) {
-		char *end = number_put(text, &t[i], v[i], single, style);
+		char *end = number_text_put(text, &t[i], v[i], single, style);
 
 		*end = '\0';
 		if (strcmp(text, expected[i]) != 0)

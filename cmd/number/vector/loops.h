@@ -79,8 +79,8 @@ void number_texts(const double *v, size_t n, bool single,
 enum { NUMBER_SIDE = 24 };
 
 /* Writes v as number_write does, but copies its text t if number_texts has made it. */
-static inline char *number_put(char *s, const struct number_text *t, double v,
-    bool single, struct number_style style)
+static inline char *number_text_put(char *s, const struct number_text *t,
+    double v, bool single, struct number_style style)
 {
 	uint32_t layout = t->layout;
 	const char *from = t->chars + (layout & 255);

@@ -204,7 +204,7 @@ static uint64_t read_exponential(const struct plain_places *at, uint64_t bad,
 	return bad;
 }
 
-static uint64_t reader_read(const struct plain_places *at, size_t n,
+static uint64_t loops_read(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
 	uint64_t bad = read_plain(at, n, NULL, v);
@@ -228,7 +228,7 @@ static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 	return at + n;
 }
 
-static size_t reader_find(const struct byte_set *set, const char *text,
+static size_t loops_find(const struct byte_set *set, const char *text,
     size_t size, uint16_t *at)
 {
 	uint16_t *end = at;

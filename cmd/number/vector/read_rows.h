@@ -39,7 +39,7 @@ typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
 
 #ifndef LAST_BYTES
 /* Rows of one number. The head of read_body.h says what each macro is. */
-#define LAST_BYTES(keys) last_bytes(*(keys))
+#define LAST_BYTES(keys) last_bytes_mask(*(keys))
 #define LAST_KEYS(n) (n)
 #define PICK(m, a, b) (((a) & (m)) | ((b) & ~(m)))
 #define KEEP(m, a) ((a) & (m))
@@ -66,7 +66,7 @@ static inline bool any_above_9(row x)
 }
 
 /* Returns a row whose last n <= 32 bytes are 255, and whose other bytes are 0. */
-static inline row last_bytes(size_t n)
+static inline row last_bytes_mask(size_t n)
 {
 	static const uint8_t window[64] = { [32] = MASK8, MASK8, MASK8, MASK8 };
 

@@ -2,7 +2,7 @@
 /* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them:
  * the processor overlaps the turns of a short loop, but in a long loop it waits for the
  * results of each turn. write_find.h finds the digits. They are stored at a fixed place
- * of a number_text, from which number_put copies them with a point between them.
+ * of a number_text, from which number_text_put copies them with a point between them.
  *
  * A file that includes this file has the vectors of doubles that
  * core/points/kernel/copy.h describes, and defines:
@@ -32,7 +32,7 @@
  * In each lane every operation on doubles rounds once, by IEEE 754. */
 #include "write_find.h"
 
-/* The number of zeros that are stored before the DIGITS digits of a text. */
+/* The number of zeros that are stored before the WHOLE_DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
 
 /* Hides a constant factor from gcc, which replaces MUL16 by up to five operations. */
@@ -76,10 +76,10 @@ INLINE I split_2(I x)
 	return SUB(x, MUL16(a, OPAQUE(((10 << 8) - 1) * each_quarter)));
 }
 
-/* Writes the DIGITS digits of f->whole < 2^53. FLOOR gives the right quotient by 10^8:
- * The double 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9
- * too large. Rounding adds at most 7.5e-9, half a unit in the last place below 2^27.
- * Only an error of 1e-8 could reach the next whole number. */
+/* Writes the WHOLE_DIGITS digits of f->whole < 2^53. FLOOR gives the right quotient by
+ * 10^8: The double 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than
+ * 1.9e-9 too large. Rounding adds at most 7.5e-9, half a unit in the last place below
+ * 2^27. Only an error of 1e-8 could reach the next whole number. */
 INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
     const struct batch_digits *f)
 {
@@ -111,16 +111,16 @@ INLINE int highest_bit(int x)
 /* Computes the layouts of texts. A text begins with its first digit that is not 0, or
  * with the 0 before the point. It ends with its last digit, which is not 0 unless
  * keep_zeros is set, or before the point if there are no decimals. The point stands
- * f->scale digits before the end of the first whole_digits digits. */
+ * f->scale digits before the end of the first digits_of_whole digits. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
-    const struct batch_digits *f, int whole_digits, bool keep_zeros)
+    const struct batch_digits *f, int digits_of_whole, bool keep_zeros)
 {
 	for (size_t i = 0; i < NUMBER_BATCH; i++) {
-		int digits = nonzero[i] | (f->digit[i] != 0) << DIGITS;
-		int some = digits | 1 << DIGITS, sign = f->sign[i];
+		int digits = nonzero[i] | (f->digit[i] != 0) << WHOLE_DIGITS;
+		int some = digits | 1 << WHOLE_DIGITS, sign = f->sign[i];
 		int first = highest_bit(some & -some), minus = sign < 0;
-		int end = keep_zeros ? DIGITS : highest_bit(digits) + 1;
-		int point = whole_digits - f->scale[i];
+		int end = keep_zeros ? WHOLE_DIGITS : highest_bit(digits) + 1;
+		int point = digits_of_whole - f->scale[i];
 		int begin = first < point - 1 ? first : point - 1;
 		int before = point - begin;
 		int size = before + (end > point ? end - point + 1 : 0);
@@ -144,8 +144,8 @@ INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
 
 		memcpy(digits - ZEROS_BEFORE, &zeros, sizeof zeros);
 		if (!keep_zeros) {
-			memcpy(digits + DIGITS, &zeros, sizeof zeros);
-			digits[DIGITS] = (char)('0' + f->digit[i]);
+			memcpy(digits + WHOLE_DIGITS, &zeros, sizeof zeros);
+			digits[WHOLE_DIGITS] = (char)('0' + f->digit[i]);
 		}
 		t[i].layout = layout[i];
 	}
@@ -171,13 +171,13 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 				find_shortest(&f, i, single, LOAD(v + k + i));
 		write_digits(t, nonzero, &f);
 		lay_out(layout, nonzero, &f,
-		    float_shortest ? DIGITS / 2 : DIGITS, decimals);
+		    float_shortest ? WHOLE_DIGITS / 2 : WHOLE_DIGITS, decimals);
 		write_zeros(t, layout, &f, decimals);
 	}
 }
 
 /* Makes the texts by write_all, with kind and single as constants for the compiler. */
-static void writer_write(const double *v, size_t count, bool single,
+static void loops_write(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {
 	if (style.kind == NUMBER_SHORTEST && single)
@@ -192,4 +192,4 @@ static void writer_write(const double *v, size_t count, bool single,
 		write_all(v, count, NUMBER_DIGITS, style.n, false, t);
 }
 
-const struct number_loops LOOPS = { reader_find, reader_read, writer_write };
+const struct number_loops LOOPS = { loops_find, loops_read, loops_write };

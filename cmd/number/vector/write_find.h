@@ -14,18 +14,19 @@
 #define INLINE static inline __attribute__((always_inline))
 
 /* A comparison is right in spite of roundings if its sides differ by more than
- * WRITE_MARGIN; the comment on shortest() adds up the errors. */
+ * WRITE_MARGIN; the comment on shortest_digits() adds up the errors. */
 #define WRITE_MARGIN 0x1p-44
 
 /* The most digits that a whole number below 2^53 has. */
-enum { DIGITS = 16 };
+enum { WHOLE_DIGITS = 16 };
 
 /* A style may ask these loops for at most MOST_DIGITS decimals or significant digits.
  * They write at most MOST_ZEROS zeros between digits and the point. */
 enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
-/* The digits of a batch of numbers. whole has DIGITS digits; the point stands `scale`
- * digits before their end. digit is the 17th, which is not written if it is 0. sign is
+/* The digits of a batch of numbers. whole has WHOLE_DIGITS digits; the point stands
+ * `scale` digits before their end. digit is the 17th, which is not written if it is 0.
+ * sign is
  * -1 for a minus, 1 for no minus, and 0 if number_write has to make the text. */
 struct batch_digits {
 	double whole[NUMBER_BATCH];
@@ -35,13 +36,13 @@ struct batch_digits {
 /* The product x = a 10^scale as p + e, and i, the greatest integer up to p. hi + lo is
  * 10^scale. If scale >= 0, hi is 10^scale, of 47 bits at most (5^20 < 2^47). Then e,
  * the error of the rounding to p, is exact, and x = p + e. */
-struct scaled {
+struct product {
 	V p, e, i;
 };
 
-INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
+INLINE struct product multiply_exactly(V a, V hi, V lo, bool whole_powers)
 {
-	struct scaled x = { .p = a * hi };
+	struct product x = { .p = a * hi };
 
 	x.e = FMA(a, hi, -x.p);
 	if (!whole_powers)
@@ -58,7 +59,7 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
  * In a tie with e = 0, *rest is 0, and NEAREST(p) breaks the tie. In any other tie |e|
  * is 1/2, and p > 2^52 is whole: x is halfway between two doubles and was rounded to
  * the even one, p. Both branches return this p, as *rest is 0 or -1. */
-INLINE V nearest(struct scaled x, V *rest)
+INLINE V round_ties_even(struct product x, V *rest)
 {
 	*rest = (x.p - x.i - ALL(0.5)) + x.e;
 	V i = x.i + ONLY(LESS(ALL(0), *rest), ALL(1));
@@ -104,8 +105,8 @@ struct digits {
  * so that a comparison is right if its sides differ by WRITE_MARGIN, 512 units. If
  * they differ by less, number_write makes the text: for example in exact ties, which
  * are frequent if scale < 0. */
-INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
-    bool single, bool whole_powers)
+INLINE struct digits shortest_digits(V a, V top, V scale, V hi,
+    struct product x, bool single, bool whole_powers)
 {
 	const V one = ALL(1);
 	M exact = LESS(ALL(-0.5), scale);
@@ -134,7 +135,7 @@ INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
 
 /* Returns log2 of a power of two, minus `place`. The shift moves its biased exponent to
  * the lowest bits of the double 2^52. */
-INLINE V log2_minus(V power, double place)
+INLINE V log2_of_power(V power, double place)
 {
 	V biased = (V)(SHR((I)(power), 52) | (I)(ALL(0x1p52)));
 
@@ -162,8 +163,9 @@ INLINE void find_decimals(struct batch_digits *f, size_t i, int n, V v)
 	V scale = ALL(n), hi, lo, rest;
 
 	power_of_ten(scale, &hi, &lo);
-	struct scaled x = scaled(ABS(v), hi, lo, true);
-	struct digits d = { nearest(x, &rest), ALL(0), LESS(x.p, ALL(0x1p53)) };
+	struct product x = multiply_exactly(ABS(v), hi, lo, true);
+	struct digits d = { round_ties_even(x, &rest), ALL(0),
+		LESS(x.p, ALL(0x1p53)) };
 
 	store_lanes(f, i, v, d, scale);
 }
@@ -180,7 +182,7 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	V a = ABS(v), hi, lo, rest;
 	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
 	V top = power_of_two_up_to(SELECT(in_range, a, one));
-	V log10 = FLOOR(log2_minus(top, 0) * ALL(78913 * 0x1p-18));
+	V log10 = FLOOR(log2_of_power(top, 0) * ALL(78913 * 0x1p-18));
 
 	power_of_ten(log10 + one, &hi, &lo);
 	log10 = log10 + ONLY(~(LESS(a, hi) | ~in_range), one);
@@ -190,8 +192,8 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 
 	scale = ONLY(in_table, scale);
 	power_of_ten(scale, &hi, &lo);
-	struct scaled x = scaled(a, hi, lo, false);
-	struct digits d = { nearest(x, &rest), zero,
+	struct product x = multiply_exactly(a, hi, lo, false);
+	struct digits d = { round_ties_even(x, &rest), zero,
 		(in_range & in_table) | EQUAL(a, zero) };
 
 	d.sure = d.sure & (exact | LESS(ALL(WRITE_MARGIN), ABS(rest)));
@@ -212,12 +214,12 @@ INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
 	    ~LESS(a, ALL(0x1p-17));
 	V top = power_of_two_up_to(exact ? a : SELECT(in_range, a, one));
-	V q = log2_minus(top, single ? 23 : 52);
+	V q = log2_of_power(top, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 
 	power_of_ten(scale, &hi, &lo);
-	struct scaled x = scaled(a, hi, lo, exact);
-	struct digits d = shortest(a, top, scale, hi, x, single, exact);
+	struct product x = multiply_exactly(a, hi, lo, exact);
+	struct digits d = shortest_digits(a, top, scale, hi, x, single, exact);
 
 	if (!exact)
 		d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
