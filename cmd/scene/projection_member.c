@@ -28,17 +28,29 @@ static const struct value_range near_ratio_range = { .min = SIZE_MIN,
 	.wanted = "a number above 0 and below 1 is wanted",
 	.max_excluded = true };
 
-const char *const projection_type_names[] = { "persp", "ortho", "oblique",
-	"volume", "matrix", NULL };
+#define TYPE(type) (PROJECTION_##type - 1)
+
+const char *const projection_type_names[] = {
+	[TYPE(PERSP)] = "persp",
+	[TYPE(ORTHO)] = "ortho",
+	[TYPE(OBLIQUE)] = "oblique",
+	[TYPE(VOLUME)] = "volume",
+	[TYPE(MATRIX)] = "matrix",
+	[PROJECTION_TYPES - 1] = NULL,
+};
+_Static_assert(sizeof projection_type_names / sizeof(char *) ==
+	PROJECTION_TYPES,
+    "every type but PROJECTION_NONE has a name");
+
 static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
-/* The types as bits, in the order of projection_type_names. */
+/* The types as bits, for the members and ways that they have. */
 enum {
-	PERSP = 1,
-	ORTHO = 2,
-	OBLIQUE = 4,
-	VOLUME = 8,
-	MATRIX = 16,
+	PERSP = 1 << TYPE(PERSP),
+	ORTHO = 1 << TYPE(ORTHO),
+	OBLIQUE = 1 << TYPE(OBLIQUE),
+	VOLUME = 1 << TYPE(VOLUME),
+	MATRIX = 1 << TYPE(MATRIX),
 	PARALLEL = ORTHO | OBLIQUE,
 	SECTIONED = PERSP | PARALLEL, /* types with a cross-section */
 };
@@ -61,59 +73,61 @@ const struct member projection_members[] = {
 	MEMBER(0, "type", type_word, type, .words = projection_type_names,
 	    .word_0 = PROJECTION_PERSP,
 	    .about = "type; commands persp, ortho, oblique, volume imply it"),
-	MEMBER(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
+	MEMBER(OBLIQUE, "kind", type_word, shear.kind, .words = oblique_kinds,
 	    .word_0 = OBLIQUE_CAVALIER,
 	    .about = "cavalier keeps the length of lines along the gaze, "
 		     "cabinet halves it"),
-	ANGLE(OBLIQUE, "angle", projector_angle,
+	ANGLE(OBLIQUE, "angle", shear.projector_angle,
 	    .range = &projector_angle_range,
 	    .about = "angle between projectors and picture, in place of kind"),
-	ANGLE(OBLIQUE, "direction", direction, .range = &range_any,
+	ANGLE(OBLIQUE, "direction", shear.direction, .range = &range_any,
 	    .fallback = "45", .shown = true,
 	    .about = "direction in the picture of lines along the gaze"),
-	LENGTH(OBLIQUE, "plane", plane, .fallback = "0",
+	LENGTH(OBLIQUE, "plane", shear.plane, .fallback = "0",
 	    .about = "distance along the gaze of points that do not shear"),
-	ANGLE(PERSP, "fovy", angle, .range = &fov_range,
+	ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
 	    .aliases = "fov yfov vfov verticalfov fieldofview cameraangley",
 	    .hint = GLTF,
 	    .about = "angle between the bottom and the top plane"),
-	ANGLE(PERSP, "fovx", angle, .range = &fov_range,
+	ANGLE(PERSP, "fovx", section.angle, .range = &fov_range,
 	    .aliases = "xfov horizontalfov hfov cameraanglex", .hint = GLTF,
 	    .about = "angle between the left and the right plane"),
-	ANGLE(PERSP, "view_angle", angle, .range = &fov_range,
+	ANGLE(PERSP, "view_angle", section.angle, .range = &fov_range,
 	    .aliases = "angle",
 	    .about = "angle across the smaller side of the picture"),
-	NUMBER(PERSP, "field", angle, .range = &range_positive,
+	NUMBER(PERSP, "field", section.field, .range = &range_positive,
 	    .about = "half the larger side of the picture at distance 1"),
-	SIZE(VOLUME, "half_width", half_width,
+	SIZE(VOLUME, "half_width", volume.half_width,
 	    .about = "half the width of the view volume at view z = 0"),
-	SIZE(VOLUME, "half_height", half_height,
+	SIZE(VOLUME, "half_height", volume.half_height,
 	    .about = "half the height of the view volume at view z = 0"),
-	SIZE(VOLUME, "size", half_width,
+	SIZE(VOLUME, "size", volume.half_width,
 	    .about = "smaller side of the view volume at view z = 0"),
-	SIZE(SECTIONED, "width", width, .aliases = "orthoscale xmag",
+	SIZE(SECTIONED, "width", section.width, .aliases = "orthoscale xmag",
 	    .hint = " (ortho_scale, or twice xmag)",
 	    .about = "width of the view volume; persp: at near or edges_at"),
-	SIZE(SECTIONED, "height", height, .aliases = "orthographicsize ymag",
+	SIZE(SECTIONED, "height", section.height,
+	    .aliases = "orthographicsize ymag",
 	    .hint = " (twice orthographicSize or ymag)",
 	    .about = "height of the view volume; persp: at near or edges_at"),
 	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
 	    .aliases = "ratio aspectratio",
 	    .about = "width over height; if absent, from the viewport"),
-	LENGTH(SECTIONED, "left", left,
+	LENGTH(SECTIONED, "left", section.left,
 	    .about = "left edge of the view volume, in place of width"),
-	LENGTH(SECTIONED, "right", right,
+	LENGTH(SECTIONED, "right", section.right,
 	    .about = "right edge of the view volume, other than left"),
-	LENGTH(SECTIONED, "bottom", bottom,
+	LENGTH(SECTIONED, "bottom", section.bottom,
 	    .about = "bottom edge of the view volume, in place of height"),
-	LENGTH(SECTIONED, "top", top,
+	LENGTH(SECTIONED, "top", section.top,
 	    .about = "top edge of the view volume, other than bottom"),
-	ANGLE(PERSP, "angles", left, .n = 4, .range = &edge_angle_range,
+	ANGLE(PERSP, "angles", section.angles, .n = 4,
+	    .range = &edge_angle_range,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .hint = " ([left, right, bottom, top] from the gaze; for OpenXR "
 		    "with \"angle_unit\": \"radians\")",
 	    .about = "angles from the gaze: left, right, bottom, top plane"),
-	MEMBER(PERSP, "intrinsics", type_intrinsics, intrinsics,
+	MEMBER(PERSP, "intrinsics", type_intrinsics, section.intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix matrix intrinsic p "
 		       "principalpoint skew",
@@ -121,7 +135,7 @@ const struct member projection_members[] = {
 		    "view to clip is \"matrix\" of type \"matrix\")",
 	    .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
-	SIZE(PERSP, "edges_at", edges_at, .aliases = "distance",
+	SIZE(PERSP, "edges_at", section.edges_at, .aliases = "distance",
 	    .about = "distance from the eye where edges are; if absent, near"),
 	SIZE(PERSP, "near", near,
 	    .aliases = "znear nearplane nearfar clipstart",
@@ -136,18 +150,18 @@ const struct member projection_members[] = {
 	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
 	    .aliases = "reversed", .fallback = "false",
 	    .about = "make depth greater at the near than at the far plane"),
-	LENGTH(VOLUME, "z_near", z_near, .aliases = "near nearplane",
+	LENGTH(VOLUME, "z_near", volume.z_near, .aliases = "near nearplane",
 	    .about = "z of the near plane in view space"),
-	LENGTH(VOLUME, "z_far", z_far, .aliases = "far farplane",
+	LENGTH(VOLUME, "z_far", volume.z_far, .aliases = "far farplane",
 	    .about = "z of the far plane in view space"),
-	LENGTH(VOLUME, "eye", eye, .n = 3,
+	LENGTH(VOLUME, "eye", volume.eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
-	ANGLE(VOLUME, "view_angle", angle, .range = &volume_angle_range,
-	    .aliases = "angle",
+	ANGLE(VOLUME, "view_angle", volume.view_angle,
+	    .range = &volume_angle_range, .aliases = "angle",
 	    .about = "angle across the smaller side; 0: parallel projection"),
-	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .fallback = "0",
+	NUMBER(VOLUME, "inverse_eye_z", volume.inverse_eye_z, .fallback = "0",
 	    .about = "1/z of the eye in view space; 0: parallel projection"),
-	NUMBER(VOLUME, "tan_skew", tan_skew, .n = 2, .aliases = "skew",
+	NUMBER(VOLUME, "tan_skew", volume.tan_skew, .n = 2, .aliases = "skew",
 	    .fallback = "[0, 0]",
 	    .about = "x/z and y/z of the axis of the view volume"),
 	MEMBER(MATRIX, "matrix", type_matrix, matrix,
@@ -167,20 +181,20 @@ const struct ways projection_ways[] = {
 	      "field aspect?", "width height edges_at?",
 	      "width aspect? edges_at?", "height aspect? edges_at?",
 	      "left right bottom top edges_at?", "angles", "intrinsics" },
-	    .variants = PERSP, .offset = OFFSET(section) },
+	    .variants = PERSP, .offset = OFFSET(section.way) },
 	{ { "width height", "width aspect?", "height aspect?",
 	      "left right bottom top" },
 	    .own_fit = true,
 	    .fit_way = { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
-	    .variants = PARALLEL, .offset = OFFSET(section),
+	    .variants = PARALLEL, .offset = OFFSET(section.way),
 	    .way_0 = SECTION_SIZE },
 	{ { "kind", "angle" }, .variants = OBLIQUE },
 	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .plane_as_fit = true,
 	    .variants = PARALLEL },
 	{ { "half_width half_height", "size aspect?" }, .variants = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
-	    .variants = VOLUME, .offset = OFFSET(eye_given_by) },
+	    .variants = VOLUME, .offset = OFFSET(volume.eye_given_by) },
 	{ { "z_near z_far" }, .own_fit = true, .variants = VOLUME },
 	/* no fit_way, as fit_scene refuses every matrix */
 	{ { "matrix" }, .own_fit = true, .variants = MATRIX },
@@ -204,7 +218,8 @@ static bool is_given(const struct projection *p, uint64_t seen,
 /* Refuses a projection without a type; lists the types that fit its members best. */
 static _Noreturn void refuse_missing_type(const struct value *v)
 {
-	const char *names[6], *const add[] = { "add \"type\":", "it is" };
+	const char *names[PROJECTION_TYPES],
+	    *const add[] = { "add \"type\":", "it is" };
 	char all[LIST_ROOM];
 	int n = 0, most = 0;
 
@@ -252,7 +267,7 @@ static void check_planes(const struct value *v, uint64_t seen,
 {
 	bool at_near = projection_is_given_at_near(p);
 	bool open = !v->source->for_fit && !at_near &&
-	    (p->section == SECTION_INTRINSICS || v->source->for_plane);
+	    (p->section.way == SECTION_INTRINSICS || v->source->for_plane);
 	int way = 0;
 
 	if (!at_near || !(v->source->for_fit || v->source->for_plane))
@@ -282,23 +297,25 @@ static void read_projection(const struct value *v, const struct member *row,
 	/* an index in projection_type_names, which has no PROJECTION_NONE */
 	int variant = (int)p->type - 1;
 	uint64_t seen = object_read(v, row, variant, p);
+	const enum projection_family family = projection_family(p);
 
 	p->unit = (enum angle_unit)v->source->unit;
 	/* the default direction, 45, is in degrees in every document */
 	if (is_given(p, seen, "direction"))
-		p->direction_unit = p->unit;
-	if (p->type == PROJECTION_PERSP)
+		p->shear.direction_unit = p->unit;
+	if (family == FAMILY_PERSP)
 		check_planes(v, seen, p);
 	else if (v->source->for_plane && p->far == p->near &&
 	    !(is_given(p, seen, "near") && is_given(p, seen, "far")))
 		p->far = 1; /* both were 0 */
-	if (p->section == SECTION_ANGLES &&
-	    !(p->left < p->right && p->bottom < p->top))
+	if (p->section.way == SECTION_ANGLES &&
+	    !(p->section.angles[0] < p->section.angles[1] &&
+		p->section.angles[2] < p->section.angles[3]))
 		value_refuse(VALUE_MISSING(v, "angles"),
 		    "not in order: left below right, bottom below top");
 	if (is_given(p, seen, "size")) {
-		p->half_width /= 2;
-		p->half_height = p->half_width;
+		p->volume.half_width /= 2;
+		p->volume.half_height = p->volume.half_width;
 		p->aspect[1] = 1;
 	}
 }
@@ -320,8 +337,8 @@ static void set_image_size(const struct value *v,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
 	convention_require(v, "intrinsics");
-	p->width = viewport->width;
-	p->height = viewport->height;
+	p->section.width = viewport->width;
+	p->section.height = viewport->height;
 }
 
 /* Returns whether the projection depends on an aspect. In fit a parallel projection
@@ -331,12 +348,19 @@ static bool needs_aspect(const struct value *v, const struct viewport *viewport,
 {
 	if (!is_given(p, ALL_MEMBERS, "aspect"))
 		return false;
-	if (p->type == PROJECTION_VOLUME)
+	switch (projection_family(p)) {
+	case FAMILY_PARALLEL:
+		if (v->source->for_fit)
+			return viewport != NULL || p->aspect[0] > 0;
+		break;
+	case FAMILY_VOLUME:
 		return p->aspect[1] != 0;
-	if (v->source->for_fit && p->type != PROJECTION_PERSP)
-		return viewport != NULL || p->aspect[0] > 0;
-	return p->section < SECTION_SIZE || p->section == SECTION_WIDTH ||
-	    p->section == SECTION_HEIGHT;
+	case FAMILY_PERSP:
+	case FAMILY_FIXED:
+		break;
+	}
+	return p->section.way < SECTION_SIZE ||
+	    p->section.way == SECTION_WIDTH || p->section.way == SECTION_HEIGHT;
 }
 
 void projection_complete(const struct value *v, const struct viewport *viewport,
@@ -375,10 +399,10 @@ static void print_projection(struct printer *printer, const struct member *row,
 		const char *names;
 	} groups[] = {
 		{ p.aspect[1] != 1, "aspect" },
-		{ p.direction == 45 && p.direction_unit == DEGREES,
+		{ p.shear.direction == 45 && p.shear.direction_unit == DEGREES,
 		    "direction" },
 		{ projection_is_open(&p), "near far reverse_z" },
-		{ true, p.kind == OBLIQUE_ANGLE ? "kind" : "angle" },
+		{ true, p.shear.kind == OBLIQUE_ANGLE ? "kind" : "angle" },
 		{ true, sized ? "half_width half_height" : "size" },
 	};
 
@@ -387,7 +411,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 			bits &= ~member_bits(row->members, variant,
 			    groups[i].names, false);
 	if (sized)
-		p.half_width *= 2; /* "size" is twice half_width */
+		p.volume.half_width *= 2; /* "size" is twice half_width */
 	object_print(printer, row, variant, bits, &p);
 }
 

@@ -23,27 +23,27 @@ static void sample_fitted(struct document *d)
 	s->camera.kind = CAMERA_GAZE;
 	s->has_camera = true;
 	p->type = PROJECTION_PERSP + sample_below(4);
-	enum section sampled = p->section;
+	enum section_way sampled = p->section.way;
 
-	p->section = SECTION_SIZE + sample_below(4);
+	p->section.way = SECTION_SIZE + sample_below(4);
 	if (p->type == PROJECTION_PERSP && sample_below(2))
-		p->section = sample_below(4);
+		p->section.way = sample_below(4);
 	if (sampled >= SECTION_ANGLES && p->type == PROJECTION_PERSP)
-		p->section = sampled;
-	if (p->section < SECTION_SIZE || p->section > SECTION_EDGES)
-		p->edges_at = 0;
-	if (p->section == SECTION_INTRINSICS)
+		p->section.way = sampled;
+	if (p->section.way < SECTION_SIZE || p->section.way > SECTION_EDGES)
+		p->section.edges_at = 0;
+	if (p->section.way == SECTION_INTRINSICS)
 		s->has_viewport = true;
-	d->unit = s->camera.unit = p->direction_unit = p->unit;
-	if (p->section == SECTION_FIELD ||
-	    !(p->angle < (p->unit == RADIANS ? PI : 180)))
-		p->angle = 1;
+	d->unit = s->camera.unit = p->shear.direction_unit = p->unit;
+	if (p->section.way == SECTION_FIELD ||
+	    !(p->section.angle < (p->unit == RADIANS ? PI : 180)))
+		p->section.angle = 1;
 	p->near = sample_size(3);
 	p->far = p->near * 3;
 	p->aspect[0] = 1.25;
 	p->aspect[1] = p->type != PROJECTION_VOLUME || sample_below(2);
 	if (p->aspect[1] == 1)
-		p->half_width = p->half_height;
+		p->volume.half_width = p->volume.half_height;
 	p->near_ratio = sample_below(2) ? 0.0005 : 0.25;
 	s->margin = sample_below(2) ? 0 : 0.25;
 	d->pick.has_at = sample_below(2);

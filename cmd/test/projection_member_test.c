@@ -293,28 +293,29 @@ static void test_section(void **state)
 
 	(void)state;
 	assert_int_equal(p.type, PROJECTION_PERSP);
-	assert_int_equal(p.section, SECTION_FOVY);
-	assert_number(p.angle, 60);
+	assert_int_equal(p.section.way, SECTION_FOVY);
+	assert_number(p.section.angle, 60);
 	assert_number(p.near, 1);
 	assert_number(p.far, 9);
 	assert_true(!p.reverse_z && p.near_ratio == 0.0005);
 	assert_numbers(p.aspect, 2, 640.0, 480.0);
 	p = PERSP(
 	    "\"fovx\":179.99999999999997,\"aspect\":2,\"reverse_z\":true");
-	assert_int_equal(p.section, SECTION_FOVX);
+	assert_int_equal(p.section.way, SECTION_FOVX);
 	assert_numbers(p.aspect, 2, 2.0, 1.0);
 	assert_true(p.reverse_z);
-	assert_int_equal(PERSP("\"view_angle\":1").section, SECTION_VIEW_ANGLE);
+	assert_int_equal(PERSP("\"view_angle\":1").section.way,
+	    SECTION_VIEW_ANGLE);
 	p = PERSP("\"field\":1e-150");
-	assert_int_equal(p.section, SECTION_FIELD);
-	assert_number(p.angle, 1e-150);
+	assert_int_equal(p.section.way, SECTION_FIELD);
+	assert_number(p.section.field, 1e-150);
 	p = PERSP("\"width\":2,\"height\":3");
-	assert_int_equal(p.section, SECTION_SIZE);
-	assert_number(p.width, 2);
-	assert_number(p.height, 3);
+	assert_int_equal(p.section.way, SECTION_SIZE);
+	assert_number(p.section.width, 2);
+	assert_number(p.section.height, 3);
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4");
-	assert_int_equal(p.section, SECTION_EDGES);
-	assert_numbers(&p.left, 4, -1.0, 2.0, -3.0, 4.0);
+	assert_int_equal(p.section.way, SECTION_EDGES);
+	assert_numbers(&p.section.left, 4, -1.0, 2.0, -3.0, 4.0);
 	p = scene_of("{\"viewport\":{\"width\":4,\"height\":3,\"scale\":"
 		     "\"uniform\"},\"projection\":{\"type\":\"persp\","
 		     "\"near\":1,\"far\":\"infinity\",\"fovy\":90}}")
@@ -329,11 +330,11 @@ static void assert_rows(const struct projection *p, int n, ...)
 
 	va_start(wanted, n);
 	for (int i = 0; i < 12; i++)
-		assert_number(p->intrinsics[i / 4][i % 4],
+		assert_number(p->section.intrinsics[i / 4][i % 4],
 		    va_arg(wanted, double));
 	va_end(wanted);
-	assert_int_equal(p->section, SECTION_INTRINSICS);
-	assert_numbers(&p->width, 2, 640.0, 480.0);
+	assert_int_equal(p->section.way, SECTION_INTRINSICS);
+	assert_numbers(&p->section.width, 2, 640.0, 480.0);
 	assert_int_equal(projection_is_open(p), n);
 }
 
@@ -373,20 +374,20 @@ static void test_angles(void **state)
 	struct projection p = PERSP("\"angles\":[-54,40,-54,42]");
 
 	(void)state;
-	assert_int_equal(p.section, SECTION_ANGLES);
-	assert_numbers(&p.left, 4, -54.0, 40.0, -54.0, 42.0);
+	assert_int_equal(p.section.way, SECTION_ANGLES);
+	assert_numbers(p.section.angles, 4, -54.0, 40.0, -54.0, 42.0);
 	p = PERSP("\"width\":2,\"height\":3,\"edges_at\":0.5");
-	assert_int_equal(p.section, SECTION_SIZE);
-	assert_number(p.edges_at, 0.5);
+	assert_int_equal(p.section.way, SECTION_SIZE);
+	assert_number(p.section.edges_at, 0.5);
 	p = PERSP("\"width\":2,\"aspect\":3,\"edges_at\":0.5");
-	assert_int_equal(p.section, SECTION_WIDTH);
+	assert_int_equal(p.section.way, SECTION_WIDTH);
 	p = PERSP("\"height\":2,\"aspect\":3");
-	assert_int_equal(p.section, SECTION_HEIGHT);
+	assert_int_equal(p.section.way, SECTION_HEIGHT);
 	assert_numbers(p.aspect, 2, 3.0, 1.0);
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4,"
 		  "\"edges_at\":1");
-	assert_int_equal(p.section, SECTION_EDGES);
-	assert_number(p.edges_at, 1);
+	assert_int_equal(p.section.way, SECTION_EDGES);
+	assert_number(p.section.edges_at, 1);
 }
 
 static void test_parallel(void **state)
@@ -398,7 +399,7 @@ static void test_parallel(void **state)
 	    "{\"near\":-1,\"far\":-2,\"height\":2,\"aspect\":1.5}");
 
 	assert_int_equal(d.scene.projection.type, PROJECTION_ORTHO);
-	assert_int_equal(d.scene.projection.section, SECTION_HEIGHT);
+	assert_int_equal(d.scene.projection.section.way, SECTION_HEIGHT);
 	assert_number(d.scene.projection.near, -1);
 	assert_numbers(d.scene.projection.aspect, 2, 1.5, 1.0);
 	wants.source.implied_type = PROJECTION_OBLIQUE;
@@ -409,17 +410,17 @@ static void test_parallel(void **state)
 	    .scene.projection
 	struct projection p = SHEARED("\"kind\":\"cavalier\"");
 
-	assert_int_equal(p.section, SECTION_SIZE);
-	assert_int_equal(p.kind, OBLIQUE_CAVALIER);
-	assert_number(p.direction, 45);
-	assert_number(p.plane, 0);
+	assert_int_equal(p.section.way, SECTION_SIZE);
+	assert_int_equal(p.shear.kind, OBLIQUE_CAVALIER);
+	assert_number(p.shear.direction, 45);
+	assert_number(p.shear.plane, 0);
 	p = SHEARED("\"kind\":\"cabinet\",\"direction\":-30,\"plane\":7");
-	assert_int_equal(p.kind, OBLIQUE_CABINET);
-	assert_number(p.direction, -30);
-	assert_number(p.plane, 7);
+	assert_int_equal(p.shear.kind, OBLIQUE_CABINET);
+	assert_number(p.shear.direction, -30);
+	assert_number(p.shear.plane, 7);
 	p = SHEARED("\"angle\":90");
-	assert_int_equal(p.kind, OBLIQUE_ANGLE);
-	assert_number(p.projector_angle, 90);
+	assert_int_equal(p.shear.kind, OBLIQUE_ANGLE);
+	assert_number(p.shear.projector_angle, 90);
 }
 
 /* angle_unit is read from the document, wherever the projection stands in it. In a
@@ -432,7 +433,7 @@ static void test_angle_unit(void **state)
 
 	(void)state;
 	assert_number(d.scene.projection.unit, RADIANS);
-	assert_number(d.scene.projection.angle, 3);
+	assert_number(d.scene.projection.section.angle, 3);
 	assert_number(d.unit, RADIANS);
 	d = read_as(&project,
 	    "{\"projection\":{\"type\":\"persp\"," LENS "},\"angle_unit\":"
@@ -449,14 +450,14 @@ static void test_angle_unit(void **state)
 	    "\"kind\":\"cabinet\"," PLANES ",\"width\":1,\"height\":1}}")
 				  .projection;
 
-	assert_number(p.direction, 45);
-	assert_number(p.direction_unit, DEGREES);
+	assert_number(p.shear.direction, 45);
+	assert_number(p.shear.direction_unit, DEGREES);
 	p = scene_of("{\"projection\":{\"type\":\"oblique\",\"direction\":1,"
 		     "\"kind\":\"cabinet\"," PLANES
 		     ",\"width\":1,\"height\":1},\"angle_unit\":\"radians\"}")
 		.projection;
-	assert_number(p.direction, 1);
-	assert_number(p.direction_unit, RADIANS);
+	assert_number(p.shear.direction, 1);
+	assert_number(p.shear.direction_unit, RADIANS);
 }
 
 static void test_volume(void **state)
@@ -469,28 +470,28 @@ static void test_volume(void **state)
 
 	(void)state;
 	assert_int_equal(p.type, PROJECTION_VOLUME);
-	assert_numbers(&p.half_width, 4, 1.0, 2.0, -3.0, 4.0);
-	assert_number(p.eye_given_by, EYE_BY_INVERSE_Z);
-	assert_number(p.inverse_eye_z, 0);
+	assert_numbers(&p.volume.half_width, 4, 1.0, 2.0, -3.0, 4.0);
+	assert_number(p.volume.eye_given_by, EYE_BY_INVERSE_Z);
+	assert_number(p.volume.inverse_eye_z, 0);
 	p = VOLUME(",\"inverse_eye_z\":-0.1,\"tan_skew\":[5,6]");
-	assert_number(p.eye_given_by, EYE_BY_INVERSE_Z);
-	assert_number(p.inverse_eye_z, -0.1);
-	assert_numbers(p.tan_skew, 2, 5.0, 6.0);
+	assert_number(p.volume.eye_given_by, EYE_BY_INVERSE_Z);
+	assert_number(p.volume.inverse_eye_z, -0.1);
+	assert_numbers(p.volume.tan_skew, 2, 5.0, 6.0);
 	p = VOLUME(",\"eye\":[7,8,-9]");
-	assert_number(p.eye_given_by, EYE_BY_POINT);
-	assert_numbers(p.eye, 3, 7.0, 8.0, -9.0);
+	assert_number(p.volume.eye_given_by, EYE_BY_POINT);
+	assert_numbers(p.volume.eye, 3, 7.0, 8.0, -9.0);
 	p = VOLUME(",\"view_angle\":0,\"tan_skew\":[5,6]");
-	assert_number(p.eye_given_by, EYE_BY_ANGLE);
-	assert_number(p.angle, 0);
+	assert_number(p.volume.eye_given_by, EYE_BY_ANGLE);
+	assert_number(p.volume.view_angle, 0);
 	assert_number(p.aspect[1], 0);
 	p = scene_of("{\"angle_unit\":\"radians\",\"projection\":{\"type\":"
 		     "\"volume\",\"size\":3,\"view_angle\":3,\"z_near\":1,"
 		     "\"z_far\":0},\"viewport\":{\"width\":4,\"height\":2}}")
 		.projection;
-	assert_number(p.eye_given_by, EYE_BY_ANGLE);
-	assert_number(p.angle, 3);
+	assert_number(p.volume.eye_given_by, EYE_BY_ANGLE);
+	assert_number(p.volume.view_angle, 3);
 	assert_number(p.unit, RADIANS);
-	assert_numbers(&p.half_width, 4, 1.5, 1.5, 1.0, 0.0);
+	assert_numbers(&p.volume.half_width, 4, 1.5, 1.5, 1.0, 0.0);
 	assert_number(p.aspect[0], 4);
 	assert_number(p.aspect[1], 2);
 }

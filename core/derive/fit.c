@@ -231,8 +231,9 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
  * not move. Rounds the sizes away from 0, so that the volume does not shrink. */
 static void keep_side_planes(struct projection *p, double old_near)
 {
-	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
-		&p->bottom, &p->top };
+	struct projection_section *s = &p->section;
+	double *const sizes[] = { &s->width, &s->height, &s->left, &s->right,
+		&s->bottom, &s->top };
 
 	for (int i = 0; i < 6 && projection_is_given_at_near(p); i++)
 		*sizes[i] = copysign(ratio_up(sum_scale(sum_of_double(p->near),
@@ -331,7 +332,7 @@ static const char *center_picture(struct scene *s, bool has_eye,
 static const char *enclose_parallel(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
-	double *const size[2] = { &p->width, &p->height };
+	double *const size[2] = { &p->section.width, &p->section.height };
 	struct sum half[2], scale[2];
 	struct extents r;
 	const char *why = hull_extents(h, s, &r);
@@ -350,27 +351,30 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 			       "their size; leave it out, or move it nearer";
 	}
 	if (p->aspect[1] != 0)
-		widen_sides(&p->width, &p->height, p->aspect);
+		widen_sides(&p->section.width, &p->section.height, p->aspect);
 	return NULL;
 }
 
 /* Fits ortho and oblique. If the projection was given by edges, sets edges in place of
  * width and height. They mirror the image if the given edges did. */
 static const char *fit_parallel(struct scene *s, bool has_eye,
-    const struct projection *given, const struct hull *h)
+    const struct projection_section *given, const struct hull *h)
 {
-	struct projection *p = &s->projection;
+	struct projection_section *p = &s->projection.section;
 	const char *why = center_picture(s, has_eye, h);
 
 	if (why == NULL)
 		why = enclose_parallel(s, h);
-	if (given->section != SECTION_EDGES)
+	if (given->way != SECTION_EDGES)
 		return why;
-	p->section = SECTION_EDGES;
-	p->right = (given->left > given->right ? -p->width : p->width) / 2;
-	p->top = (given->bottom > given->top ? -p->height : p->height) / 2;
-	p->left = -p->right;
-	p->bottom = -p->top;
+	p->way = SECTION_EDGES;
+	for (int k = 1; k < 4; k += 2) {
+		double half = (k == 1 ? p->width : p->height) / 2;
+		bool mirrors = given->edges[k - 1] > given->edges[k];
+
+		p->edges[k] = mirrors ? -half : half;
+		p->edges[k - 1] = -p->edges[k];
+	}
 	return why;
 }
 
@@ -379,6 +383,7 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
  * and so the signed distance (under - over z) / over from a plane z. */
 static void keep_near_ratio(struct projection *p)
 {
+	struct projection_volume *v = &p->volume;
 	struct sum over, under;
 
 	projection_inverse_eye_z(p, &over, &under);
@@ -386,23 +391,23 @@ static void keep_near_ratio(struct projection *p)
 
 	if (!isfinite(eye))
 		return;
-	struct sum far = sum_sub(under, sum_scale(over, p->z_far));
+	struct sum far = sum_sub(under, sum_scale(over, v->z_far));
 	struct sum least = sum_scale(far, p->near_ratio);
 	double z = sum_ratio(sum_sub(under, least), over);
 	struct sum near = sum_sub(under, sum_scale(over, z));
 
 	if (sum_compare(near, least) * sum_sign(far) < 0)
-		z = nextafter(z, p->z_far);
-	if (p->z_near > p->z_far ? eye > p->z_far && z < p->z_near :
-				   eye < p->z_far && z > p->z_near)
-		p->z_near = z;
+		z = nextafter(z, v->z_far);
+	if (v->z_near > v->z_far ? eye > v->z_far && z < v->z_near :
+				   eye < v->z_far && z > v->z_near)
+		v->z_near = z;
 }
 
 /* Fits z_near and z_far of a volume. The rectangle and the eye of a volume are given in
  * view space, and do not change. */
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
-	struct projection *p = &s->projection;
+	struct projection_volume *v = &s->projection.volume;
 	double sign = convention_looks_back(&s->convention) ? -1 : 1;
 	struct extents r;
 	struct map clip;
@@ -410,10 +415,10 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 
 	if (why != NULL)
 		return why;
-	depth_range(&r, &p->z_near, &p->z_far);
-	p->z_near *= sign;
-	p->z_far *= sign;
-	keep_near_ratio(p);
+	depth_range(&r, &v->z_near, &v->z_far);
+	v->z_near *= sign;
+	v->z_far *= sign;
+	keep_near_ratio(&s->projection);
 	return scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 }
 
@@ -427,23 +432,21 @@ static const char *fit_prepare(struct scene *s)
 		return "/projection/intrinsics: the last row of P does not "
 		       "begin 0, 0, 1; what is fitted is K, or K [R|t] as "
 		       "intrinsics K and a camera [R|t]";
-	switch (p->type) {
-	case PROJECTION_PERSP:
+	switch (projection_family(p)) {
+	case FAMILY_PERSP:
 		if (!projection_is_given_at_near(p))
 			p->near = 1;
 		p->far = 2 * p->near;
 		break;
-	case PROJECTION_ORTHO:
-	case PROJECTION_OBLIQUE:
-		p->section = SECTION_SIZE;
-		p->width = p->height = 2;
+	case FAMILY_PARALLEL:
+		p->section.way = SECTION_SIZE;
+		p->section.width = p->section.height = 2;
 		p->near = 0;
 		p->far = 1;
 		break;
-	case PROJECTION_VOLUME:
+	case FAMILY_VOLUME:
 		break;
-	case PROJECTION_NONE:
-	case PROJECTION_MATRIX:
+	case FAMILY_FIXED:
 		return "/projection/type: has nothing that can be fitted; "
 		       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
 		       "wanted";
@@ -467,7 +470,7 @@ static const char *eye_to_middle(struct scene *s, const struct hull *h)
 
 const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 {
-	const struct projection given = s->projection;
+	const struct projection_section given = s->projection.section;
 	struct hull h;
 	const char *why = hull_of(b, 3, &h);
 
@@ -475,12 +478,21 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 		why = fit_prepare(s);
 	if (why == NULL && !has_eye)
 		why = eye_to_middle(s, &h);
-	if (why == NULL && given.type == PROJECTION_PERSP)
+	if (why != NULL)
+		return why;
+	switch (projection_family(&s->projection)) {
+	case FAMILY_PERSP:
 		why = fit_persp(s, !has_eye && b->n > 0, &h);
-	else if (why == NULL && given.type == PROJECTION_VOLUME)
-		why = fit_volume(s, &h);
-	else if (why == NULL)
+		break;
+	case FAMILY_PARALLEL:
 		why = fit_parallel(s, has_eye, &given, &h);
+		break;
+	case FAMILY_VOLUME:
+		why = fit_volume(s, &h);
+		break;
+	case FAMILY_FIXED: /* refused by fit_prepare */
+		break;
+	}
 	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
@@ -491,8 +503,9 @@ const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
 	struct scene s = *given;
-	bool persp = s.projection.type == PROJECTION_PERSP;
-	bool to_middle = !has_eye && s.projection.type == PROJECTION_VOLUME;
+	const enum projection_family family = projection_family(&s.projection);
+	bool persp = family == FAMILY_PERSP;
+	bool to_middle = !has_eye && family == FAMILY_VOLUME;
 	struct map xy, depth, sides, ends, world;
 	const char *why = fit_prepare(&s);
 

@@ -103,8 +103,7 @@ const char *extents_widen(struct extents *r, int n)
 const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
 {
 	const struct projection *p = &s->projection;
-	bool flat = p->type == PROJECTION_ORTHO ||
-	    p->type == PROJECTION_OBLIQUE;
+	bool flat = projection_family(p) == FAMILY_PARALLEL;
 	const char *why = scene_map(s, SPACE_MODEL,
 	    flat ? SPACE_CLIP : SPACE_VIEW, xy);
 
@@ -121,7 +120,8 @@ const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
 		/* fit_prepare has refused a tilted P */
 		if (i >= 3 && projection_has_intrinsics(p))
 			depth->m[i][2] = sum_add(depth->m[i][2],
-			    sum_scale(depth->divisor, p->intrinsics[2][3]));
+			    sum_scale(depth->divisor,
+				p->section.intrinsics[2][3]));
 	}
 	return NULL;
 }

@@ -108,10 +108,9 @@ static void set_intrinsics(const struct lens *l, const struct upright *u,
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
-	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
-	struct sum n = sum_of_double(p->plane), d = sum_of_double(1);
+	struct sum n = sum_of_double(p->shear.plane), d = sum_of_double(1);
 
-	p->section = SECTION_EDGES;
+	p->section.way = SECTION_EDGES;
 	if (p->type == PROJECTION_PERSP)
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
@@ -120,8 +119,8 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 		struct sum slope = sum_sub(sum_negated_if(low, u->w[0]), x[2]);
 		struct sum offset = sum_sub(sum_negated_if(low, u->w[1]), x[3]);
 
-		*edges[k] = sum_ratio_or_nan(sum_add(sum_mul(slope, n),
-						 sum_mul(offset, d)),
+		p->section.edges[k] = sum_ratio_or_nan(
+		    sum_add(sum_mul(slope, n), sum_mul(offset, d)),
 		    sum_mul(x[k / 2], d));
 	}
 }
@@ -137,16 +136,15 @@ static void set_shear(const struct upright *u, const struct projection *given,
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
-	if (given->type == PROJECTION_OBLIQUE) {
-		p->plane = given->plane;
-		p->kind = given->kind;
+	if (projection_family(given) == FAMILY_PARALLEL) {
+		p->shear.plane = given->shear.plane;
+		p->shear.kind = given->shear.kind;
 	}
-	p->projector_angle = trig_atan2_degrees(sum_abs(sum_mul(u->xy[0][0],
-						    u->xy[1][1])),
-	    vec3_length(both));
-	p->direction = trig_atan2_degrees(sum_abs(y), x);
+	p->shear.projector_angle = trig_atan2_degrees(
+	    sum_abs(sum_mul(u->xy[0][0], u->xy[1][1])), vec3_length(both));
+	p->shear.direction = trig_atan2_degrees(sum_abs(y), x);
 	if (sum_sign(y) < 0)
-		p->direction = -p->direction;
+		p->shear.direction = -p->shear.direction;
 }
 
 /* Sets the projection p. In a perspective p->near becomes the plane nearer to the eye,
@@ -161,14 +159,14 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	bool swap = !l->parallel && r->near > r->far;
 
 	*p = (struct projection){ .type = PROJECTION_ORTHO,
-		.section = SECTION_INTRINSICS,
-		.width = s->viewport.width,
-		.height = s->viewport.height,
+		.section.way = SECTION_INTRINSICS,
+		.section.width = s->viewport.width,
+		.section.height = s->viewport.height,
 		.near_ratio = 0.0005,
 		.near = swap ? r->far : r->near,
 		.far = swap ? r->near : r->far,
 		.reverse_z = r->reverse_z != swap,
-		.direction = 45 };
+		.shear.direction = 45 };
 	if (!l->parallel)
 		p->type = PROJECTION_PERSP;
 	else if (sum_sign(u->xy[0][2]) != 0 || sum_sign(u->xy[1][2]) != 0)
@@ -178,9 +176,10 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		p->far = HUGE_VAL;
 	}
 	for (int i = 0; i < 9; i++)
-		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
+		p->section.intrinsics[i / 3][i % 3] =
+		    r->intrinsics[i / 3][i % 3];
 	/* if l->mirrors, X of K and x of r->scene's view space are opposite */
-	p->intrinsics[0][0] = fabs(p->intrinsics[0][0]);
+	p->section.intrinsics[0][0] = fabs(p->section.intrinsics[0][0]);
 	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
 }
@@ -221,7 +220,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
 	/* a document gives a volume an eye beyond far only on purpose */
-	bool reverse = p->type == PROJECTION_VOLUME &&
+	bool reverse = projection_family(p) == FAMILY_VOLUME &&
 	    r->taxonomy.taxon == TAXON_REVERSE;
 
 	/* a corner is nan if it is at infinity or behind the eye */
@@ -240,14 +239,14 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
 		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
 		    u->uses_view_axes && parallel && r->reverse_z,
-		[NOTE_RADIANS] = p->type == PROJECTION_PERSP &&
+		[NOTE_RADIANS] = projection_family(p) == FAMILY_PERSP &&
 		    p->unit == DEGREES &&
 		    fmin(r->taxonomy.fov[0], r->taxonomy.fov[1]) < 3.2 &&
-		    (p->section <= SECTION_VIEW_ANGLE ||
-			p->section == SECTION_ANGLES),
+		    (p->section.way <= SECTION_VIEW_ANGLE ||
+			p->section.way == SECTION_ANGLES),
 		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) &&
-		    !(is_central(r->intrinsics[0][2], p->width) &&
-			is_central(r->intrinsics[1][2], p->height)),
+		    !(is_central(r->intrinsics[0][2], p->section.width) &&
+			is_central(r->intrinsics[1][2], p->section.height)),
 		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->w[1]) < 0),

@@ -51,45 +51,48 @@ static void tangents(double a, double b, enum angle_unit unit,
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum sums[2])
 {
+	const struct projection_section *s = &p->section;
 	bool wide = p->aspect[0] >= p->aspect[1], sets_x = false;
 
 	sums[0] = sums[1] = sum_of_double(0);
 	f->x = f->y = sum_of_double(2 * d);
-	f->dx = sum_of_double(p->width);
-	f->dy = sum_of_double(p->height);
-	switch (p->section) {
+	f->dx = sum_of_double(s->width);
+	f->dy = sum_of_double(s->height);
+	switch (s->way) {
 	case SECTION_FOVY:
 	case SECTION_FOVX:
 	case SECTION_VIEW_ANGLE:
-		sets_x = p->section == SECTION_FOVX ||
-		    (p->section == SECTION_VIEW_ANGLE && !wide);
-		set_scales(p->aspect, sets_x, trig_cot(p->angle / 2, p->unit),
+		sets_x = s->way == SECTION_FOVX ||
+		    (s->way == SECTION_VIEW_ANGLE && !wide);
+		set_scales(p->aspect, sets_x, trig_cot(s->angle / 2, p->unit),
 		    1, f);
 		break;
 	case SECTION_FIELD:
-		set_scales(p->aspect, wide, sum_of_double(1), p->angle, f);
+		set_scales(p->aspect, wide, sum_of_double(1), s->field, f);
 		break;
 	case SECTION_WIDTH:
-		set_scales(p->aspect, true, f->x, p->width, f);
+		set_scales(p->aspect, true, f->x, s->width, f);
 		break;
 	case SECTION_HEIGHT:
-		set_scales(p->aspect, false, f->y, p->height, f);
+		set_scales(p->aspect, false, f->y, s->height, f);
 		break;
 	case SECTION_SIZE:
 		break;
 	case SECTION_ANGLES:
-		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &sums[0]);
-		tangents(p->bottom, p->top, p->unit, &f->y, &f->dy, &sums[1]);
+		tangents(s->angles[0], s->angles[1], p->unit, &f->x, &f->dx,
+		    &sums[0]);
+		tangents(s->angles[2], s->angles[3], p->unit, &f->y, &f->dy,
+		    &sums[1]);
 		break;
 	case SECTION_INTRINSICS: /* edges from 0 to the viewport's size */
 		sums[0] = f->dx;
 		sums[1] = f->dy;
 		break;
 	case SECTION_EDGES:
-		f->dx = sum_diff(p->right, p->left);
-		f->dy = sum_diff(p->top, p->bottom);
-		sums[0] = sum_diff(p->left, -p->right);
-		sums[1] = sum_diff(p->bottom, -p->top);
+		f->dx = sum_diff(s->right, s->left);
+		f->dy = sum_diff(s->top, s->bottom);
+		sums[0] = sum_diff(s->left, -s->right);
+		sums[1] = sum_diff(s->bottom, -s->top);
 		if (sum_sign(f->dx) == 0)
 			return "/projection/right: equal to left; "
 			       "the edges must differ";
@@ -128,7 +131,7 @@ static const char *persp_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
 	double distance = projection_has_intrinsics(p) ? 1 :
-	    p->edges_at > 0                            ? p->edges_at :
+	    p->section.edges_at > 0                    ? p->section.edges_at :
 							 p->near;
 	bool down = projection_has_intrinsics(p) && !c->origin_bottom_left;
 	struct sum sums[2];
@@ -174,19 +177,20 @@ static const char *ortho_matrix(const struct projection *p,
 static const char *oblique_matrix(const struct projection *p,
     struct scaled_matrix *f)
 {
+	const struct projection_shear *s = &p->shear;
 	const char *why = ortho_matrix(p, f);
-	struct sum cot = sum_of_double(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
+	struct sum cot = sum_of_double(s->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
 		return why;
-	if (p->kind == OBLIQUE_ANGLE)
-		cot = trig_cot(p->projector_angle, p->unit);
-	f->zx = sum_mul(cot, trig_cos(p->direction, p->direction_unit));
+	if (s->kind == OBLIQUE_ANGLE)
+		cot = trig_cot(s->projector_angle, p->unit);
+	f->zx = sum_mul(cot, trig_cos(s->direction, s->direction_unit));
 	f->zx = sum_mul(f->zx, f->x);
-	f->zy = sum_mul(cot, trig_sin(p->direction, p->direction_unit));
+	f->zy = sum_mul(cot, trig_sin(s->direction, s->direction_unit));
 	f->zy = sum_mul(f->zy, f->y);
-	f->tx = sum_sub(f->tx, sum_scale(f->zx, p->plane));
-	f->ty = sum_sub(f->ty, sum_scale(f->zy, p->plane));
+	f->tx = sum_sub(f->tx, sum_scale(f->zx, s->plane));
+	f->ty = sum_sub(f->ty, sum_scale(f->zy, s->plane));
 	return NULL;
 }
 
@@ -196,10 +200,10 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 	bool wide = p->aspect[0] >= p->aspect[1];
 
 	f->x = f->y = sum_of_double(1);
-	f->dx = sum_of_double(p->half_width);
-	f->dy = sum_of_double(p->half_height);
+	f->dx = sum_of_double(p->volume.half_width);
+	f->dy = sum_of_double(p->volume.half_height);
 	if (p->aspect[1] != 0)
-		set_scales(p->aspect, !wide, f->x, p->half_width, f);
+		set_scales(p->aspect, !wide, f->x, p->volume.half_width, f);
 }
 
 /* Computes 1/z of the eye from the view angle: tan(angle/2) over the smaller of half
@@ -211,9 +215,10 @@ static void inverse_eye_z_of_angle(const struct projection *p,
 
 	volume_section(p, &f);
 	bool tall = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
-	struct sum cot = trig_cot(p->angle / 2, p->unit);
+	struct sum cot = trig_cot(p->volume.view_angle / 2, p->unit);
 
-	*numerator = sum_negated_if(p->z_near < p->z_far, tall ? f.x : f.y);
+	*numerator = sum_negated_if(p->volume.z_near < p->volume.z_far,
+	    tall ? f.x : f.y);
 	*denominator = sum_mul(tall ? f.dx : f.dy, cot);
 	if (!sum_is_exact(denominator)) {
 		*numerator = sum_quotient(*numerator, *denominator);
@@ -224,15 +229,23 @@ static void inverse_eye_z_of_angle(const struct projection *p,
 void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
     struct sum *denominator)
 {
-	if (p->eye_given_by == EYE_BY_ANGLE && p->angle > 0) {
-		inverse_eye_z_of_angle(p, numerator, denominator);
-		return;
+	const struct projection_volume *v = &p->volume;
+
+	*denominator = sum_of_double(1);
+	switch (v->eye_given_by) {
+	case EYE_BY_INVERSE_Z:
+		*numerator = sum_of_double(v->inverse_eye_z);
+		break;
+	case EYE_BY_POINT:
+		*numerator = sum_of_double(1);
+		*denominator = sum_of_double(v->eye[2]);
+		break;
+	case EYE_BY_ANGLE:
+		*numerator = sum_of_double(0);
+		if (v->view_angle > 0)
+			inverse_eye_z_of_angle(p, numerator, denominator);
+		break;
 	}
-	*numerator = sum_of_double(p->eye_given_by == EYE_BY_POINT ? 1 :
-		p->eye_given_by == EYE_BY_ANGLE                    ? 0 :
-						  p->inverse_eye_z);
-	*denominator = sum_of_double(
-	    p->eye_given_by == EYE_BY_POINT ? p->eye[2] : 1);
 }
 
 static const char *const eye_plane_refusals[] = {
@@ -253,7 +266,8 @@ static const char *const eye_plane_refusals[] = {
 static const char *volume_matrix(const struct projection *p,
     struct scaled_matrix *f)
 {
-	struct sum zn = sum_of_double(p->z_near), zf = sum_of_double(p->z_far);
+	const struct projection_volume *v = &p->volume;
+	struct sum zn = sum_of_double(v->z_near), zf = sum_of_double(v->z_far);
 	struct sum qn, qd, skew[2];
 
 	volume_section(p, f);
@@ -261,7 +275,7 @@ static const char *volume_matrix(const struct projection *p,
 	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
 		       "the planes must differ";
-	if (p->eye_given_by == EYE_BY_POINT && p->eye[2] == 0)
+	if (v->eye_given_by == EYE_BY_POINT && v->eye[2] == 0)
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
 	projection_inverse_eye_z(p, &qn, &qd);
@@ -269,11 +283,11 @@ static const char *volume_matrix(const struct projection *p,
 	struct sum wn = sum_sub(qd, sum_mul(qn, zn));
 
 	if (sum_sign(wf) * sum_sign(wn) <= 0)
-		return eye_plane_refusals[p->eye_given_by];
+		return eye_plane_refusals[v->eye_given_by];
 	for (int k = 0; k < 2; k++)
-		skew[k] = p->eye_given_by == EYE_BY_POINT ?
-		    sum_of_double(p->eye[k]) :
-		    sum_scale(qd, p->tan_skew[k]);
+		skew[k] = v->eye_given_by == EYE_BY_POINT ?
+		    sum_of_double(v->eye[k]) :
+		    sum_scale(qd, v->tan_skew[k]);
 	f->zx = sum_neg(sum_mul(skew[0], f->x));
 	f->zy = sum_neg(sum_mul(skew[1], f->y));
 	f->x = sum_mul(qd, f->x);
@@ -373,7 +387,8 @@ static const char *prepend_intrinsics(const struct projection *p,
 
 	for (int i = 0; i < 4; i++) {
 		for (int j = 0; j < 3; j++)
-			m[i][j] = sign[i] * sign[j] * p->intrinsics[j][i];
+			m[i][j] = sign[i] * sign[j] *
+			    p->section.intrinsics[j][i];
 		m[i][3] = i == 3;
 	}
 	map_of_doubles(m, &canonical);

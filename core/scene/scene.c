@@ -21,15 +21,15 @@ static bool are_in_range(int n, const double *v)
  * which may be computed; others are from a document, whose reader has checked them. */
 static bool has_valid_section(const struct scene *s)
 {
-	const struct projection *p = &s->projection;
-	const double(*k)[4] = p->intrinsics;
+	const struct projection_section *c = &s->projection.section;
+	const double(*k)[4] = c->intrinsics;
 
-	if (p->section == SECTION_SIZE)
-		return scene_is_size(p->width) && scene_is_size(p->height);
-	if (p->section == SECTION_EDGES)
-		return are_in_range(4, &p->left) && p->left != p->right &&
-		    p->bottom != p->top;
-	return p->section != SECTION_INTRINSICS ||
+	if (c->way == SECTION_SIZE)
+		return scene_is_size(c->width) && scene_is_size(c->height);
+	if (c->way == SECTION_EDGES)
+		return are_in_range(4, c->edges) && c->left != c->right &&
+		    c->bottom != c->top;
+	return c->way != SECTION_INTRINSICS ||
 	    (s->has_viewport && s->viewport.scale == SCALE_FILL &&
 		scene_is_size(fabs(k[0][0])) && scene_is_size(fabs(k[1][1])) &&
 		are_in_range(8, k[0]));
@@ -38,16 +38,23 @@ static bool has_valid_section(const struct scene *s)
 bool scene_is_valid(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
-	bool planes = are_in_range(2, &p->near) && p->near != p->far;
+	bool is = are_in_range(3, s->camera.eye);
 
-	if (p->type == PROJECTION_VOLUME)
-		planes = are_in_range(2, &p->z_near);
-	else if (p->type == PROJECTION_PERSP)
-		planes = projection_is_open(p) ||
-		    (scene_is_size(p->near) && p->near < p->far &&
-			(isinf(p->far) || scene_is_size(p->far)));
-	return are_in_range(3, s->camera.eye) && planes &&
-	    (p->type == PROJECTION_VOLUME || has_valid_section(s));
+	switch (projection_family(p)) {
+	case FAMILY_PERSP:
+		return is && has_valid_section(s) &&
+		    (projection_is_open(p) ||
+			(scene_is_size(p->near) && p->near < p->far &&
+			    (isinf(p->far) || scene_is_size(p->far))));
+	case FAMILY_PARALLEL:
+		return is && has_valid_section(s) &&
+		    are_in_range(2, &p->near) && p->near != p->far;
+	case FAMILY_VOLUME:
+		return is && are_in_range(2, &p->volume.z_near);
+	case FAMILY_FIXED:
+		break;
+	}
+	return is;
 }
 
 /* Computes the map from model to world space, or its inverse. */

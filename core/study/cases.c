@@ -19,8 +19,8 @@ static const struct scene ordinary = {
 	},
 	.projection = {
 		.type = PROJECTION_PERSP,
-		.section = SECTION_FOVY,
-		.angle = 50,
+		.section.way = SECTION_FOVY,
+		.section.angle = 50,
 		.aspect = { 640, 480 },
 		.near = 1,
 		.far = 100,
@@ -65,11 +65,11 @@ static void tile(struct scene *s, double size)
 	struct projection *p = &s->projection;
 
 	look_ahead(s);
-	p->section = SECTION_EDGES;
-	p->left = 0.3;
-	p->right = p->left + size;
-	p->bottom = -0.2;
-	p->top = p->bottom + 0.75 * size;
+	p->section.way = SECTION_EDGES;
+	p->section.left = 0.3;
+	p->section.right = p->section.left + size;
+	p->section.bottom = -0.2;
+	p->section.top = p->section.bottom + 0.75 * size;
 }
 
 /* World x is x + shear y. The points in sight are those where x and shear y cancel. */
@@ -88,9 +88,9 @@ static void underflowing(struct scene *s, double size)
 	s->has_camera = false;
 	s->projection = (struct projection){
 		.type = PROJECTION_VOLUME,
-		.half_width = size,
-		.half_height = size,
-		.z_far = -1,
+		.volume.half_width = size,
+		.volume.half_height = size,
+		.volume.z_far = -1,
 	};
 	s->viewport = (struct viewport){ .x = -0.5e-150,
 		.y = -0.5e-150,
@@ -169,13 +169,13 @@ static void reversed_depth(struct scene *s, double distance_over_near)
 
 static void narrow(struct scene *s, double angle)
 {
-	s->projection.angle = angle;
+	s->projection.section.angle = angle;
 }
 
 static void wide(struct scene *s, double less_than_180)
 {
 	look_ahead(s);
-	s->projection.angle = 180 - less_than_180;
+	s->projection.section.angle = 180 - less_than_180;
 }
 
 static void nearly_parallel(struct scene *s, double inverse_eye_z)
@@ -183,10 +183,10 @@ static void nearly_parallel(struct scene *s, double inverse_eye_z)
 	s->has_camera = false;
 	s->projection = (struct projection){
 		.type = PROJECTION_VOLUME,
-		.half_width = 400,
-		.half_height = 300,
-		.z_far = -20000,
-		.inverse_eye_z = inverse_eye_z,
+		.volume.half_width = 400,
+		.volume.half_height = 300,
+		.volume.z_far = -20000,
+		.volume.inverse_eye_z = inverse_eye_z,
 	};
 }
 
@@ -266,7 +266,7 @@ static void in_frustum(const struct projection *v, const struct map *clip,
 static void in_volume(const struct projection *v, const struct map *clip,
     double p[3])
 {
-	on_screen(clip, sample_between(v->z_far, v->z_near), p);
+	on_screen(clip, sample_between(v->volume.z_far, v->volume.z_near), p);
 }
 
 static void in_last_decade(const struct projection *v, const struct map *clip,

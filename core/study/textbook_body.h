@@ -188,7 +188,7 @@ static MATRIX NAME(perspective)(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
 	MATRIX r = { 0 };
-	REAL t = TAN(NAME(radians)(p->angle) / 2);
+	REAL t = TAN(NAME(radians)(p->section.angle) / 2);
 
 	r.m[0][0] = 1 / ((REAL)(p->aspect[0] / p->aspect[1]) * t);
 	r.m[1][1] = 1 / t;
@@ -202,13 +202,14 @@ static MATRIX NAME(frustum)(const struct scene *s)
 	const struct projection *p = &s->projection;
 	MATRIX r = { 0 };
 	REAL n = (REAL)p->near;
-	REAL x = (REAL)p->left, y = (REAL)p->bottom;
-	REAL width = (REAL)p->right - x, height = (REAL)p->top - y;
+	REAL x = (REAL)p->section.left, y = (REAL)p->section.bottom;
+	REAL width = (REAL)p->section.right - x,
+	     height = (REAL)p->section.top - y;
 
 	r.m[0][0] = 2 * n / width;
 	r.m[1][1] = 2 * n / height;
-	r.m[2][0] = ((REAL)p->right + x) / width;
-	r.m[2][1] = ((REAL)p->top + y) / height;
+	r.m[2][0] = ((REAL)p->section.right + x) / width;
+	r.m[2][1] = ((REAL)p->section.top + y) / height;
 	NAME(put_depth)(s, &r);
 	return r;
 }
@@ -225,7 +226,7 @@ static MATRIX NAME(given)(const double m[4][4])
 /* Returns whether a volume counts as parallel, by the threshold of Hilton. */
 static bool NAME(is_parallel)(const struct projection *p)
 {
-	return fabs(p->inverse_eye_z) < 1e-6;
+	return fabs(p->volume.inverse_eye_z) < 1e-6;
 }
 
 /* Returns the matrix of a volume without skew: a parallel one, or a perspective whose
@@ -233,21 +234,21 @@ static bool NAME(is_parallel)(const struct projection *p)
 static MATRIX NAME(volume)(const struct projection *p)
 {
 	MATRIX r = { 0 };
-	REAL zn = (REAL)p->z_near, zf = (REAL)p->z_far, scale = 1;
+	REAL zn = (REAL)p->volume.z_near, zf = (REAL)p->volume.z_far, scale = 1;
 
 	if (NAME(is_parallel)(p)) {
 		r.m[2][2] = -2 / (zn - zf);
 		r.m[3][2] = (zn + zf) / (zn - zf);
 		r.m[3][3] = 1;
 	} else {
-		REAL ez = scale = 1 / (REAL)p->inverse_eye_z;
+		REAL ez = scale = 1 / (REAL)p->volume.inverse_eye_z;
 
 		r.m[2][2] = (zn + zf - 2 * ez) / (zn - zf);
 		r.m[2][3] = -1;
 		r.m[3][2] = -2 * (ez - zn) * (ez - zf) / (zn - zf);
 	}
-	r.m[0][0] = scale / (REAL)p->half_width;
-	r.m[1][1] = scale / (REAL)p->half_height;
+	r.m[0][0] = scale / (REAL)p->volume.half_width;
+	r.m[1][1] = scale / (REAL)p->volume.half_height;
 	return r;
 }
 
@@ -259,8 +260,8 @@ static MATRIX NAME(project)(const struct scene *s)
 		return NAME(volume)(p);
 	if (p->type == PROJECTION_MATRIX)
 		return NAME(given)(p->matrix);
-	return p->section == SECTION_EDGES ? NAME(frustum)(s) :
-					     NAME(perspective)(s);
+	return p->section.way == SECTION_EDGES ? NAME(frustum)(s) :
+						 NAME(perspective)(s);
 }
 
 /* Returns the view matrix, and sets origin to the point that becomes the origin. */
@@ -275,7 +276,7 @@ static MATRIX NAME(view)(const struct scene *s, REAL origin[3])
 		return NAME(turned)(NAME(look)(&s->camera), &s->camera);
 	}
 	if (p->type == PROJECTION_VOLUME && !NAME(is_parallel)(p)) {
-		origin[2] = 1 / (REAL)p->inverse_eye_z;
+		origin[2] = 1 / (REAL)p->volume.inverse_eye_z;
 		r.m[3][2] = -origin[2];
 	}
 	return r;

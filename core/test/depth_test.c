@@ -197,9 +197,9 @@ static struct scene near_and_far(double near, double far)
 	struct scene s = { .has_viewport = true };
 
 	s.projection = (struct projection){ .type = PROJECTION_PERSP,
-		.section = SECTION_SIZE,
-		.width = 1,
-		.height = 1,
+		.section.way = SECTION_SIZE,
+		.section.width = 1,
+		.section.height = 1,
 		.near = near,
 		.far = far };
 	s.viewport = (struct viewport){ .width = 1, .height = 1, .max_z = 1 };

@@ -167,8 +167,8 @@ static void ordinary_bounds_are_small(void **state)
 {
 	struct scene s = { .has_viewport = true,
 		.projection = { .type = PROJECTION_PERSP,
-		    .section = SECTION_FOVY,
-		    .angle = 60,
+		    .section.way = SECTION_FOVY,
+		    .section.angle = 60,
 		    .aspect = { 4, 3 },
 		    .near = 1,
 		    .far = 1000 } };
@@ -207,21 +207,21 @@ static void ordinary_bounds_are_small(void **state)
 static void bounds_of_x_and_y_are_alike(void **state)
 {
 	struct scene right = { .projection = { .type = PROJECTION_PERSP,
-				   .section = SECTION_EDGES,
-				   .left = 99,
-				   .right = 101,
-				   .bottom = -3,
-				   .top = 4,
+				   .section.way = SECTION_EDGES,
+				   .section.left = 99,
+				   .section.right = 101,
+				   .section.bottom = -3,
+				   .section.top = 4,
 				   .near = 1,
 				   .far = 1000 } };
 	struct scene above = right;
 	double a[3], b[3];
 
 	(void)state;
-	above.projection.left = right.projection.bottom;
-	above.projection.right = right.projection.top;
-	above.projection.bottom = right.projection.left;
-	above.projection.top = right.projection.right;
+	above.projection.section.left = right.projection.section.bottom;
+	above.projection.section.right = right.projection.section.top;
+	above.projection.section.bottom = right.projection.section.left;
+	above.projection.section.top = right.projection.section.right;
 	assert_null(bounds_of(&right, a));
 	assert_null(bounds_of(&above, b));
 	for (int i = 0; i < 3; i++)

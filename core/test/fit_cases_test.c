@@ -14,8 +14,8 @@ static struct scene persp(double fovy)
 {
 	return (struct scene){
 		.projection = { .type = PROJECTION_PERSP,
-		    .section = SECTION_FOVY,
-		    .angle = fovy,
+		    .section.way = SECTION_FOVY,
+		    .section.angle = fovy,
 		    .aspect = { 1, 1 },
 		    .near_ratio = 0.0005 },
 	};
@@ -25,8 +25,8 @@ static struct scene parallel(unsigned type)
 {
 	return (struct scene){
 		.projection = { .type = type,
-		    .section = SECTION_SIZE,
-		    .kind = OBLIQUE_CAVALIER },
+		    .section.way = SECTION_SIZE,
+		    .shear.kind = OBLIQUE_CAVALIER },
 	};
 }
 
@@ -99,23 +99,23 @@ static void test_slopes(void **state)
 	struct scene s = persp(90);
 
 	(void)state;
-	s.projection.section = SECTION_SIZE;
+	s.projection.section.way = SECTION_SIZE;
 	s.projection.near = 4;
-	s.projection.width = 8;
-	s.projection.height = 16;
+	s.projection.section.width = 8;
+	s.projection.section.height = 16;
 	assert_fits(&s, false, &b, 0, 0, -4, 2, 6);
-	assert_number(s.projection.width, 4);
-	assert_number(s.projection.height, 8);
-	s.projection.section = SECTION_EDGES;
-	s.projection.left = 2;
-	s.projection.right = -2;
-	s.projection.bottom = -1;
-	s.projection.top = 2;
+	assert_number(s.projection.section.width, 4);
+	assert_number(s.projection.section.height, 8);
+	s.projection.section.way = SECTION_EDGES;
+	s.projection.section.left = 2;
+	s.projection.section.right = -2;
+	s.projection.section.bottom = -1;
+	s.projection.section.top = 2;
 	assert_fits(&s, false, &b, 0, 0, -6, 4, 8);
-	assert_number(s.projection.left, 4);
-	assert_number(s.projection.right, -4);
-	assert_number(s.projection.bottom, -2);
-	assert_number(s.projection.top, 4);
+	assert_number(s.projection.section.left, 4);
+	assert_number(s.projection.section.right, -4);
+	assert_number(s.projection.section.bottom, -2);
+	assert_number(s.projection.section.top, 4);
 }
 
 static void test_ortho(void **state)
@@ -125,21 +125,21 @@ static void test_ortho(void **state)
 
 	(void)state;
 	assert_fits(&s, false, &b, 2, 1, -3, 3, 9);
-	assert_number(s.projection.width, 4);
-	assert_number(s.projection.height, 2);
+	assert_number(s.projection.section.width, 4);
+	assert_number(s.projection.section.height, 2);
 	s.camera.eye[0] = 9;
 	s.camera.eye[2] = 1;
 	s.projection.aspect[0] = s.projection.aspect[1] = 1;
 	assert_fits(&s, true, &b, 2, 1, 1, -1, 5);
-	assert_number(s.projection.width, 4);
-	assert_number(s.projection.height, 4);
-	s.projection.section = SECTION_EDGES;
-	s.projection.left = 1;
+	assert_number(s.projection.section.width, 4);
+	assert_number(s.projection.section.height, 4);
+	s.projection.section.way = SECTION_EDGES;
+	s.projection.section.left = 1;
 	assert_fits(&s, false, &b, 2, 1, -3, 3, 9);
-	assert_number(s.projection.left, 2);
-	assert_number(s.projection.right, -2);
-	assert_number(s.projection.bottom, -2);
-	assert_number(s.projection.top, 2);
+	assert_number(s.projection.section.left, 2);
+	assert_number(s.projection.section.right, -2);
+	assert_number(s.projection.section.bottom, -2);
+	assert_number(s.projection.section.top, 2);
 }
 
 /* A viewport of 640 x 480 with one scale shows 0.75 of the height. */
@@ -155,8 +155,8 @@ static void test_viewport(void **state)
 		.max_z = 1,
 		.scale = SCALE_UNIFORM };
 	assert_fits(&s, false, &b, 0, 0, -2, 1, 3);
-	assert_number(s.projection.width, 2);
-	assert_number(s.projection.height, 8);
+	assert_number(s.projection.section.width, 2);
+	assert_number(s.projection.section.height, 8);
 	s = persp(90);
 	s.has_viewport = true;
 	s.viewport = (struct viewport){ .width = 640,
@@ -174,15 +174,15 @@ static void test_oblique(void **state)
 
 	(void)state;
 	assert_fits(&s, false, &b, 2, 0, -2, 1, 3);
-	assert_number(s.projection.width, 4);
-	assert_number(s.projection.height, 2);
+	assert_number(s.projection.section.width, 4);
+	assert_number(s.projection.section.height, 2);
 	s = parallel(PROJECTION_OBLIQUE);
 	s.convention.right_handed = s.convention.ndc_y_down = true;
-	s.projection.kind = OBLIQUE_CABINET;
-	s.projection.direction = 90;
+	s.projection.shear.kind = OBLIQUE_CABINET;
+	s.projection.shear.direction = 90;
 	assert_fits(&s, false, &b, 0, 1, 2, 1, 3);
-	assert_number(s.projection.width, 2);
-	assert_number(s.projection.height, 3);
+	assert_number(s.projection.section.width, 2);
+	assert_number(s.projection.section.height, 3);
 }
 
 static void test_flat(void **state)
@@ -193,8 +193,8 @@ static void test_flat(void **state)
 	(void)state;
 	assert_fits(&s, false, &b, 0, 0, -0x1p-19, 0x1p-20, 3 * 0x1p-20);
 	assert_fits(&s, false, &line, 0, 0, -2, 1, 3);
-	assert_number(s.projection.width, 0x1p-19);
-	assert_number(s.projection.height, 0x1p-19);
+	assert_number(s.projection.section.width, 0x1p-19);
+	assert_number(s.projection.section.height, 0x1p-19);
 	s = persp(90);
 	assert_fits(&s, false, &b, 0, 0, -1, 1 - 0x1p-20, 1 + 0x1p-20);
 }
@@ -227,7 +227,7 @@ static void test_cameras(void **state)
 	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
 	assert_number(s.camera.eye[0], -5);
 	assert_number(s.projection.near, 4);
-	assert_number(s.projection.width, 2);
+	assert_number(s.projection.section.width, 2);
 	s.camera = (struct camera){ .kind = CAMERA_AT,
 		.eye = { -9e149, 0, 0 },
 		.at = { 9e149, 0, 0 },
@@ -255,11 +255,12 @@ static void test_refusals(void **state)
 	assert_refused(s, &point, "/bounds: no extent;");
 	assert_refused(s, &wrong, "/bounds/max/1: less than min's;");
 	assert_refused(s, &huge, "/bounds: the scene that fit computes");
-	s.projection.angle = 1e-150;
+	s.projection.section.angle = 1e-150;
 	assert_refused(s, &huge, "/bounds: the scene that fit computes");
-	s.projection.section = SECTION_EDGES;
-	s.projection.near = s.projection.right = s.projection.top = 1;
-	s.projection.bottom = -1;
+	s.projection.section.way = SECTION_EDGES;
+	s.projection.near = s.projection.section.right =
+	    s.projection.section.top = 1;
+	s.projection.section.bottom = -1;
 	assert_refused(s, &b, "/projection: the gaze");
 	s.projection.type = PROJECTION_MATRIX;
 	assert_refused(s, &b, "/projection/type: has nothing");

@@ -127,8 +127,9 @@ static void measure_side_gaps(struct fitted *f)
 
 	for (int k = 0; k < 4; k++) {
 		struct plane x = plane_of_column(&t, k / 2);
-		real unit = persp ? slope(&f->s, k, limit[k / 2]) :
-				    real_of(2 / (k < 2 ? p->width : p->height));
+		real unit = persp ?
+		    slope(&f->s, k, limit[k / 2]) :
+		    real_of(2 / (k < 2 ? p->section.width : p->section.height));
 
 		x = combine(&x, k % 2 ? -1 : 1, &w, limit[k / 2]);
 		f->gap[k] = least(&x, f->b, &f->cloud);
@@ -154,10 +155,10 @@ static void measure_gaps(struct fitted *f)
 		    sized_of(k == 4 ? -s->projection.near : s->projection.far));
 		/* w of intrinsics may be z plus a constant */
 		if (s->projection.type == PROJECTION_PERSP &&
-		    s->projection.section == SECTION_INTRINSICS)
+		    s->projection.section.way == SECTION_INTRINSICS)
 			f->gap[k] = sized_add(f->gap[k],
 			    sized_of((k == 4 ? 1 : -1) *
-				s->projection.intrinsics[2][3]));
+				s->projection.section.intrinsics[2][3]));
 	}
 }
 
@@ -227,7 +228,7 @@ static bool sides_are_tight(const struct fitted *f)
 
 	truth_limits(&f->s, limit);
 	for (int j = 0; j < 2; j++) {
-		double side = j == 0 ? p->width : p->height;
+		double side = j == 0 ? p->section.width : p->section.height;
 		const struct sized *gap = &f->gap[2 * j];
 		struct sized less = mpfr_less_p(gap[1].value, gap[0].value) ?
 		    gap[1] :
@@ -245,9 +246,11 @@ static bool sides_are_tight(const struct fitted *f)
 	real aspect = divide(real_of(p->aspect[0]), real_of(p->aspect[1]));
 
 	return tight[0] ?
-	    nearest_double(divide(real_of(p->width), aspect)) == p->height :
+	    nearest_double(divide(real_of(p->section.width), aspect)) ==
+		p->section.height :
 	    tight[1] &&
-		nearest_double(mul(real_of(p->height), aspect)) == p->width;
+		nearest_double(mul(real_of(p->section.height), aspect)) ==
+		    p->section.width;
 }
 
 /* Returns whether the eye is as near as a side plane or near_ratio allows, but for the
@@ -381,13 +384,13 @@ static void sample_calibrated(struct scene *s)
 {
 	struct projection *p = &s->projection;
 	struct viewport *v = &s->viewport;
-	double(*k)[4] = p->intrinsics;
+	double(*k)[4] = p->section.intrinsics;
 
 	*v = (struct viewport){ .width = 640, .height = 480, .max_z = 1 };
 	s->has_viewport = true;
-	p->width = v->width;
-	p->height = v->height;
-	memset(k, 0, sizeof p->intrinsics);
+	p->section.width = v->width;
+	p->section.height = v->height;
+	memset(k, 0, sizeof p->section.intrinsics);
 	k[0][0] = k[1][1] = sample_between(200, 2000);
 	k[0][1] = sample_below(2) ? 0 : sample_between(-2, 2);
 	k[0][2] = sample_between(200, 400);
@@ -408,27 +411,26 @@ static void sample_fit(struct scene *s, int e)
 	if (p->type == PROJECTION_VOLUME && p->aspect[1] == 0)
 		p->aspect[0] = p->aspect[1] = 1;
 	p->type = PROJECTION_PERSP + sample_below(3);
-	p->section = sample_below(p->type == PROJECTION_PERSP ? 10 : 8);
-	p->edges_at = sample_below(2) ? 0 : sample_size(1);
+	p->section.way = sample_below(p->type == PROJECTION_PERSP ? 10 : 8);
+	p->section.edges_at = sample_below(2) ? 0 : sample_size(1);
 	if (p->type != PROJECTION_PERSP)
 		p->aspect[1] = sample_below(2) ? p->aspect[1] : 0;
-	if (p->section < SECTION_FIELD && !(p->angle < 180))
-		p->angle = 60;
+	if (p->section.way < SECTION_FIELD && !(p->section.angle < 180))
+		p->section.angle = 60;
 	p->near_ratio = sample_below(2) ? 0.0005 : sample_between(0, 0.5);
-	p->left = -sample_size(1);
-	p->right = sample_size(1);
-	p->bottom = sample_size(1);
-	p->top = -p->bottom;
+	p->section.left = -sample_size(1);
+	p->section.right = sample_size(1);
+	p->section.bottom = sample_size(1);
+	p->section.top = -p->section.bottom;
 	p->near = sample_size(1);
-	p->projector_angle = sample_between(20, 90);
-	if (p->section == SECTION_ANGLES) {
+	p->shear.projector_angle = sample_between(20, 90);
+	if (p->section.way == SECTION_ANGLES) {
 		p->unit = DEGREES;
-		p->left = sample_between(-60, -10);
-		p->right = sample_between(10, 60);
-		p->bottom = sample_between(-60, -10);
-		p->top = sample_between(10, 60);
+		for (int i = 0; i < 4; i++)
+			p->section.angles[i] = i % 2 ? sample_between(10, 60) :
+						       sample_between(-60, -10);
 	}
-	if (p->section == SECTION_INTRINSICS)
+	if (p->section.way == SECTION_INTRINSICS)
 		sample_calibrated(s);
 }
 
@@ -448,7 +450,7 @@ static int fit_many(int n, int e, bool points)
 		sample_fit(&f.s, e);
 		if (points && sample_below(4) == 0) {
 			f.s.projection.type = PROJECTION_PERSP;
-			f.s.projection.section = SECTION_INTRINSICS;
+			f.s.projection.section.way = SECTION_INTRINSICS;
 			f.s.margin = 0;
 			sample_calibrated(&f.s);
 		}
@@ -532,10 +534,10 @@ static void test_farthest(void **state)
 			continue;
 		assert_number(p->near, q->near);
 		assert_number(p->far, q->far);
-		assert_number(p->width, q->width);
-		assert_number(p->height, q->height);
-		assert_number(p->z_near, q->z_near);
-		assert_number(p->z_far, q->z_far);
+		assert_number(p->section.width, q->section.width);
+		assert_number(p->section.height, q->section.height);
+		assert_number(p->volume.z_near, q->volume.z_near);
+		assert_number(p->volume.z_far, q->volume.z_far);
 		fitted++;
 	}
 	assert_in_range(fitted, 300, 1500);

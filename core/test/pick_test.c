@@ -38,13 +38,13 @@ static void distance_of(const struct scene *s, struct distance *d)
 	}
 	/* the constant term of w, of intrinsics */
 	double w = p->type == PROJECTION_PERSP &&
-		p->section == SECTION_INTRINSICS ?
-	    p->intrinsics[2][3] :
+		p->section.way == SECTION_INTRINSICS ?
+	    p->section.intrinsics[2][3] :
 	    0;
-	d->near = sized_of(volume ? p->z_near : gaze * p->near);
+	d->near = sized_of(volume ? p->volume.z_near : gaze * p->near);
 	if (!volume)
 		d->near = sized_sub(d->near, sized_of(gaze * w));
-	d->upward = volume ? p->z_far > p->z_near :
+	d->upward = volume ? p->volume.z_far > p->volume.z_near :
 			     (p->far > p->near) == (gaze > 0);
 }
 

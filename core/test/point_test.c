@@ -200,8 +200,8 @@ static void ties_of_irrational_parts(void **state)
 		    .at = { 0, 1, 1 },
 		    .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_PERSP,
-		    .section = SECTION_FOVY,
-		    .angle = 90,
+		    .section.way = SECTION_FOVY,
+		    .section.angle = 90,
 		    .aspect = { 1, 1 },
 		    .near = 1,
 		    .far = 2 },
@@ -242,9 +242,9 @@ static void ties_of_different_irrational_parts(void **state)
 		    .up = { 0, 1, 0 },
 		    .roll = 45 },
 		.projection = { .type = PROJECTION_ORTHO,
-		    .section = SECTION_SIZE,
-		    .width = 2,
-		    .height = 2,
+		    .section.way = SECTION_SIZE,
+		    .section.width = 2,
+		    .section.height = 2,
 		    .far = 1 },
 		.has_viewport = true,
 		.viewport = { .x = 0.5, .width = 1, .height = 1, .max_z = 1 } };
@@ -278,9 +278,9 @@ static void ties_of_different_irrational_parts(void **state)
 static void no_image(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_PERSP,
-			       .section = SECTION_SIZE,
-			       .width = 2,
-			       .height = 2,
+			       .section.way = SECTION_SIZE,
+			       .section.width = 2,
+			       .section.height = 2,
 			       .near = 1,
 			       .far = 3 } };
 	static const double z[] = { 0, -0.0, -0x1p-1074, -1, -1e150, 0x1p-1074,

@@ -16,8 +16,8 @@ static void zeros_of_whole_numbers(void **state)
 	(void)state;
 	kernels_choose(NULL);
 	s.projection = (struct projection){ .type = PROJECTION_PERSP,
-		.section = SECTION_FOVY,
-		.angle = 90,
+		.section.way = SECTION_FOVY,
+		.section.angle = 90,
 		.aspect = { 1, 1 },
 		.near = 1,
 		.far = 10 };
@@ -132,12 +132,12 @@ static void exact_terms_keep_the_noise_of_others(void **state)
 		.has_world = true,
 		.world = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0x1p195, 0, 0, 1 } },
 		.projection = { .type = PROJECTION_OBLIQUE,
-		    .kind = OBLIQUE_CAVALIER,
-		    .direction = 45,
-		    .plane = 1,
-		    .section = SECTION_SIZE,
-		    .width = 2,
-		    .height = 2,
+		    .shear.kind = OBLIQUE_CAVALIER,
+		    .shear.direction = 45,
+		    .shear.plane = 1,
+		    .section.way = SECTION_SIZE,
+		    .section.width = 2,
+		    .section.height = 2,
 		    .near = -10,
 		    .far = 10 },
 	};

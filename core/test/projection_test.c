@@ -64,22 +64,22 @@ static void eyes_through_infinity(void **state)
 	struct worst w = { 0 };
 	struct projection p = {
 		.type = PROJECTION_VOLUME,
-		.half_width = 3,
-		.half_height = 2,
-		.z_near = 7,
-		.z_far = -11,
-		.tan_skew = { 0.1, 0.7 },
+		.volume.half_width = 3,
+		.volume.half_height = 2,
+		.volume.z_near = 7,
+		.volume.z_far = -11,
+		.volume.tan_skew = { 0.1, 0.7 },
 	};
 
 	(void)state;
 	for (int i = 0; i < 24; i++) {
-		p.inverse_eye_z = i % 2 ? -tiny[i / 4] : tiny[i / 4];
+		p.volume.inverse_eye_z = i % 2 ? -tiny[i / 4] : tiny[i / 4];
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
-	p.eye_given_by = EYE_BY_POINT;
+	p.volume.eye_given_by = EYE_BY_POINT;
 	for (int i = 0; i < 20; i++) {
-		p.eye[0] = 5;
-		p.eye[2] = (i % 2 ? -1 : 1) * pow(10, 2 + 7 * i);
+		p.volume.eye[0] = 5;
+		p.volume.eye[2] = (i % 2 ? -1 : 1) * pow(10, 2 + 7 * i);
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
 	assert_maps("volume through q = 0", &w);
@@ -90,21 +90,22 @@ static void volumes_by_angle(void **state)
 	struct worst w = { 0 };
 	struct projection p = {
 		.type = PROJECTION_VOLUME,
-		.half_width = 3,
-		.half_height = 2,
-		.tan_skew = { 0.1, 0.7 },
-		.eye_given_by = EYE_BY_ANGLE,
+		.volume.half_width = 3,
+		.volume.half_height = 2,
+		.volume.tan_skew = { 0.1, 0.7 },
+		.volume.eye_given_by = EYE_BY_ANGLE,
 	};
 
 	(void)state;
 	for (int i = 0; i < 120; i++) {
 		p.unit = i % 3 == 0 ? RADIANS : DEGREES;
-		p.angle = ldexp(i % 3 == 0 ? 1.5 : 170, -(i / 4));
-		p.z_near = i & 1 ? -0.09 : 0.09;
-		p.z_far = i & 1 ? 11 : -11;
+		p.volume.view_angle = ldexp(i % 3 == 0 ? 1.5 : 170, -(i / 4));
+		p.volume.z_near = i & 1 ? -0.09 : 0.09;
+		p.volume.z_far = i & 1 ? 11 : -11;
 		p.aspect[0] = i % 5;
 		p.aspect[1] = i % 5 == 0 ? 0 : i % 7 + 1;
-		p.half_height = p.aspect[1] == 0 ? 2 : p.half_width;
+		p.volume.half_height = p.aspect[1] == 0 ? 2 :
+							  p.volume.half_width;
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
 	assert_maps("volumes by angle", &w);
@@ -119,12 +120,12 @@ static void narrow_and_wide_angles(void **state)
 
 	(void)state;
 	for (int k = 0; k < 45; k++)
-		for (p.section = SECTION_FOVY; p.section <= SECTION_VIEW_ANGLE;
-		     p.section++) {
+		for (p.section.way = SECTION_FOVY;
+		     p.section.way <= SECTION_VIEW_ANGLE; p.section.way++) {
 			p.type = PROJECTION_PERSP;
-			p.angle = 180 - ldexp(1, -k);
+			p.section.angle = 180 - ldexp(1, -k);
 			assert_null(compare(&p, &d3d, &w));
-			p.angle = ldexp(1, -11 * k);
+			p.section.angle = ldexp(1, -11 * k);
 			assert_null(compare(&p, &gl, &w));
 			p.far = 1 + pow(10, -k / 3);
 		}
@@ -140,7 +141,7 @@ static void map_for(const struct projection *p, struct map *m)
 static void elements_by_bc(void **state)
 {
 	struct projection p = { .type = PROJECTION_PERSP,
-		.angle = 90,
+		.section.angle = 90,
 		.aspect = { 2, 1 },
 		.near = 1,
 		.far = (double)INFINITY };
@@ -154,7 +155,7 @@ static void elements_by_bc(void **state)
 	assert_number(element(&m, 2, 3), 1);
 	assert_number(element(&m, 3, 2), -1);
 	assert_number(element(&m, 3, 3), 0);
-	p.angle = 60;
+	p.section.angle = 60;
 	map_for(&p, &m);
 	assert_number(element(&m, 1, 1),
 	    1.7320508075688772935274463415058723669);
@@ -162,12 +163,12 @@ static void elements_by_bc(void **state)
 	    0.8660254037844386467637231707529361835);
 
 	p = (struct projection){ .type = PROJECTION_OBLIQUE,
-		.kind = OBLIQUE_CABINET,
-		.direction = 90,
-		.plane = 1,
-		.section = SECTION_SIZE,
-		.width = 2,
-		.height = 2,
+		.shear.kind = OBLIQUE_CABINET,
+		.shear.direction = 90,
+		.shear.plane = 1,
+		.section.way = SECTION_SIZE,
+		.section.width = 2,
+		.section.height = 2,
 		.near = 1,
 		.far = 2 };
 	map_for(&p, &m);
@@ -175,8 +176,8 @@ static void elements_by_bc(void **state)
 	assert_number(element(&m, 3, 0), 0);
 	assert_number(element(&m, 2, 1), 0.5);
 	assert_number(element(&m, 3, 1), -0.5);
-	p.kind = OBLIQUE_CAVALIER;
-	p.direction = 45;
+	p.shear.kind = OBLIQUE_CAVALIER;
+	p.shear.direction = 45;
 	map_for(&p, &m);
 	assert_number(element(&m, 2, 0),
 	    0.7071067811865475244008443621048490393);
@@ -194,17 +195,17 @@ static void assert_projection_refused(const struct projection *p, bool inverse,
 static void refusals(void **state)
 {
 	const struct projection good = {
-		.section = SECTION_EDGES,
+		.section.way = SECTION_EDGES,
 		.near = 1,
 		.far = 2,
-		.left = -1,
-		.right = 1,
-		.bottom = -1,
-		.top = 1,
-		.half_width = 1,
-		.half_height = 1,
-		.z_near = 1,
-		.z_far = -1,
+		.section.left = -1,
+		.section.right = 1,
+		.section.bottom = -1,
+		.section.top = 1,
+		.volume.half_width = 1,
+		.volume.half_height = 1,
+		.volume.z_near = 1,
+		.volume.z_far = -1,
 	};
 	struct projection p = good;
 
@@ -216,22 +217,22 @@ static void refusals(void **state)
 	assert_projection_refused(&p, false, "/projection/far");
 	p = good;
 	p.type = PROJECTION_PERSP;
-	p.left = 1;
+	p.section.left = 1;
 	assert_projection_refused(&p, false, "/projection/right");
 	p = good;
 	p.type = PROJECTION_OBLIQUE;
-	p.top = -1;
+	p.section.top = -1;
 	assert_projection_refused(&p, true, "/projection/top");
 	p.type = PROJECTION_VOLUME;
-	p.inverse_eye_z = 1;
+	p.volume.inverse_eye_z = 1;
 	assert_projection_refused(&p, false, "/projection/inverse_eye_z");
-	p.inverse_eye_z = nextafter(1, 0);
+	p.volume.inverse_eye_z = nextafter(1, 0);
 	assert_null(compare(&p, &d3d, &(struct worst){ 0 }));
-	p.eye_given_by = EYE_BY_POINT;
+	p.volume.eye_given_by = EYE_BY_POINT;
 	assert_projection_refused(&p, false, "/projection/eye");
-	p.eye[2] = 0.5;
+	p.volume.eye[2] = 0.5;
 	assert_projection_refused(&p, true, "/projection/eye");
-	p.z_near = -1;
+	p.volume.z_near = -1;
 	assert_projection_refused(&p, false, "/projection/z_far");
 	p.type = PROJECTION_MATRIX;
 	assert_projection_refused(&p, true, "/projection/matrix");

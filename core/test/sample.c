@@ -228,20 +228,22 @@ static double sample_angle(int e)
 	}
 }
 
-static void sample_sides(struct projection *p, int e)
+static void sample_sides(struct projection_section *s, int e)
 {
-	p->left = e > 0 ? sample_number(e) : ordinary_number();
-	p->bottom = e > 0 ? sample_number(e) : ordinary_number();
-	p->right = e > 0 ? sample_number(e) : ordinary_number() + 20;
-	p->top = e > 0 ? sample_number(e) : ordinary_number() + 20;
+	s->left = e > 0 ? sample_number(e) : ordinary_number();
+	s->bottom = e > 0 ? sample_number(e) : ordinary_number();
+	s->right = e > 0 ? sample_number(e) : ordinary_number() + 20;
+	s->top = e > 0 ? sample_number(e) : ordinary_number() + 20;
 	if (sample_below(3) == 0) {
-		p->right = -p->left;
-		p->top = -p->bottom;
+		s->right = -s->left;
+		s->top = -s->bottom;
 	}
 }
 
 static void sample_planes(struct projection *p, int e)
 {
+	const enum projection_family family = projection_family(p);
+
 	p->near = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	p->far = e > 0 ? p->near + sample_size(e) :
 			 p->near * sample_between(1, 1000);
@@ -250,58 +252,53 @@ static void sample_planes(struct projection *p, int e)
 		p->far = p->near * (1 + pow(10, sample_between(-15, 0)));
 		break;
 	case 1:
-		p->far = p->type == PROJECTION_PERSP ? (double)INFINITY :
-						       -p->near;
+		p->far = family == FAMILY_PERSP ? (double)INFINITY : -p->near;
 		break;
 	}
-	if (p->type != PROJECTION_PERSP && sample_below(2))
+	if (family != FAMILY_PERSP && sample_below(2))
 		p->near = -p->near / 2;
-	p->plane = sample_below(2) ? p->near : ordinary_number();
-	p->reverse_z = sample_below(2) && p->type < PROJECTION_VOLUME;
+	p->shear.plane = sample_below(2) ? p->near : ordinary_number();
+	p->reverse_z = sample_below(2) &&
+	    (family == FAMILY_PERSP || family == FAMILY_PARALLEL);
 }
 
 static void sample_volume(struct projection *p, int e)
 {
-	p->half_width = e > 0 ? sample_size(e) : 1 + sample_below(9);
-	p->half_height = e > 0 ? sample_size(e) : 1 + sample_below(9);
-	p->z_near = e > 0 ? sample_number(e) : ordinary_number();
-	p->z_far = e > 0 ? sample_number(e) : ordinary_number();
-	p->inverse_eye_z = e > 0 ? sample_number(e) : sample_between(-0.1, 0.1);
+	struct projection_volume *v = &p->volume;
+
+	v->half_width = e > 0 ? sample_size(e) : 1 + sample_below(9);
+	v->half_height = e > 0 ? sample_size(e) : 1 + sample_below(9);
+	v->z_near = e > 0 ? sample_number(e) : ordinary_number();
+	v->z_far = e > 0 ? sample_number(e) : ordinary_number();
+	v->inverse_eye_z = e > 0 ? sample_number(e) : sample_between(-0.1, 0.1);
 	if (sample_below(4) == 0)
-		p->inverse_eye_z = 0;
-	sample_vector(p->eye, e);
-	memcpy(p->tan_skew, p->eye, sizeof p->tan_skew);
-	p->eye[2] *= e > 0 ? 1 : 10;
-	p->eye_given_by = sample_below(2);
-	if (p->type != PROJECTION_VOLUME)
+		v->inverse_eye_z = 0;
+	sample_vector(v->eye, e);
+	memcpy(v->tan_skew, v->eye, sizeof v->tan_skew);
+	v->eye[2] *= e > 0 ? 1 : 10;
+	v->eye_given_by = sample_below(3);
+	v->view_angle = sample_below(4) == 0 ? 0 : sample_angle(e);
+	if (projection_family(p) != FAMILY_VOLUME)
 		return;
-	if (p->eye_given_by == EYE_BY_INVERSE_Z && sample_below(2))
-		p->eye_given_by = EYE_BY_ANGLE;
-	if (p->eye_given_by == EYE_BY_ANGLE && sample_below(4) == 0)
-		p->angle = 0;
 	if (sample_below(2))
 		p->aspect[0] = p->aspect[1] = 0;
 	else
-		p->half_height =
-		    p->half_width; /* size is half the smaller side */
+		v->half_height =
+		    v->half_width; /* size is half the smaller side */
 }
 
 /* Converts the angles to radians for one projection in four. Angles that were next to
  * 90 or 180 degrees are next to pi / 2 or pi. */
 static void sample_angle_unit(struct projection *p)
 {
-	double *const angles[] = { &p->angle, &p->projector_angle,
-		&p->direction };
+	double *const angles[] = { &p->section.angle, &p->volume.view_angle,
+		&p->shear.projector_angle, &p->shear.direction };
+	const double most[] = { PI, PI, PI / 2, HUGE_VAL };
 
 	p->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
-	p->direction_unit = p->unit;
-	for (int i = 0; i < 3 && p->unit == RADIANS; i++)
-		if (i > 0 || p->section <= SECTION_VIEW_ANGLE ||
-		    p->eye_given_by == EYE_BY_ANGLE)
-			*angles[i] = fmin(*angles[i] * (PI / 180),
-			    i == 0     ? PI :
-				i == 1 ? PI / 2 :
-					 HUGE_VAL);
+	p->shear.direction_unit = p->unit;
+	for (int i = 0; i < 4 && p->unit == RADIANS; i++)
+		*angles[i] = fmin(*angles[i] * (PI / 180), most[i]);
 }
 
 /* Samples the four angles of the edges, with left below right and bottom below top.
@@ -309,7 +306,6 @@ static void sample_angle_unit(struct projection *p)
 static void sample_four_angles(struct projection *p, int e)
 {
 	double right = p->unit == RADIANS ? PI / 2 : 0x1.67fffffffffffp+6;
-	double *const at[4] = { &p->left, &p->right, &p->bottom, &p->top };
 
 	for (int i = 0; i < 4; i += 2) {
 		double a = right * sample_between(-0.95, 0);
@@ -331,8 +327,8 @@ static void sample_four_angles(struct projection *p, int e)
 			b = pow(10, -e);
 			break;
 		}
-		*at[i] = a;
-		*at[i + 1] = b;
+		p->section.angles[i] = a;
+		p->section.angles[i + 1] = b;
 	}
 }
 
@@ -348,7 +344,7 @@ static void sample_p_rows(double k[3][4], int e)
  * planes, or with an infinite far plane. */
 static void sample_intrinsics(struct projection *p, int e)
 {
-	double(*k)[4] = p->intrinsics;
+	double(*k)[4] = p->section.intrinsics;
 	bool whole = sample_below(3) == 0;
 
 	for (int i = 0; i < 2; i++)
@@ -376,32 +372,32 @@ static void sample_intrinsics(struct projection *p, int e)
 
 void sample_projection(struct projection *p, int e)
 {
+	struct projection_section *s = &p->section;
 
 	memset(p, 0, sizeof *p);
-	p->type = 1 + sample_below(PROJECTION_MATRIX);
-	p->section = sample_below(10);
-	if (p->type != PROJECTION_PERSP &&
-	    (p->section < SECTION_SIZE || p->section > SECTION_EDGES))
-		p->section = SECTION_EDGES;
-	p->angle = p->section == SECTION_FIELD ? sample_size(e > 0 ? e : 1) :
-						 sample_angle(e);
+	p->type = 1 + sample_below(PROJECTION_TYPES - 1);
+	s->way = sample_below(SECTION_WAYS);
+	if (projection_family(p) != FAMILY_PERSP &&
+	    (s->way < SECTION_SIZE || s->way > SECTION_EDGES))
+		s->way = SECTION_EDGES;
+	s->angle = sample_angle(e);
+	s->field = sample_size(e > 0 ? e : 1);
 	p->aspect[0] = e > 0 ? sample_size(e) : 640;
 	p->aspect[1] = e > 0 ? sample_size(e) : 480;
-	p->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
-	p->height = e > 0 ? sample_size(e) : 1 + sample_below(20);
-	sample_sides(p, e);
+	s->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
+	s->height = e > 0 ? sample_size(e) : 1 + sample_below(20);
+	sample_sides(s, e);
 	sample_planes(p, e);
 	sample_volume(p, e);
-	p->kind = sample_below(3);
-	p->projector_angle = sample_angle(e) / 2;
-	p->direction = 15 * whole_number(24);
+	p->shear.kind = sample_below(3);
+	p->shear.projector_angle = sample_angle(e) / 2;
+	p->shear.direction = 15 * whole_number(24);
 	sample_angle_unit(p);
-	if (p->section == SECTION_ANGLES)
-		sample_four_angles(p, e);
-	if (p->section == SECTION_INTRINSICS)
+	sample_four_angles(p, e);
+	if (s->way == SECTION_INTRINSICS)
 		sample_intrinsics(p, e);
-	if (p->type == PROJECTION_PERSP && sample_below(3) == 0)
-		p->edges_at = e > 0 ? sample_size(e) : 1 + sample_below(9);
+	if (projection_family(p) == FAMILY_PERSP && sample_below(3) == 0)
+		s->edges_at = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	for (int i = 0; i < 4; i++) {
 		sample_vector(p->matrix[i], e);
 		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary_number();
@@ -464,10 +460,10 @@ void sample_scene(struct scene *s, int e)
 	sample_camera(&s->camera, e);
 	sample_projection(&s->projection, e);
 	sample_viewport(&s->viewport, e);
-	if (s->projection.section == SECTION_INTRINSICS) {
+	if (s->projection.section.way == SECTION_INTRINSICS) {
 		s->viewport.scale = SCALE_FILL;
-		s->projection.width = s->viewport.width;
-		s->projection.height = s->viewport.height;
+		s->projection.section.width = s->viewport.width;
+		s->projection.section.height = s->viewport.height;
 	}
 	sample_flat(&s->window, &s->device, e);
 }
@@ -498,6 +494,6 @@ void sample_round_scene(struct scene *s)
 	s->camera.orthonormalize = false;
 	round_matrix(s->camera.matrix, 3);
 	round_matrix(p->matrix, 4);
-	if (p->section < SECTION_SIZE)
-		p->section = SECTION_SIZE;
+	if (p->section.way < SECTION_SIZE)
+		p->section.way = SECTION_SIZE;
 }

@@ -193,9 +193,9 @@ static void refusals(void **state)
 		.world = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
 		.camera = { .at = { 0, 0, 1 }, .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_ORTHO,
-		    .section = SECTION_SIZE,
-		    .width = 1,
-		    .height = 1,
+		    .section.way = SECTION_SIZE,
+		    .section.width = 1,
+		    .section.height = 1,
 		    .far = 1 },
 	};
 
@@ -213,13 +213,13 @@ static void refusals(void **state)
 	s.world[0][0] = 0;
 	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");
 	s.world[0][0] = 1e150;
-	s.projection.width = 1e-150;
+	s.projection.section.width = 1e-150;
 	s.has_viewport = true;
 	s.viewport = (struct viewport){ .width = 1e150,
 		.height = 1,
 		.max_z = 1 };
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/projection");
-	s.projection.width = 1;
+	s.projection.section.width = 1;
 	memcpy(s.camera.at, s.camera.eye, sizeof s.camera.at);
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/camera/at");
 	assert_scene_refused(&s, SPACE_VIEW, SPACE_MODEL, "/camera/at");

@@ -25,8 +25,8 @@ static void kinds_have_their_names(void **state)
 		*c = (struct camera){ .kind = CAMERA_GAZE, .up = { 0, 1, 0 } };
 		memcpy(c->at, along[i], sizeof c->at);
 		*p = (struct projection){ .type = PROJECTION_PERSP,
-			.section = SECTION_FOVY,
-			.angle = 50 + i,
+			.section.way = SECTION_FOVY,
+			.section.angle = 50 + i,
 			.aspect = { 4, 3 },
 			.near = 1,
 			.far = HUGE_VAL };
@@ -36,9 +36,9 @@ static void kinds_have_their_names(void **state)
 		assert_number(t.taxonomy.fov[1], 50 + i);
 
 		*p = (struct projection){ .type = PROJECTION_ORTHO,
-			.section = SECTION_SIZE,
-			.width = 3,
-			.height = 2,
+			.section.way = SECTION_SIZE,
+			.section.width = 3,
+			.section.height = 2,
 			.far = 5 };
 		assert_null(picture_of(&s, &t));
 		assert_int_equal(t.taxonomy.taxon, TAXON_ORTHOGRAPHIC);
@@ -49,18 +49,18 @@ static void kinds_have_their_names(void **state)
 static void obliques_have_their_names(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_OBLIQUE,
-			       .section = SECTION_SIZE,
-			       .width = 3,
-			       .height = 2,
+			       .section.way = SECTION_SIZE,
+			       .section.width = 3,
+			       .section.height = 2,
 			       .far = 5,
-			       .direction = 30 } };
+			       .shear.direction = 30 } };
 	struct projection *p = &s.projection;
 	struct picture t;
 
 	(void)state;
 	for (int angle = 0; angle <= 90; angle += 15) {
-		p->kind = angle > 0 ? OBLIQUE_ANGLE : OBLIQUE_CABINET;
-		p->projector_angle = angle;
+		p->shear.kind = angle > 0 ? OBLIQUE_ANGLE : OBLIQUE_CABINET;
+		p->shear.projector_angle = angle;
 		assert_null(picture_of(&s, &t));
 		assert_int_equal(t.taxonomy.taxon,
 		    angle == 90 ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE);
@@ -95,11 +95,11 @@ static void eyes_are_on_their_side(void **state)
 			.depth_minus_one = k & 8,
 			.origin_bottom_left = right };
 		*p = (struct projection){ .type = PROJECTION_VOLUME,
-			.half_width = 1,
-			.half_height = 1,
-			.z_near = sign,
-			.z_far = 2 * sign,
-			.inverse_eye_z = reverse ? 0.25 * sign : -sign };
+			.volume.half_width = 1,
+			.volume.half_height = 1,
+			.volume.z_near = sign,
+			.volume.z_far = 2 * sign,
+			.volume.inverse_eye_z = reverse ? 0.25 * sign : -sign };
 		assert_null(projection_map(p, &s.convention, false, &m));
 		for (int i = 0; i < 16; i++)
 			p->matrix[i / 4][i % 4] = element(&m, i / 4, i % 4);
@@ -119,9 +119,9 @@ static void eyes_are_on_their_side(void **state)
 static void depth_may_be_reversed(void **state)
 {
 	struct scene s = { .projection = { .type = PROJECTION_PERSP,
-			       .section = SECTION_SIZE,
-			       .width = 2,
-			       .height = 2,
+			       .section.way = SECTION_SIZE,
+			       .section.width = 2,
+			       .section.height = 2,
 			       .near = 1,
 			       .reverse_z = true } };
 	struct projection *p = &s.projection;

@@ -14,8 +14,8 @@ static void section_by_edges(const struct projection *p, real n, real s[2],
 {
 	real a[2], b[2];
 
-	set_reals(a, 2, (double[]){ p->left, p->bottom });
-	set_reals(b, 2, (double[]){ p->right, p->top });
+	set_reals(a, 2, (double[]){ p->section.left, p->section.bottom });
+	set_reals(b, 2, (double[]){ p->section.right, p->section.top });
 	for (int i = 0; i < 2; i++) {
 		s[i] = divide(mul(TWO, n), sub(b[i], a[i]));
 		off[i] = divide(add(a[i], b[i]), sub(b[i], a[i]));
@@ -32,7 +32,7 @@ static real tangent(double angle, bool radians)
 static void section_by_angles(const struct projection *p, real s[2],
     real off[2])
 {
-	const double angle[4] = { p->left, p->right, p->bottom, p->top };
+	const double *angle = p->section.angles;
 
 	for (int i = 0; i < 2; i++) {
 		real a = tangent(angle[2 * i], p->unit);
@@ -60,30 +60,34 @@ static void cross_section(const struct projection *p, real n, real s[2],
 	bool wide = p->aspect[0] >= p->aspect[1];
 
 	set_reals(off, 2, NULL);
-	switch (p->section) {
+	switch (p->section.way) {
 	case SECTION_FOVY:
-		section_by_aspect(p, false, cotangent(p->angle, p->unit, 2), s);
+		section_by_aspect(p, false,
+		    cotangent(p->section.angle, p->unit, 2), s);
 		break;
 	case SECTION_FOVX:
-		section_by_aspect(p, true, cotangent(p->angle, p->unit, 2), s);
+		section_by_aspect(p, true,
+		    cotangent(p->section.angle, p->unit, 2), s);
 		break;
 	case SECTION_VIEW_ANGLE:
-		section_by_aspect(p, !wide, cotangent(p->angle, p->unit, 2), s);
+		section_by_aspect(p, !wide,
+		    cotangent(p->section.angle, p->unit, 2), s);
 		break;
 	case SECTION_FIELD:
-		section_by_aspect(p, wide, divide(ONE, real_of(p->angle)), s);
+		section_by_aspect(p, wide,
+		    divide(ONE, real_of(p->section.field)), s);
 		break;
 	case SECTION_HEIGHT:
 		section_by_aspect(p, false,
-		    divide(mul(TWO, n), real_of(p->height)), s);
+		    divide(mul(TWO, n), real_of(p->section.height)), s);
 		break;
 	case SECTION_WIDTH:
 		section_by_aspect(p, true,
-		    divide(mul(TWO, n), real_of(p->width)), s);
+		    divide(mul(TWO, n), real_of(p->section.width)), s);
 		break;
 	case SECTION_SIZE:
-		s[0] = divide(mul(TWO, n), real_of(p->width));
-		s[1] = divide(mul(TWO, n), real_of(p->height));
+		s[0] = divide(mul(TWO, n), real_of(p->section.width));
+		s[1] = divide(mul(TWO, n), real_of(p->section.height));
 		break;
 	case SECTION_EDGES:
 		section_by_edges(p, n, s, off);
@@ -125,7 +129,8 @@ static void persp(const struct projection *p, const struct convention *c,
 {
 	real s[2], off[2];
 
-	cross_section(p, real_of(p->edges_at > 0 ? p->edges_at : p->near), s,
+	cross_section(p,
+	    real_of(p->section.edges_at > 0 ? p->section.edges_at : p->near), s,
 	    off);
 	m[0][0] = s[0];
 	m[1][1] = s[1];
@@ -144,7 +149,7 @@ static void persp(const struct projection *p, const struct convention *c,
  * tangents. */
 static void size_tangents(const struct projection *p, struct truth_stage *s)
 {
-	const double angle[4] = { p->left, p->right, p->bottom, p->top };
+	const double *angle = p->section.angles;
 
 	for (int i = 0; i < 2; i++) {
 		real a = tangent(angle[2 * i], p->unit);
@@ -179,16 +184,16 @@ static void ortho(const struct projection *p, const struct convention *c,
  * where d is the distance along the gaze. */
 static void shear(const struct projection *p, bool right_handed, real m[4][4])
 {
-	real cot = p->kind == OBLIQUE_CAVALIER ?
+	real cot = p->shear.kind == OBLIQUE_CAVALIER ?
 	    ONE :
-	    p->kind == OBLIQUE_CABINET ?
+	    p->shear.kind == OBLIQUE_CABINET ?
 	    real_of(0.5) :
-	    cotangent(p->projector_angle, p->unit, 1);
+	    cotangent(p->shear.projector_angle, p->unit, 1);
 
-	m[2][0] = mul(cot, cosine(p->direction, p->direction_unit));
-	m[2][1] = mul(cot, sine(p->direction, p->direction_unit));
+	m[2][0] = mul(cot, cosine(p->shear.direction, p->shear.direction_unit));
+	m[2][1] = mul(cot, sine(p->shear.direction, p->shear.direction_unit));
 	for (int j = 0; j < 2; j++) {
-		m[3][j] = negative(mul(m[2][j], real_of(p->plane)));
+		m[3][j] = negative(mul(m[2][j], real_of(p->shear.plane)));
 		if (right_handed)
 			m[2][j] = negative(m[2][j]);
 	}
@@ -198,19 +203,20 @@ static void shear(const struct projection *p, bool right_handed, real m[4][4])
  * under the angle, from before near. */
 static real inverse_eye_z(const struct projection *p, real hw, real hh)
 {
-	real q = divide(ONE, cotangent(p->angle, p->unit, 2));
+	real q = divide(ONE, cotangent(p->volume.view_angle, p->unit, 2));
 
 	q = divide(q, mpfr_cmp(hw, hh) < 0 ? hw : hh);
-	return p->z_near > p->z_far ? q : negative(q);
+	return p->volume.z_near > p->volume.z_far ? q : negative(q);
 }
 
 /* Sets the sizes of the elements of a volume by angle, in which sums occur. */
 static void size_depth(const struct projection *p, bool minus_one, real q,
     struct truth_stage *s)
 {
-	real zn = magnitude(real_of(p->z_near)),
-	     zf = magnitude(real_of(p->z_far));
-	real deep = magnitude(sub(real_of(p->z_near), real_of(p->z_far)));
+	real zn = magnitude(real_of(p->volume.z_near)),
+	     zf = magnitude(real_of(p->volume.z_far));
+	real deep = magnitude(
+	    sub(real_of(p->volume.z_near), real_of(p->volume.z_far)));
 	real a = mul(zf, magnitude(q)), b = mul(zn, magnitude(q));
 	real one = add(ONE, a);
 
@@ -227,10 +233,12 @@ static void volume(const struct projection *p, bool minus_one,
     struct truth_stage *s)
 {
 	real(*m)[4] = s->m;
-	real zn = real_of(p->z_near), zf = real_of(p->z_far);
-	real hw = real_of(p->half_width), hh = real_of(p->half_height);
-	real q = real_of(p->inverse_eye_z);
-	real tx = real_of(p->tan_skew[0]), ty = real_of(p->tan_skew[1]);
+	real zn = real_of(p->volume.z_near), zf = real_of(p->volume.z_far);
+	real hw = real_of(p->volume.half_width),
+	     hh = real_of(p->volume.half_height);
+	real q = real_of(p->volume.inverse_eye_z);
+	real tx = real_of(p->volume.tan_skew[0]),
+	     ty = real_of(p->volume.tan_skew[1]);
 
 	if (p->aspect[1] != 0) {
 		real aspect = divide(real_of(p->aspect[0]),
@@ -241,12 +249,13 @@ static void volume(const struct projection *p, bool minus_one,
 		else
 			hh = divide(hh, aspect);
 	}
-	if (p->eye_given_by == EYE_BY_ANGLE)
-		q = p->angle > 0 ? inverse_eye_z(p, hw, hh) : real_of(0);
-	if (p->eye_given_by == EYE_BY_POINT) {
-		q = divide(ONE, real_of(p->eye[2]));
-		tx = mul(real_of(p->eye[0]), q);
-		ty = mul(real_of(p->eye[1]), q);
+	if (p->volume.eye_given_by == EYE_BY_ANGLE)
+		q = p->volume.view_angle > 0 ? inverse_eye_z(p, hw, hh) :
+					       real_of(0);
+	if (p->volume.eye_given_by == EYE_BY_POINT) {
+		q = divide(ONE, real_of(p->volume.eye[2]));
+		tx = mul(real_of(p->volume.eye[0]), q);
+		ty = mul(real_of(p->volume.eye[1]), q);
 	}
 	m[0][0] = divide(ONE, hw);
 	m[1][1] = divide(ONE, hh);
@@ -263,7 +272,7 @@ static void volume(const struct projection *p, bool minus_one,
 
 	for (int i = 0; i < 16 && behind; i++)
 		m[i / 4][i % 4] = negative(m[i / 4][i % 4]);
-	if (p->eye_given_by == EYE_BY_ANGLE)
+	if (p->volume.eye_given_by == EYE_BY_ANGLE)
 		size_depth(p, minus_one, q, s);
 }
 
@@ -281,14 +290,14 @@ static void pixels(struct truth *t, const struct projection *p,
 	for (int j = 0; j < 3; j++)
 		for (int i = 0; i < 4; i++)
 			s->m[i][column[j]] = real_of(
-			    p->intrinsics[j][i] * (i == 1 ? up : 1));
+			    p->section.intrinsics[j][i] * (i == 1 ? up : 1));
 	depth(p, c->depth_minus_one, &a, &b);
 	for (int i = 0; i < 4; i++)
 		s->m[i][2] = mul(a, s->m[i][3]);
 	s->m[3][2] = add(s->m[3][2], b);
 	s = truth_stage(t);
-	s->m[0][0] = divide(TWO, real_of(p->width));
-	s->m[1][1] = divide(real_of(2 * up), real_of(p->height));
+	s->m[0][0] = divide(TWO, real_of(p->section.width));
+	s->m[1][1] = divide(real_of(2 * up), real_of(p->section.height));
 	s->m[3][0] = real_of(-1);
 	s->m[3][1] = real_of(-up);
 }
@@ -308,13 +317,14 @@ void truth_projection(struct truth *t, const struct projection *p,
 	bool upright = has_extent || p->type == PROJECTION_OBLIQUE;
 
 	bool by_pixels = p->type == PROJECTION_PERSP &&
-	    p->section == SECTION_INTRINSICS;
+	    p->section.way == SECTION_INTRINSICS;
 
 	if (p->type == PROJECTION_OBLIQUE ||
-	    (p->type == PROJECTION_VOLUME && p->eye_given_by == EYE_BY_ANGLE) ||
+	    (p->type == PROJECTION_VOLUME &&
+		p->volume.eye_given_by == EYE_BY_ANGLE) ||
 	    (has_extent &&
-		(p->section <= SECTION_VIEW_ANGLE ||
-		    p->section == SECTION_ANGLES)))
+		(p->section.way <= SECTION_VIEW_ANGLE ||
+		    p->section.way == SECTION_ANGLES)))
 		t->irrational = true;
 	if (upright && c->view_y_down)
 		truth_half_turn(t);
@@ -331,7 +341,7 @@ void truth_projection(struct truth *t, const struct projection *p,
 			set_reals(s->m[i], 4, p->matrix[i]);
 	if (p->type == PROJECTION_PERSP && !by_pixels)
 		persp(p, c, s->m);
-	if (p->type == PROJECTION_PERSP && p->section == SECTION_ANGLES)
+	if (p->type == PROJECTION_PERSP && p->section.way == SECTION_ANGLES)
 		size_tangents(p, s);
 	if (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE)
 		ortho(p, c, s->m);
@@ -351,6 +361,6 @@ struct sized truth_w_gradient(const struct projection *p)
 	struct sized w[3];
 
 	for (int j = 0; j < 3; j++)
-		w[j] = sized_of(p->intrinsics[2][j]);
+		w[j] = sized_of(p->section.intrinsics[2][j]);
 	return sized_length(w);
 }
