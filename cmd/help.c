@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "call/option_row.h"
-#include "call/synonyms.h"
+#include "call/unknown.h"
 #include "scene/convention_member.h"
 #include "message/message.h"
 
@@ -148,7 +148,7 @@ bool help_member(const char *name)
 		print_members(scene_members, ANY_VARIANT, ALL_MEMBERS);
 		return true;
 	}
-	if (synonym_find(name, &row) == NULL)
+	if (unknown_find_member(name, &row) == NULL)
 		return false;
 	put_heading(row->name);
 	output_printf(": %s\n\n", row->about);

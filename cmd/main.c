@@ -4,7 +4,7 @@
 
 #include "call/input.h"
 #include "call/operands.h"
-#include "call/synonyms.h"
+#include "call/unknown.h"
 #include "help.h"
 #include "help_json.h"
 #include "message/message.h"
@@ -119,7 +119,7 @@ static void run_help(const struct options *o)
 	else if (c != NULL)
 		help_command(c);
 	else if (!help_member(what))
-		synonym_refuse_word(commands, true, what);
+		unknown_refuse_command(commands, true, what);
 }
 
 static void *run_scenes(void *data)
@@ -157,7 +157,7 @@ int main(int argc, char **argv)
 	o.version = strcmp(argv[1], "--version") == 0 ||
 	    strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o.version)
-		synonym_refuse_word(commands, false, argv[1]);
+		unknown_refuse_command(commands, false, argv[1]);
 	if (c != NULL)
 		options_read(&o, argv + 2);
 	if (o.version) {

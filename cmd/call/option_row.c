@@ -22,7 +22,7 @@ static void option_read_word(struct options *o, const struct option_row *r,
 {
 	unsigned *at = r->global != NULL ? r->global :
 					   (void *)((char *)o + r->offset);
-	const char *near = word_nearest(word, r->words);
+	struct word_guess g = { .word = word };
 	char all[LIST_ROOM];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
@@ -30,11 +30,10 @@ static void option_read_word(struct options *o, const struct option_row *r,
 			*at = i;
 			return;
 		}
-	if (near != NULL)
-		die(EXIT_USAGE, "--%s: unknown word '%s'; did you mean %s?",
-		    r->name, word, near);
-	die(EXIT_USAGE, "--%s: unknown word '%s'; use %s", r->name, word,
-	    join_words(all, r->words, " or ", ""));
+	word_offer_list(&g, r->words, "did you mean %s?");
+	word_offer(&g, WORD_ELSE, "use %s",
+	    words_join(all, r->words, " or ", ""));
+	die(EXIT_USAGE, "--%s: unknown word '%s'; %s", r->name, word, g.remedy);
 }
 
 static int whole_number(const struct option_row *r, const char *word, int min,

@@ -8,58 +8,30 @@
 #include "../message/message.h"
 #include "../message/words.h"
 #include "option_row.h"
-#include "synonyms.h"
-
-/* Fills `names` with the names of the command's options that begin with `word`, and a
- * NULL after them. Returns how many names there are. */
-static int option_names(const struct command *c, const char *word,
-    const char *names[OPTIONS_MAX + 1])
-{
-	const size_t n = strlen(word);
-	int count = 0;
-
-	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (option_is_for(r, c) && strncmp(r->name, word, n) == 0)
-			names[count++] = r->name;
-	names[count] = NULL;
-	return count;
-}
-
-/* Refuses `word`, an option that c does not take. `name` is `word` without dashes or,
- * if `word` is a letter such as "-t" that other commands take, its long name. */
-static _Noreturn void refuse_option(const struct command *c, const char *word,
-    const char *name)
-{
-	const char *names[OPTIONS_MAX + 1], *near;
-
-	/* one letter that no option has is too short to be looked up as a member */
-	if (strcmp(word + 1, name) != 0)
-		synonym_check_option(c, word, name);
-	option_names(c, "", names);
-	near = word_nearest(name, names);
-	if (near != NULL)
-		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
-		    c->name, word, near);
-	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists them",
-	    c->name, word, c->name);
-}
+#include "unknown.h"
 
 /* Returns c's option for `word`: "--", then the name or a unique beginning of it. */
 static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
-	const struct option_row *r = option_find(name);
+	const struct option_row *named = option_find(name);
+	const size_t n = strlen(name);
 	char list[LIST_ROOM];
-	int count = option_names(c, name, names);
+	int count = 0;
 
-	if (r != NULL && option_is_for(r, c) && strcmp(r->name, name) == 0)
-		return r;
-	if (r != NULL || *name == '\0' || count == 0)
-		refuse_option(c, word, name);
+	for (const struct option_row *r = option_rows; r->name != NULL; r++)
+		if (option_is_for(r, c) && strncmp(r->name, name, n) == 0)
+			names[count++] = r->name;
+	names[count] = NULL;
+	if (named != NULL && option_is_for(named, c) &&
+	    strcmp(named->name, name) == 0)
+		return named;
+	if (named != NULL || n == 0 || count == 0)
+		unknown_check_option(c, word, name, true);
 	if (count > 1)
 		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name,
-		    word, join_words(list, names, " or ", ""));
+		    word, words_join(list, names, " or ", ""));
 	return option_find(names[0]);
 }
 
@@ -73,7 +45,8 @@ static const struct option_row *find_letter_option(const struct command *c,
 	while (r->name != NULL && r->letter != letter)
 		r++;
 	if (r->name == NULL || !option_is_for(r, c))
-		refuse_option(c, word, r->name != NULL ? r->name : word + 1);
+		unknown_check_option(c, word,
+		    r->name != NULL ? r->name : word + 1, true);
 	return r;
 }
 
@@ -112,7 +85,7 @@ static void set_options_of_word(struct options *o, char *word, char ***next)
 		return;
 	}
 	if (word[1] != '\0' && word[2] != '\0')
-		synonym_check_option(c, word, word + 1);
+		unknown_check_option(c, word, word + 1, false);
 	if (equals != NULL)
 		*equals = '=';
 	do {

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "../message/escape.h"
-#include "../message/words.h"
 
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
@@ -58,7 +57,7 @@ const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 	if (row->members != NULL)
 		return "object";
 	if (row->words != NULL)
-		return join_words(out, row->words, " or ", "");
+		return words_join(out, row->words, " or ", "");
 	if (row->type->number_size == sizeof(bool))
 		return "true or false";
 	const bool size = row->range != NULL &&
@@ -86,29 +85,30 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Refuses v, a member that the table lacks, unless any document may have it. The
- * message says the first of these that is true: the table has v->name as an alias;
- * word_hint has a remark; other objects of the scene have a member v->name or else an
- * alias v->name; the scene has a member v->name; a name in the table is near. Else the
- * message lists the table. */
+/* Refuses v, a member that the table lacks, unless any document may have it. The remedy
+ * is the first of these: the member that has v->name as an alias; a remark of word_hint;
+ * other objects of the scene that have a member v->name or else an alias v->name; the
+ * scene, which has a member v->name; a near name in the table; all of its names. */
 static void check_unknown(const struct value *v, const struct member *table,
     int variant)
 {
 	const struct member *row = member_named(table, variant, v->name, true);
 	const struct member *scene = v->source->scene_members;
 	const struct member *of_scene = member_named(scene, 0, v->name, false);
-	const char *names[MEMBERS_MAX + 1], *hint = word_hint(v->name, ':');
-	char all[LIST_ROOM];
+	const char *names[MEMBERS_MAX + 1];
+	const char *hint = word_hint(v->name, WORD_MEMBER, '\0');
+	struct word_guess g = { .word = v->name };
+	char list[LIST_ROOM];
 	int n = 0;
 
 	if (of_scene != NULL && of_scene->in_any_document &&
 	    v->parent->parent == NULL)
 		return;
 	if (row != NULL)
-		value_refuse(v, "unknown member; did you mean \"%s\"%s?",
-		    row->name, row->hint != NULL ? row->hint : "");
+		word_offer(&g, WORD_KNOWN, "did you mean \"%s\"%s?", row->name,
+		    row->hint != NULL ? row->hint : "");
 	if (hint != NULL)
-		value_refuse(v, "unknown member; %s", hint + 2);
+		word_offer(&g, WORD_KNOWN, "%s", hint + 2);
 	for (int alias = 0; alias < 2 && n == 0; alias++)
 		for (const struct member *s = scene; s->name != NULL; s++)
 			if (s->members != table &&
@@ -117,18 +117,16 @@ static void check_unknown(const struct value *v, const struct member *table,
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
-		value_refuse(v, "unknown member; it belongs in %s",
-		    join_words(all, names, " or ", "\""));
+		word_offer(&g, WORD_KNOWN, "it belongs in %s",
+		    words_join(list, names, " or ", "\""));
 	if (v->parent->parent != NULL && of_scene != NULL)
-		value_refuse(v, "unknown member; it stands beside \"%s\"",
+		word_offer(&g, WORD_KNOWN, "it stands beside \"%s\"",
 		    v->parent->name);
 	list_names(table, variant, ALL_MEMBERS, names);
-	const char *near = word_nearest(v->name, names);
-
-	if (near != NULL)
-		value_refuse(v, "unknown member; did you mean \"%s\"?", near);
-	value_refuse(v, "unknown member; there are %s",
-	    join_words(all, names, " and ", "\""));
+	word_offer_list(&g, names, "did you mean \"%s\"?");
+	word_offer(&g, WORD_ELSE, "there are %s",
+	    words_join(list, names, " and ", "\""));
+	value_refuse(v, "unknown member; %s", g.remedy);
 }
 
 static void read_default(const struct member *row, void *to)
@@ -188,7 +186,7 @@ static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
 	const char *names[MEMBERS_MAX + 1];
 
 	list_names(b->table, b->variant, bits, names);
-	return join_words(out, names, " and ", "\"");
+	return words_join(out, names, " and ", "\"");
 }
 
 /* Writes all ways: "give A and B, or C". Omits optional members that are not given. */

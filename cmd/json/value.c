@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "../../core/scene/scene.h"
-#include "../message/words.h"
 #include "../number/number.h"
 #include "check.h"
 #include "text.h"
@@ -265,35 +264,18 @@ void value_numbers(const struct value *v, const struct value_range *range,
 		*out++ = value_number(&e, range);
 }
 
-const char *join_words(char out[LIST_ROOM], const char *const *words,
-    const char *before_last, const char *quote)
-{
-	size_t at = 0;
-
-	*out = '\0';
-	for (int i = 0; words[i] != NULL && at < LIST_ROOM; i++)
-		at += (size_t)snprintf(out + at, LIST_ROOM - at, "%s%s%s%s",
-		    i == 0                   ? "" :
-			words[i + 1] == NULL ? before_last :
-					       ", ",
-		    quote, words[i], quote);
-	return out;
-}
-
 int value_word(const struct value *v, const char *const *words)
 {
-	const char *s = value_string(v);
+	struct word_guess g = { .word = value_string(v) };
 	char all[LIST_ROOM];
 
-	join_words(all, words, " or ", "\"");
-	if (s == NULL)
+	words_join(all, words, " or ", "\"");
+	if (g.word == NULL)
 		value_refuse_type(v, all);
 	for (int i = 0; words[i] != NULL; i++)
-		if (strcmp(s, words[i]) == 0)
+		if (strcmp(g.word, words[i]) == 0)
 			return i;
-	s = word_nearest(s, words);
-	if (s != NULL)
-		value_refuse(v, "is \"%.60s\"; did you mean \"%s\"?",
-		    value_string(v), s);
-	value_refuse(v, "is \"%.60s\"; %s is wanted", value_string(v), all);
+	word_offer_list(&g, words, "did you mean \"%s\"?");
+	word_offer(&g, WORD_ELSE, "%s is wanted", all);
+	value_refuse(v, "is \"%.60s\"; %s", g.word, g.remedy);
 }

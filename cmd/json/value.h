@@ -9,6 +9,7 @@
 
 #include "../message/message.h"
 #include "../message/utf8.h"
+#include "../message/words.h"
 
 /* The text of a document, and what the functions that read its values need. */
 struct json_source {
@@ -124,12 +125,5 @@ void value_numbers(const struct value *, const struct value_range *, size_t n,
 
 /* Returns the index of a string in words[], which NULL ends; refuses other values. */
 int value_word(const struct value *, const char *const *words);
-
-/* Writes words[], which NULL ends, as a list such as "a", "b" or "c". Writes `quote`
- * before and after each word, and `before_last`, such as " or ", before the last one. A
- * list is cut at LIST_ROOM bytes. Returns out. */
-enum { LIST_ROOM = 512 };
-const char *join_words(char out[LIST_ROOM], const char *const *words,
-    const char *before_last, const char *quote);
 
 #endif

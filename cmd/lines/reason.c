@@ -322,7 +322,8 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 static void say_near(const struct layout *l, struct cursor c,
     const struct names *names, const char *typed, char reason[REASON_MAX])
 {
-	const char *near = word_nearest(typed, names->list), *s;
+	struct word_guess g = { .word = typed };
+	const char *s;
 	const size_t head = strcspn(typed, ".[");
 	char shown[ESCAPED_MAX];
 
@@ -339,9 +340,13 @@ static void say_near(const struct layout *l, struct cursor c,
 		say_more(reason,
 		    "; if there is no header, say --columns by "
 		    "number, such as 3,4,5");
-	} else if (near != NULL) {
-		say_more(reason, "; did you mean '%s'?",
-		    escape_short(shown, near, strlen(near)));
+	} else {
+		for (int i = 0; i < names->n; i++)
+			word_offer(&g, word_closeness(typed, names->list[i]),
+			    "; did you mean '%s'?",
+			    escape_short(shown, names->list[i],
+				strlen(names->list[i])));
+		say_more(reason, "%s", g.remedy);
 	}
 }
 

@@ -1,27 +1,65 @@
 /* SPDX-License-Identifier: MIT */
-/* What an unknown word may mean: the nearest of the words that are known in its place,
- * or the hint of a table of words that other programs use. */
+/* What an unknown word may mean, wherever it stands: on the command line, as the argument
+ * of an option, as the name of a member or as its value. Its reader offers all meanings
+ * to a struct word_guess, which keeps the remedy of the closest, for the end of one
+ * message. The table of words.c has words of other programs that are no aliases in the
+ * tables of members. */
 #ifndef WORDS_H
 #define WORDS_H
 
 #include <stdbool.h>
 
-/* Returns the word in the list `words`, which NULL ends, that `word` may mean, or NULL.
- * This is the last word of a hint of several words for `word` (word_hint) or, if the
- * list lacks it, the word that is the fewest edits away: at most one edit if `word` has
- * two to five letters, two if six to eight, three if more. An edit changes, adds or
- * drops a letter, or swaps two neighbours. Else this is the first word that
- * begins with `word` or that `word` begins with, if the shorter of the two has at least
- * three letters. Case does not count. */
-const char *word_nearest(const char *word, const char *const *words);
+enum { LIST_ROOM = 512, REMEDY_ROOM = LIST_ROOM + 64 };
+
+/* How close a word is to a meaning. */
+enum {
+	WORD_ELSE = 1, /* is not; the remedy is for words without meaning */
+	WORD_BEGINS,   /* one begins with the other, by three letters or more */
+	WORD_EDITED,   /* three edits apart; + 1: two; + 2: one; + 3: equal */
+	WORD_KNOWN = WORD_EDITED + 4, /* an alias, or a word with a hint */
+};
+
+struct word_guess {
+	const char *word;
+	int closeness;            /* of the remedy; 0: there is none */
+	char remedy[REMEDY_ROOM]; /* such as "did you mean --to?" */
+};
+
+/* Sets the remedy if its meaning is closer than those offered before. */
+void word_offer(struct word_guess *, int closeness, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* Offers each of words[], which NULL ends, by a format with one %s. */
+void word_offer_list(struct word_guess *, const char *const *words,
+    const char *format);
+
+/* Returns how close `word` is to `name`, or 0. An edit changes, adds or drops a letter,
+ * or swaps two neighbours; a word of two to five letters may have one edit, of six to
+ * eight two, a longer one three. Case does not count. */
+int word_closeness(const char *word, const char *name);
 
 /* Returns whether `word` is in `words`: lower-case words with blanks between them, or
  * NULL for no words. Ignores case, _ and -: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
 
-/* Returns the hint for a word of other programs, or NULL. The hint is an option
- * ("--jobs"), a call ("project -m") or a remark (": ..."); a * stands for the word.
- * If `first` is not NUL, ignores hints that do not begin with this character. */
-const char *word_hint(const char *word, char first);
+/* Where a word of other programs stands, as bits: a command or a topic of help, an
+ * option, the argument of an option or the string of a member, the name of a member. */
+enum word_place {
+	WORD_COMMAND = 1,
+	WORD_OPTION = 2,
+	WORD_VALUE = 4,
+	WORD_MEMBER = 8,
+};
+
+/* Returns the hint for a word of other programs in a place, or NULL. The hint is an
+ * option ("--jobs"), a call ("project -m") or a remark (": ..."); a * stands for the
+ * word. If `first` is not NUL, ignores hints that do not begin with it. */
+const char *word_hint(const char *word, enum word_place, char first);
+
+/* Writes words[] as a list such as "a", "b" or "c": with `quote` before and after each,
+ * and `before_last`, such as " or ", before the last. Cuts the list at LIST_ROOM bytes.
+ * Returns out. */
+const char *words_join(char out[LIST_ROOM], const char *const *words,
+    const char *before_last, const char *quote);
 
 #endif

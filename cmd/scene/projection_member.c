@@ -238,7 +238,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 	}
 	names[n] = NULL;
 	value_refuse(VALUE_MISSING(v, "type"), "missing; %s %s", add[n > 1],
-	    join_words(all, names, " or ", "\""));
+	    words_join(all, names, " or ", "\""));
 }
 
 /* Reads the type, on which the other members depend. */

@@ -21,8 +21,8 @@ my %params = (lookat => '{"eye":[0,0,-5],"at":[0,0,0]}', persp => $lens,
     w2n => '{"center":[0,0],"width":1,"height":1}',
     n2d => '{"width":1,"height":1}', ortho => '{"width":1,"height":1,"near":0,"far":1}');
 
-my ($table) = slurp('cmd/message/words.c') =~ /synonyms\[\] = \{(.*?)\n\};/s;
-my %words = map { $_ => 1 } (map { split } $table =~ /^\t\{ "([^"]+)"/mg),
+my ($table) = slurp('cmd/message/words.c') =~ /word_rows\[\] = \{(.*?)\n\};/s;
+my %words = map { $_ => 1 } (map { split } $table =~ /^\t\{ \w+, "([^"]+)"/mg),
     qw(pan rvec rotation flags columns fovy zoom eye lookAt
     radians transpose column-major near_far near-far extent);
 
@@ -84,7 +84,7 @@ for my $word (sort keys %words) {
 }
 
 # Remarks are also about members.
-while ($table =~ /^\t\{ ((?:"[^"]*"\s*)+),\s*": /mg) {
+while ($table =~ /^\t\{ \w+, ((?:"[^"]*"\s*)+),\s*": /mg) {
 	for my $word (map { split } $1 =~ /"([^"]*)"/g) {
 		my ($status, $said) = try("lookat '{\"$word\":1}'");
 		ok($status == 1 && $said =~ /unknown member; (?!there are)/,

@@ -32,9 +32,11 @@ static void test_nearest(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-		const char *near = word_nearest(cases[i].word, words);
+		struct word_guess g = { .word = cases[i].word };
 
-		assert_text(near, cases[i].near, cases[i].word);
+		word_offer_list(&g, words, "%s");
+		assert_text(g.closeness > 0 ? g.remedy : NULL, cases[i].near,
+		    g.word);
 	}
 }
 

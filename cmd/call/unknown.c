@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+#include "unknown.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../message/message.h"
+#include "../message/words.h"
+#include "../scene/types.h"
+#include "input.h"
+#include "option_row.h"
+
+/* Returns a member called `name`, or NULL. Searches the members of a scene that have bits
+ * in `objects`, from the last to the first, and the members of each: by `passes` first
+ * for one letter, then for the next. n is a name that objects of `variant` have, a an
+ * alias, N and A are those of any variant. Sets *object as unknown_find_member does. */
+static const struct member *find_member(unsigned objects, int variant,
+    const char *name, const char *passes, const struct member **object)
+{
+	for (; *passes != '\0'; passes++) {
+		const bool any = strchr("NA", *passes) != NULL;
+		const bool alias = strchr("aA", *passes) != NULL;
+
+		for (int k = 31; k >= 0; k--) {
+			if ((objects >> k & 1) == 0)
+				continue;
+			const struct member *s = *object = &scene_members[k];
+			const struct member *m = member_named(scene_members,
+			    ANY_VARIANT, name, alias);
+
+			if (m != s)
+				m = member_named(s->members,
+				    any ? ANY_VARIANT : variant, name, alias);
+			if (m != NULL)
+				return m;
+		}
+	}
+	return NULL;
+}
+
+const struct member *unknown_find_member(const char *name,
+    const struct member **object)
+{
+	return find_member(SCENE_ALL, 0, name, "nNaA", object);
+}
+
+/* Offers m. `object` is a member of the scene, and m is `object` or one of its members.
+ * Shows object->example if it has m or m is `object`, else the topic of help about it.
+ * `reads` has, as bits, the members of the scene that the command reads. */
+static void offer_member(struct word_guess *g, unsigned reads,
+    const struct member *m, const struct member *object)
+{
+	const char *where = reads >> (object - scene_members) & 1 ?
+	    "in PARAMS" :
+	    "for other commands";
+	char says[128], quoted[64];
+
+	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
+	snprintf(says, sizeof says, "%s is a member of the %s %s", quoted,
+	    m == object ? "scene" : object->name, where);
+	if (object->example != NULL &&
+	    (m == object || strstr(object->example, quoted) != NULL))
+		word_offer(g, WORD_KNOWN, "%s: '{\"%s\": %s}'", says,
+		    object->name, object->example);
+	else
+		word_offer(g, WORD_KNOWN, "%s; 'projcalc help %s' describes it",
+		    says, object->name);
+}
+
+/* Writes to `list` which commands take an option: "fit and trace". Returns `list`. */
+static const char *option_takers(const struct option_row *r,
+    char list[LIST_ROOM])
+{
+	/* in the order of the bits of enum command_kind */
+	static const char *const names[] = { "the 3D matrix commands",
+		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
+		"help" };
+	const char *takers[sizeof names / sizeof *names + 1] = { NULL };
+	int n = 0;
+
+	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
+		if (r->kinds >> i & 1)
+			takers[n++] = names[i];
+	return words_join(list, takers, " and ", "");
+}
+
+/* Offers a hint of word_hint. If the hint is an option, and c lacks it or is NULL, says
+ * which commands take the option. */
+static void offer_hint(struct word_guess *g, const struct command *c,
+    const char *hint)
+{
+	const size_t n = strcspn(hint, "*");
+	const struct option_row *r;
+	char list[LIST_ROOM], call[LIST_ROOM];
+
+	snprintf(call, sizeof call, "%.*s%s", (int)n, hint,
+	    hint[n] == '*' ? g->word : "");
+	r = option_find(call + 2);
+	if (*hint == ':')
+		word_offer(g, WORD_KNOWN, "%s", hint + 2);
+	else if (*hint != '-')
+		word_offer(g, WORD_KNOWN, "did you mean 'projcalc %s'?", call);
+	else if (option_is_for(r, c))
+		word_offer(g, WORD_KNOWN, "did you mean %s?", call);
+	else
+		word_offer(g, WORD_KNOWN, "%s is an option of %s", call,
+		    option_takers(r, list));
+}
+
+/* Offers options, members and hints that g->word names, the likeliest first. The user
+ * typed it as an option of c or, if c is NULL, as a command or a topic. */
+static void offer_known(struct word_guess *g, const struct command *c)
+{
+	static const struct document_wants nothing;
+	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
+	const unsigned reads = c != NULL ? document_used_members(w) : 0;
+	const enum word_place place = c != NULL ? WORD_OPTION : WORD_COMMAND;
+	const struct option_row *r = option_find(g->word);
+	const char *option = word_hint(g->word, place, '-');
+	const char *hint = word_hint(g->word, place, '\0');
+	/* skips SCENE_SPATIAL if an option has the name: in a call of project, --at is
+	 * more likely meant as the option of pick than as camera.at */
+	const unsigned objects[] = { w->lone_member,
+		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
+	/* searches the members of persp if the command implies no type of projection */
+	const int type = (int)w->source.implied_type,
+		  variant = type > 0 ? type - 1 : 0;
+	const struct member *m, *object;
+
+	if (option_is_for(r, c))
+		offer_hint(g, c, "--*");
+	if (option != NULL && option_is_for(option_find(option + 2), c))
+		offer_hint(g, c, option);
+	/* searches aliases, too, unless an option has the name */
+	for (int i = 0; i < 2; i++) {
+		m = find_member(objects[i], variant, g->word,
+		    r == NULL ? "na" : "n", &object);
+		if (m != NULL)
+			offer_member(g, reads, m, object);
+	}
+	if (hint != NULL)
+		offer_hint(g, c, hint);
+	if (r != NULL)
+		offer_hint(g, c, "--*");
+	m = unknown_find_member(g->word, &object);
+	if (m != NULL)
+		offer_member(g, c != NULL ? reads : SCENE_ALL, m, object);
+}
+
+void unknown_check_option(const struct command *c, const char *word,
+    const char *name, bool is_unknown)
+{
+	struct word_guess g = { .word = name };
+
+	/* one letter that no option has is too short to be looked up as a member */
+	if (word[2] != '\0' || strcmp(word + 1, name) != 0)
+		offer_known(&g, c);
+	if (g.closeness == 0 && !is_unknown)
+		return;
+	for (const struct option_row *r = option_rows; r->name != NULL; r++)
+		if (option_is_for(r, c))
+			word_offer(&g, word_closeness(name, r->name),
+			    "did you mean --%s?", r->name);
+	word_offer(&g, WORD_ELSE, "'projcalc help %s' lists them", c->name);
+	die(EXIT_USAGE, "%s: unknown option %s; %s", c->name, word, g.remedy);
+}
+
+/* Offers `name`, which is `help` "" or a topic after "help ". */
+static void offer_near(struct word_guess *g, const char *help, const char *name)
+{
+	word_offer(g, word_closeness(g->word, name),
+	    "did you mean 'projcalc %s%s'?", help, name);
+}
+
+void unknown_refuse_command(const struct command *commands, bool topic,
+    const char *word)
+{
+	const char first = input_first_char(word);
+	const bool option = *word == '-' &&
+	    (word[1] != '-' || option_find(word + 2) != NULL);
+	/* `word` looks like an option or operand, which has to follow a command */
+	const bool early = !topic &&
+	    (option || first == '{' || first == '[' ||
+		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);
+	const char *const help = topic ? "help " : "";
+	struct word_guess g = { .word = word };
+	const struct member *s, *m;
+
+	if (!early) {
+		offer_known(&g, NULL);
+		offer_near(&g, help, "--help");
+		offer_near(&g, help, "--version");
+	}
+	for (const struct command *c = commands; !early && c->name != NULL; c++)
+		offer_near(&g, help, c->name);
+	for (s = scene_members; !early && s->name != NULL; s++) {
+		offer_near(&g, "help ", s->name);
+		for (m = s->members; m != NULL && m->name != NULL; m++)
+			offer_near(&g, "help ", m->name);
+	}
+	word_offer(&g, WORD_ELSE, "%s'projcalc help' lists commands%s",
+	    early ? "a command comes first, such as project or lookat; " : "",
+	    topic ? ", and 'projcalc help scene' members" : "");
+	die(EXIT_USAGE, "unknown %s '%.400s'; %s", topic ? "topic" : "command",
+	    word, g.remedy);
+}
