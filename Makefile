@@ -172,8 +172,8 @@ $(FUZZERS): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/program.a
 	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 
 SCHEMA = $(BUILD)/projcalc.schema.json
-$(SCHEMA): $(BUILD)/projcalc man/schema.pl man/scene.rules.json
-	perl man/schema.pl $< man/scene.rules.json >$@
+$(SCHEMA): $(BUILD)/projcalc man/schema.pl
+	perl man/schema.pl $< >$@
 $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 	@mkdir -p $(@D)
 	perl man/completion.pl $< $* >$@

@@ -115,24 +115,26 @@ static void put_member(struct printer *p, const struct member *row,
 	put_close(p, "}");
 }
 
-/* Puts the ways to combine members of `object`, and those for fit if they differ. */
-static void put_ways(struct printer *p, const char *object,
-    const struct ways *w, const char *const *types)
+/* Puts a rule for the members of `object`. */
+static void put_rule(struct printer *p, const char *object,
+    const struct rule *r, const char *const *types)
 {
 	open_object(p);
 	put_text_member(p, "in", object);
-	put_words(p, "ways", w->way, ~0u);
-	if (w->own_fit)
-		put_words(p, "fit", w->fit_way, ~0u);
-	if (w->variants != 0)
-		put_words(p, "types", types, w->variants);
+	put_words(p, "ways", r->ways, ~0u);
+	if (r->with != NULL)
+		put_text_member(p, "with", r->with);
+	if (r->tasks != 0)
+		put_words(p, "tasks", WAYS("whole", "fit", "plane"), r->tasks);
+	if (r->variants != 0)
+		put_words(p, "types", types, r->variants);
 	put_close(p, "}");
 }
 
 static void put_all_members(struct printer *p)
 {
 	const struct member *s, *m;
-	const struct ways *w;
+	const struct rule *r;
 
 	put_open(put_name(p, "members"), "[");
 	for (s = scene_members; s->name != NULL; s++) {
@@ -143,8 +145,8 @@ static void put_all_members(struct printer *p)
 	put_close(p, "]");
 	put_open(put_name(p, "ways"), "[");
 	for (s = scene_members; s->name != NULL; s++)
-		for (w = s->ways; w != NULL && w->way[0] != NULL; w++)
-			put_ways(p, s->name, w, s->members->words);
+		for (r = s->rules; r != NULL && r->ways != NULL; r++)
+			put_rule(p, s->name, r, s->members->words);
 	put_close(p, "]");
 }
 

@@ -85,7 +85,7 @@ static const struct command commands[] = {
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "print the scene with a camera that holds bounds or points tightly",
 	    COMMAND_FIT, run_fit,
-	    .wants = { .needed = SCENE_PROJECTION, .source.for_fit = true,
+	    .wants = { .needed = SCENE_PROJECTION, .source.task = TASK_FIT,
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
 		    SCENE_MARGIN },

@@ -1,18 +1,15 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Prints the JSON Schema of a scene, made from `projcalc help --json` and from RULES,
-# the rules between members, which override it.
-# usage: schema.pl PROJCALC RULES
+# Prints the JSON Schema of a scene, made from `projcalc help --json`: the members, and the
+# rules between them. What no row says is written here: the values that have several
+# forms, and three rules between objects.
+# usage: schema.pl PROJCALC
 use strict;
 use warnings;
 use JSON::PP;
 
-my ($program, $rules) = @ARGV;
-open my $said, '-|', $program, 'help', '--json' or die "$program: $!\n";
+open my $said, '-|', $ARGV[0], 'help', '--json' or die "$ARGV[0]: $!\n";
 my $all = decode_json(join '', <$said>);
-open my $read, '<', $rules or die "$rules: $!\n";
-my $hand = decode_json(join '', <$read>);
-delete $hand->{'$comment'}; # it is about the file RULES
 my @types = map { @{$_->{words}} } grep { ($_->{in} // '') eq 'projection' &&
     $_->{name} eq 'type' } @{$all->{members}};
 # The definition "matrix" is that of a matrix, so the type matrix is called any.
@@ -25,20 +22,110 @@ sub is_of {
 	return !$type || !$row->{types} || grep { $_ eq $type } @{$row->{types}};
 }
 
-# Returns the schema of a value of a type, or nothing if RULES has it.
+my ($true, $false) = (JSON::PP::true, JSON::PP::false);
+my ($number, $size) = (ref_to('number'), ref_to('size'));
+
+# Returns the schema of a list of $n values.
+sub list {
+	my ($items, $n) = @_;
+	return {type => 'array', items => $items, minItems => $n, maxItems => $n};
+}
+
+# Returns the schema of a list of one value for each schema.
+sub tuple {
+	return {type => 'array', prefixItems => [@_], minItems => 0 + @_,
+	    maxItems => 0 + @_};
+}
+
+# Returns the schema of $then for values of a type, and of $else for others.
+sub either {
+	my ($type, $then, $else) = @_;
+	return {if => {type => $type}, then => $then, else => $else};
+}
+
+# Returns the schema of an object with no other members than these.
+sub object_of {
+	my (%properties) = @_;
+	return {type => 'object', properties => \%properties,
+	    patternProperties => {'^(_|\\$schema$)' => $true},
+	    additionalProperties => $false};
+}
+
+# Returns the schema of a matrix: a list, or the object that -o json prints.
+sub matrix {
+	my ($list, @rules) = @_;
+	return either('object', {%{object_of(matrix => $list,
+	    vectors => {enum => ['row', 'column'], default => 'row'})},
+	    required => ['matrix'], @rules ? (allOf => \@rules) : ()}, $list);
+}
+
+# Returns the rule that a matrix with few rows or columns is for these vectors.
+sub only_for {
+	my ($vectors, $if) = @_;
+	return {if => {properties => {matrix => $if}},
+	    then => {properties => {vectors => {const => $vectors}}}};
+}
+
+my $zero = {const => 0};
+
+# The definitions of values that several members have, or that have several forms.
+my %values = (
+	number => {type => 'number', minimum => -1e150, maximum => 1e150},
+	size => {type => 'number', minimum => 1e-150, maximum => 1e150},
+	numbers => {type => 'array', if => {minItems => 5}, then => list($number, 16),
+	    else => list(list($number, 4), 4)},
+	matrix => matrix(ref_to('numbers')),
+	affine_numbers => {anyOf => [list(list($number, 4), 3),
+	    list(list($number, 3), 4), ref_to('numbers')]},
+	affine => matrix(ref_to('affine_numbers'), only_for('column', {maxItems => 3}),
+	    only_for('row', {minItems => 4, maxItems => 4, items => {maxItems => 3}})),
+	intrinsics => {type => 'array', if => {contains => {type => 'array'}},
+	    then => {anyOf => [
+		tuple(tuple($size, $number, $number),
+		    tuple($zero, $size, $number), {const => [0, 0, 1]}),
+		{%{list(list($number, 4), 3)}, not => {prefixItems => [
+		    $true, $true, {prefixItems => [($zero) x 3]}]}}]},
+	    else => {anyOf => [
+		tuple($size, $size, $number, $number),
+		tuple($size, $number, $number, $zero, $size, $number,
+		    $zero, $zero, {const => 1}),
+		{%{list($number, 12)}, not => {anyOf => [
+		    {prefixItems => [($true) x 8, ($zero) x 3]},
+		    {prefixItems => [$size, $zero, $zero, $true, $size, $zero,
+			$true, $true, {const => 1}]}]}}]}},
+	coordinate => either('null', $true, $number),
+	point => {type => 'array', items => {type => [qw(number string boolean null)]},
+	    prefixItems => [(ref_to('coordinate')) x 2], minItems => 2},
+);
+
+# The schemas of the types of values that are not one of the definitions above.
+my %shapes = (
+	'true or false' => {type => 'boolean'},
+	'4 numbers, K or P' => ref_to('intrinsics'),
+	'size or "infinity"' => either('string', {const => 'infinity'}, $size),
+	'fill, uniform or 2 sizes' => either('array', list($size, 2),
+	    {enum => ['fill', 'uniform']}),
+	'3 numbers, or 2 of a window' => {%{list($number, 3)}, minItems => 2},
+	'a point or a list' => {type => 'array',
+	    if => {prefixItems => [{type => 'array'}]},
+	    then => {items => ref_to('point')}, else => ref_to('point')},
+);
+
+# Returns the schema of a value of a type.
 sub shape {
 	my ($type, $row) = @_;
 	my ($count, $one) = $type =~ /^(\d+) (\w+)s$/;
-	return {type => 'array', items => shape($one, $row), minItems => 0 + $count,
-	    maxItems => 0 + $count} if $count;
-	return ref_to($type) if $type =~ /^(?:size|matrix)$/;
-	return {type => 'boolean'} if $type eq 'true or false';
+	return list(shape($one, $row), 0 + $count) if $count;
+	return $shapes{$type} if $shapes{$type};
+	return $size if $type eq 'size';
+	return ref_to(($row->{in} // '') eq 'projection' ? 'matrix' : 'affine')
+	    if $type eq 'matrix';
 	return {enum => $row->{words}} if $type eq join ' or ',
 	    join(', ', @{$row->{words}}[0 .. $#{$row->{words}} - 1]) || (),
 	    @{$row->{words}} ? $row->{words}[-1] : ();
 	return {} unless $type =~ /^(?:number|angle)$/;
 	my %range = map { $_ => $row->{$_} } grep { /inimum|aximum/ } keys %$row;
-	return ref_to('number') if ($range{maximum} // 1e150) == 1e150 &&
+	return $number if ($range{maximum} // 1e150) == 1e150 &&
 	    !exists $range{exclusiveMaximum};
 	return {type => 'number', %range};
 }
@@ -53,32 +140,36 @@ sub member {
 	    defined $row->{default} ? (default => $row->{default}) : ()};
 }
 
-# Returns a schema for a set of ways. An object has all members of one way, but for
-# those with ? after them, and no member that only other ways list.
-sub one_of {
-	my (@ways) = @_;
-	my %any = map { $_ => 1 } map { /(\w+)/g } @ways;
-	my @one;
-	for my $way (@ways) {
-		my %has = map { $_ => 1 } $way =~ /(\w+)/g;
-		my @must = $way =~ /(\w+)(?![\w?])/g;
-		my %never = map { $_ => JSON::PP::false } grep { !$has{$_} }
-		    keys %any;
-		push @one, {@must ? (required => \@must) : (),
-		    %never ? (properties => \%never) : ()};
+# Returns schemas for the rules of an object. `$task` is whole, or fit for the command fit,
+# which finds the members that ~ marks. Members before |NAME are optional unless $alone.
+sub rules {
+	my ($in, $type, $task, $alone) = @_;
+	my @rules;
+	for my $rule (grep { $_->{in} eq $in && is_of($_, $type) } @{$all->{ways}}) {
+		next if $rule->{tasks} && !grep { $_ eq $task } @{$rule->{tasks}};
+		my %any = map { $_ => 1 } map { s/\|\w+//gr =~ /(\w+)/g } @{$rule->{ways}};
+		my @ways;
+		for my $way (map { [split] } @{$rule->{ways}}) {
+			my @must = grep { !/\?/ && ($task ne 'fit' || !/~/) &&
+			    ($alone || !/\|/) } @$way;
+			my %never = (%any, map { /^(\w+)/ => 0 } @$way);
+			push @ways, conditions([map { /^(\w+)/ } @must],
+			    grep { $never{$_} } keys %never);
+		}
+		my @with = split ' ', $rule->{with} // '';
+		my @one = map { {required => [$_]} } grep { !/!/ } @with;
+		push @rules, @with ? {if => {@one ? (anyOf => \@one) : (),
+		    %{conditions([], map { /(\w+)!/ } @with)}},
+		    then => {anyOf => \@ways}} : {anyOf => \@ways};
 	}
-	return {anyOf => \@one};
+	return @rules;
 }
 
-# Returns the sets of ways of an object: with $fit, the sets for the command fit, which
-# finds missing members; without it, the sets that fit replaces.
-sub ways {
-	my ($in, $type, $fit) = @_;
-	my @sets = grep { $_->{in} eq $in && is_of($_, $type) } @{$all->{ways}};
-	@sets = grep { $_->{fit} } @sets if !$fit;
-	my @rules = map { one_of(@$_) } grep { @$_ } map {
-		$fit ? $_->{fit} // $_->{ways} : $_->{ways} } @sets;
-	return @rules ? (allOf => \@rules) : ();
+# Returns the schema of an object that has members, and others never.
+sub conditions {
+	my ($must, @never) = @_;
+	return {@$must ? (required => $must) : (),
+	    @never ? (properties => {map { $_ => $false } @never}) : ()};
 }
 
 sub object {
@@ -89,9 +180,25 @@ sub object {
 		$properties{$row->{name}} = $type && $row->{name} eq 'type' ?
 		    {const => $type} : member($row);
 	}
-	return {type => 'object', properties => \%properties,
-	    patternProperties => {'^(_|\\$schema$)' => JSON::PP::true},
-	    additionalProperties => JSON::PP::false, ways($in, $type, 1)};
+	my @rules = rules($in, $type, 'fit');
+	return {%{object_of(%properties)}, @rules ? (allOf => \@rules) : ()};
+}
+
+# Returns the definitions of the stricter rules for the object $name where the scene lacks
+# bounds (_whole), a viewport (_alone), or both (_both).
+sub stricter {
+	my ($name, $in, $type) = @_;
+	my $json = JSON::PP->new->canonical;
+	my %known = map { $json->encode($_) => 1 } rules($in, $type, 'fit');
+	my %defs;
+	for ([whole => 'whole'], [alone => 'fit', 1], [both => 'whole', 1]) {
+		my ($suffix, @how) = @$_;
+		my @rules = grep { !$known{$json->encode($_)}++ }
+		    rules($in, $type, @how);
+		$defs{"${name}_$suffix"} = {%{ref_to($name)},
+		    @rules ? (allOf => \@rules) : ()};
+	}
+	return %defs;
 }
 
 # Returns a schema in which the type of a projection decides which members it has.
@@ -115,34 +222,65 @@ for my $row (grep { !$_->{in} } @{$all->{members}}) {
 		$def = {%$def, type => 'object', by_type(''), properties => {
 		    map { $_->{name} => member($_) } grep { $_->{name} eq 'type' }
 		    @own}};
-		$defs{$def{$_}} = object($name, $_) for @types;
-		$defs{"$def{$_}_whole"} = {%{ref_to($def{$_})},
-		    ways($name, $_, 0)} for @types;
-		$defs{projection_whole} = {by_type('_whole')};
+		%defs = (%defs, $def{$_} => object($name, $_),
+		    stricter($def{$_}, $name, $_)) for @types;
+		$defs{"projection_$_"} = {by_type("_$_")} for qw(whole alone both);
 	} elsif (@own && @{$row->{words}}) {
 		$def = {%$def, if => {type => 'object'}, then => object($name),
 		    else => {enum => $row->{words}}};
 	} elsif (@own) {
 		$def = {%$def, %{object($name)}};
-		$defs{"${name}_whole"} = {ways($name, undef, 0)};
+		%defs = (%defs, stricter($name, $name)) if $name =~ /^(?:camera|window)$/;
 	}
 	$defs{$name} = $def;
 	$root{$name} = ref_to($name);
 }
 
-# Overrides the schema $under, member by member, with $over.
-sub lay {
-	my ($under, $over) = @_;
-	for (keys %$over) {
-		my $both = ref $under->{$_} eq 'HASH' && ref $over->{$_} eq 'HASH';
-		lay($under->{$_}, $over->{$_}) if $both;
-		$under->{$_} = $over->{$_} if !$both;
-	}
-	return $under;
+# What no row says of a number or a list.
+$_->{contains} = {not => $zero} for
+    @{$defs{camera}{properties}}{qw(gaze orientation up)};
+$defs{volume}{properties}{eye}{prefixItems} = [$true, $true, {not => $zero}];
+
+# Returns the rule that members of a scene that has all of @with, and none of @without,
+# follow schemas.
+sub where {
+	my ($with, $without, %then) = @_;
+	return {if => conditions($with, @$without), then => {properties => \%then}};
 }
 
-print JSON::PP->new->pretty->canonical->indent_length(1)->encode(lay({
+# Returns the schema of a scene whose bounds have points of this length.
+sub corners {
+	my %length = @_;
+	return {properties => {bounds => {properties => {
+	    map { $_ => \%length } qw(center min max)}}}};
+}
+
+my @rules = (
+	where([], ['bounds'], map { $_ => ref_to("${_}_whole") }
+	    qw(camera projection window)),
+	where(['projection'], [], window => ref_to('window_whole')),
+	where([], ['viewport'], projection => ref_to('projection_alone')),
+	where([], [qw(bounds viewport)], projection => ref_to('projection_both')),
+	# Intrinsics are in units of a viewport that they fill.
+	{if => {required => ['projection'],
+	    properties => {projection => {required => ['intrinsics']}}},
+	    then => {required => ['viewport'], properties => {viewport => {
+	    properties => {scale => {const => 'fill'}}}}}},
+	# A window adapts to a device.
+	{if => {required => ['window'], properties => {window => {
+	    required => ['adapt'],
+	    properties => {adapt => {enum => ['grow', 'shrink']}}}}},
+	    then => {required => ['device']}},
+	# Bounds are of two dimensions for a window or device, and of three for a projection.
+	{if => {properties => {projection => $false},
+	    anyOf => [map { {required => [$_]} } qw(window device)]},
+	    then => corners(maxItems => 2), else => corners(minItems => 3)},
+);
+
+print JSON::PP->new->pretty->canonical->indent_length(1)->encode({
 	'$schema' => 'https://json-schema.org/draft/2020-12/schema',
-	type => 'object', properties => \%root, '$defs' => \%defs,
-	patternProperties => {'^(_|\\$schema$)' => JSON::PP::true},
-	additionalProperties => JSON::PP::false}, $hand));
+	title => 'projcalc scene',
+	description => 'What projcalc(1) reads; projcalc-scene(5) explains it. Angles are ' .
+	    'in angle_unit, lengths have no unit. Every object may also have members ' .
+	    'whose names begin with _ (notes), and $schema.',
+	%{object_of(%root)}, allOf => \@rules, '$defs' => {%values, %defs}});

@@ -191,7 +191,8 @@ void params_read_document(const struct options *o, struct document *d)
 	wants.source.lines_before = (long)params.line - 1;
 	wants.source.bytes_before = params.column - 1;
 	wants.source.two_numbers_hint = find_two_numbers_hint(o);
-	wants.source.for_plane = o->plane.n > 0;
+	if (o->plane.n > 0)
+		wants.source.task = TASK_PLANE;
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
 	/* the document's points are not read if operands replace them */

@@ -113,7 +113,7 @@ static void run(char *text, size_t size, int mode)
 		.needed = bare[mode & 3],
 		.used = ~0u,
 		.flat_members = mode & 7 ? 0 : SCENE_WINDOW | SCENE_DEVICE,
-		.source.for_fit = (mode & 15) == 0,
+		.source.task = (mode & 15) == 0 ? TASK_FIT : TASK_WHOLE,
 		.source.implied_type = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
 							 PROJECTION_NONE,
 		.convention = mode & 16 ? &conventions[CONVENTION_GL] : NULL,

@@ -30,22 +30,23 @@ const struct member *member_named(const struct member *row, int variant,
 }
 
 uint64_t member_bits(const struct member *table, int variant, const char *names,
-    bool required)
+    char mark)
 {
 	uint64_t bits = 0;
 	char name[ESCAPED_MAX];
 
-	for (; *names != '\0'; names += strspn(names, " ?")) {
-		size_t n = strcspn(names, " ?");
+	for (; *names != '\0'; names += *names == ' ') {
+		size_t n = strcspn(names, " ?~|!"), size = strcspn(names, " ");
 
 		memcpy(name, names, n);
 		name[n] = '\0';
-		names += n;
 		const struct member *row = member_named(table, variant, name,
 		    false);
 
-		if (row != NULL && !(required && *names == '?'))
+		if (row != NULL &&
+		    (mark == '\0' || memchr(names + n, mark, size - n) != NULL))
 			bits |= UINT64_C(1) << (row - table);
+		names += size;
 	}
 	return bits;
 }
@@ -141,63 +142,76 @@ void object_read_member(const struct value *v, const struct member *row,
 {
 	row->type->read(v, row, (char *)base + row->offset);
 	if (row->flag != 0)
-		*(bool *)((char *)base + row->flag) = true;
+		*(bool *)((char *)base + row->flag - 1) = true;
 }
 
-/* A list of ways (see struct ways) for one variant of object. In a set of members, bit i
- * is row i of the table. */
+/* The members of a way. The index of `required` and `left` is 1 for the command fit. */
 struct way_bits {
-	const char *const *list;
-	const struct member *table;
-	int variant;
-	size_t n;
-	uint64_t all_members;        /* of all ways */
-	uint64_t members[WAYS_MAX];  /* of each way */
-	uint64_t required[WAYS_MAX]; /* of each way, without optional ones */
+	uint64_t all, required[2], left[2]; /* left: those marked by | */
 };
 
-/* Returns the bits of a list of ways for a variant of object. They stay in `kept`, which
- * has more elements than the tables have pairs of a list and a variant. */
-static const struct way_bits *find_way_bits(const struct member *table,
-    int variant, const char *const *list)
-{
-	static struct way_bits kept[64];
-	struct way_bits *b = kept;
+/* A rule for one variant of object. In a set of members, bit i is row i of the table. */
+struct rule_bits {
+	const struct rule *rule;
+	const struct member *table;
+	int variant;
+	uint64_t all, with,
+	    without; /* members of all ways, and of rule->with */
+	size_t n;
+	struct way_bits way[];
+};
 
-	while (b->list != NULL && (b->list != list || b->variant != variant))
-		b++;
-	if (b->list != NULL)
-		return b;
-	*b = (struct way_bits){ .list = list,
-		.table = table,
-		.variant = variant };
-	for (; *list != NULL; list++, b->n++) {
-		b->members[b->n] = member_bits(table, variant, *list, false);
-		b->required[b->n] = member_bits(table, variant, *list, true);
-		b->all_members |= b->members[b->n];
+/* Returns the bits of a rule for a variant, which are found once and kept. */
+static const struct rule_bits *rule_find(const struct rule *rule,
+    const struct member *table, int variant)
+{
+	static struct rule_bits *kept[64]; /* more than rules have variants */
+	struct rule_bits **at = kept, *b;
+	const char *with = rule->with != NULL ? rule->with : "";
+	size_t n = 0;
+
+	while (
+	    *at != NULL && ((*at)->rule != rule || (*at)->variant != variant))
+		at++;
+	if (*at != NULL)
+		return *at;
+	while (rule->ways[n] != NULL)
+		n++;
+	b = *at = xrealloc(NULL, sizeof *b + n * sizeof *b->way);
+	*b = (struct rule_bits){ rule, table, variant, .n = n,
+		.without = member_bits(table, variant, with, '!') };
+	b->with = member_bits(table, variant, with, '\0') & ~b->without;
+	for (struct way_bits *w = b->way; w < b->way + n; w++) {
+		const char *names = rule->ways[w - b->way];
+
+		for (int fit = 0; fit < 2; fit++) {
+			uint64_t found = fit == 0 ?
+			    0 :
+			    member_bits(table, variant, names, '~');
+
+			w->all = member_bits(table, variant, names, '\0');
+			w->left[fit] = member_bits(table, variant, names, '|') &
+			    ~found;
+			w->required[fit] = w->all & ~found & ~w->left[fit] &
+			    ~member_bits(table, variant, names, '?');
+		}
+		b->all |= w->all;
 	}
 	return b;
 }
 
-/* Writes the names of the members in `bits`. Returns `out`. */
-static const char *write_names(char out[LIST_ROOM], const struct way_bits *b,
-    uint64_t bits)
-{
-	const char *names[MEMBERS_MAX + 1];
-
-	list_names(b->table, b->variant, bits, names);
-	return words_join(out, names, " and ", "\"");
-}
-
 /* Writes all ways: "give A and B, or C". Omits optional members that are not given. */
-static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
+static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, bool fit,
     uint64_t given)
 {
+	const char *names[MEMBERS_MAX + 1];
 	char all[LIST_ROOM];
 	size_t n = 0;
 
 	for (size_t i = 0; i < b->n && n < LIST_ROOM; i++) {
-		write_names(all, b, b->members[i] & (b->required[i] | given));
+		list_names(b->table, b->variant,
+		    b->way[i].all & (b->way[i].required[fit] | given), names);
+		words_join(all, names, " and ", "\"");
 		n += (size_t)snprintf(out + n, LIST_ROOM - n, "%s%s",
 		    i > 0 ? ", or " : "give ",
 		    *all != '\0' ? all : "none of them");
@@ -208,60 +222,83 @@ static void write_ways(char out[LIST_ROOM], const struct way_bits *b,
  * lacks m. If not, the given members complete a way, which m does not belong to; `way`
  * has the given members of that way, as bits. */
 static _Noreturn void refuse_way(const struct value *v,
-    const struct way_bits *b, uint64_t given, uint64_t members, uint64_t way)
+    const struct rule_bits *b, bool fit, uint64_t given, uint64_t members,
+    uint64_t way)
 {
 	const int first = __builtin_ctzll(members);
 	const struct value *m = VALUE_MISSING(v, b->table[first].name);
+	const char *names[MEMBERS_MAX + 1];
 	char ways[LIST_ROOM], rivals[LIST_ROOM];
 	uint64_t others = way;
 
-	write_ways(ways, b, given);
+	write_ways(ways, b, fit, given);
 	if (way == 0)
-		value_refuse(m, "missing; %s", ways);
+		value_refuse(m, "missing; %s",
+		    b->rule->hint != NULL ? b->rule->hint : ways);
 	for (size_t i = 0; i < b->n; i++)
-		if (b->members[i] >> first & 1)
-			others &= ~b->members[i];
+		if (b->way[i].all >> first & 1)
+			others &= ~b->way[i].all;
+	list_names(b->table, b->variant, others != 0 ? others : way, names);
 	value_refuse(m, "does not go with %s; %s",
-	    write_names(rivals, b, others != 0 ? others : way), ways);
+	    words_join(rivals, names, " and ", "\""), ways);
 }
 
-int object_way(const struct value *v, const struct member *table, int variant,
-    uint64_t given, const struct ways *w)
+/* Returns the index of the way that the members `given` of v are. Refuses v if there is
+ * none: it lacks a member, or has one of other ways. */
+static size_t find_way(const struct value *v, const struct rule_bits *b,
+    bool fit, uint64_t given)
 {
-	bool fit = !v->unused &&
-	    ((v->source->for_fit && w->own_fit) ||
-		(v->source->for_plane && w->plane_as_fit));
-	const struct way_bits *b = find_way_bits(table, variant,
-	    fit ? w->fit_way : w->way);
 	uint64_t extra = 0, lacking = 0, way = 0;
 
-	given &= b->all_members;
+	given &= b->all;
 	for (size_t i = 0; i < b->n; i++) {
-		uint64_t missing = b->required[i] & ~given,
-			 in = b->members[i] & given;
+		const uint64_t required = b->way[i].required[fit];
+		uint64_t missing = required & ~given,
+			 in = b->way[i].all & given;
 
 		if (missing == 0 && in == given)
-			return (int)i;
+			return i;
 		if (missing == 0 && in != 0 && extra == 0) {
 			extra = given & ~in;
 			way = in;
 		}
-		if (missing != b->required[i] && lacking == 0)
+		if (missing != required && lacking == 0)
 			lacking = missing;
 	}
-	if (b->n == 0)
-		return 0;
 	if (extra == 0 && lacking == 0)
-		lacking = b->required[0];
-	refuse_way(v, b, given, extra != 0 ? extra : lacking, way);
+		lacking = b->way[0].required[fit];
+	refuse_way(v, b, fit, given, extra != 0 ? extra : lacking, way);
 }
 
-uint64_t object_read(const struct value *v, const struct member *row,
+/* Checks that an object v with the members `given` follows a rule. Returns the members
+ * that v leaves to another member of the scene. */
+static uint64_t check_rule(const struct value *v, const struct rule *rule,
+    const struct member *table, int variant, uint64_t given, void *base)
+{
+	const enum task task = v->unused ? TASK_WHOLE : v->source->task;
+	const bool fit = task == TASK_FIT;
+
+	if (!has_variant(rule->variants, variant) ||
+	    !has_variant(rule->tasks, (int)task))
+		return 0;
+	const struct rule_bits *b = rule_find(rule, table, variant);
+
+	if ((b->with != 0 && (b->with & given) == 0) ||
+	    (b->without & given) != 0)
+		return 0;
+	const size_t way = find_way(v, b, fit, given);
+
+	if (base != NULL && rule->field != 0)
+		*(unsigned *)(void *)((char *)base + rule->field -
+		    1) = rule->way_0 + (unsigned)way;
+	return b->way[way].left[fit] & ~given;
+}
+
+struct found object_read(const struct value *v, const struct member *row,
     int variant, void *base)
 {
 	const struct member *table = row->members;
-	const struct ways *w = row->ways;
-	uint64_t given = 0;
+	struct found found = { 0, 0 };
 
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
@@ -285,20 +322,15 @@ uint64_t object_read(const struct value *v, const struct member *row,
 			value_refuse(&m, "repeated; give it once");
 		if (known == NULL)
 			continue;
-		given |= UINT64_C(1) << (known - table);
+		found.given |= UINT64_C(1) << (known - table);
 		if (base != NULL)
 			object_read_member(&m, known, base);
 	}
-	for (; w != NULL && w->way[0] != NULL; w++) {
-		if (!has_variant(w->variants, variant))
-			continue;
-		int way = object_way(v, table, variant, given, w);
-
-		if (base != NULL && w->offset != 0)
-			*(unsigned *)(void *)((char *)base +
-			    w->offset) = w->way_0 + (unsigned)way;
-	}
-	return given;
+	for (const struct rule *r = row->rules; r != NULL && r->ways != NULL;
+	     r++)
+		found.left |= check_rule(v, r, table, variant, found.given,
+		    base);
+	return found;
 }
 
 /* Returns whether object_print leaves out a member with the value *at: a default that
@@ -324,21 +356,21 @@ static bool is_omitted(const struct member *row, const void *at)
 void object_print(struct printer *p, const struct member *row, int variant,
     uint64_t bits, const void *base)
 {
-	const struct ways *w = row->ways;
+	const struct rule *r = row->rules;
 	const char *at = base;
 
-	for (; w != NULL && w->way[0] != NULL; w++) {
-		if (w->offset == 0 || !has_variant(w->variants, variant))
+	for (; r != NULL && r->ways != NULL; r++) {
+		if (r->field == 0 || !has_variant(r->variants, variant))
 			continue;
-		const struct way_bits *b = find_way_bits(row->members, variant,
-		    w->way);
-		const unsigned *way = (const void *)(at + w->offset);
+		const struct rule_bits *b = rule_find(r, row->members, variant);
+		const unsigned *way = (const void *)(at + r->field - 1);
 
-		bits &= ~b->all_members | b->members[*way - w->way_0];
+		bits &= ~b->all | b->way[*way - r->way_0].all;
 	}
 	put_open(p, "{");
 	for (row = row->members; row->name != NULL; row++, bits >>= 1) {
-		bool has = row->flag == 0 || *(const bool *)(at + row->flag);
+		bool has = row->flag == 0 ||
+		    *(const bool *)(at + row->flag - 1);
 
 		if ((bits & 1) == 0 || !has ||
 		    !has_variant(row->variants, variant) ||

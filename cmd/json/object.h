@@ -28,8 +28,8 @@ struct member {
 	const char *name; /* NULL ends a table */
 	const struct member_type *type;
 	size_t offset; /* of the field in the struct */
-	/* Offset of a bool in the struct that is set when the member is read. If the
-	 * bool is false, the member is not printed. 0: there is no bool. */
+	/* FIELD of a bool that is set when the member is read. If the bool is false, the
+	 * member is not printed. 0: there is no bool. */
 	size_t flag;
 	size_t n; /* length of an array of numbers; 0: one number */
 	const struct value_range *range; /* of numbers; NULL: range_any */
@@ -51,15 +51,18 @@ struct member {
 	const char *hint; /* a hint " (...)" for users of an alias; or NULL */
 	/* Texts of the help. `unit` is "degrees" for all angles, NULL for no unit. */
 	const char *unit, *about;
-	/* For an object of a scene: the table of its members, the ways to combine them,
-	 * an example of the object, and a command that reads the example. */
+	/* For an object of a scene: the table of its members, the rules for them, an
+	 * example of the object, and a command that reads the example. */
 	const struct member *members;
-	const struct ways *ways;
+	const struct rule *rules;
 	const char *example, *command;
 	/* For a member of a scene: it may also stand in a document that is not a scene
 	 * but one of its objects, such as a camera. */
 	bool in_any_document;
 };
+
+/* A field that a row may have or not; 0 means that it has none. */
+#define FIELD(object, name) (offsetof(struct object, name) + 1)
 
 /* A row: the member called `label` is read to the field `field` of struct `object`. */
 #define ROW(object, label, value_type, field, ...)                    \
@@ -68,31 +71,42 @@ struct member {
 		.offset = offsetof(struct object, field), __VA_ARGS__ \
 	}
 
-/* The ways to combine members of an object. A way is a list of names with blanks
- * between them; ? after a name marks an optional member. An object must have the
- * members of one way, except optional ones, and no member that only other ways list. */
-enum { WAYS_MAX = 10 };
-struct ways {
-	/* NULL ends the list. An array of struct ways ends with an empty list. */
-	const char *way[WAYS_MAX + 1];
-	/* If own_fit is set, the command fit takes the ways of fit_way or, if that
-	 * list is empty, any combination. */
-	bool own_fit;
-	const char *fit_way[WAYS_MAX + 1];
+/* A rule on which members of an object go together. `ways` has the ways to give them: an
+ * object must have the members of one way, and no member that only other ways list. A
+ * way is a list of names with blanks between them. After a name, ? marks an optional
+ * member, ~ one that the command fit finds, and |NAME one that can be left out if the
+ * scene has a member NAME. */
+struct rule {
+	const char *const
+	    *ways; /* NULL ends them; without ways a rule ends an array */
 	unsigned variants; /* as in struct member */
-	/* Offset of an unsigned in the struct, which becomes way_0 plus the index
-	 * of the object's way; 0: there is no such field. */
-	size_t offset;
+	unsigned
+	    tasks; /* the rule is for these tasks: bits 1 << task; 0: all */
+	/* Names of members: the rule is for objects that have one of them, but none of
+	 * those with ! after their names. NULL: for all objects. */
+	const char *with;
+	const char *
+	    hint; /* the end of the message that a member is missing; or NULL */
+	/* FIELD of an unsigned, which becomes way_0 plus the index of the object's way;
+	 * or 0. */
+	size_t field;
 	unsigned way_0;
-	bool plane_as_fit; /* --plane, too, takes the ways of fit_way */
 };
 
-/* Reads an object of the variant, and returns its members as bits. Sets the struct at
- * `base`, if not NULL: defaults, given members, and for each struct ways of the row the
- * index of the object's way. `variant` is 0 if the table has no variants. Ignores $schema,
- * names that begin with _ and, in the outermost object, members that any document may
- * have. Refuses unknown and repeated members, and objects that fit no way. */
-uint64_t object_read(const struct value *, const struct member *row,
+#define WAYS(...) ((const char *const[]){ __VA_ARGS__, NULL })
+
+/* What object_read found, as bits of the rows: the members that the object has, and
+ * those that it leaves to another member of the scene, as |NAME of a rule allows. */
+struct found {
+	uint64_t given, left;
+};
+
+/* Reads an object of the variant, and returns the members that were found. Sets the
+ * struct at `base`, if not NULL: defaults, given members, and for each rule with a field
+ * the index of the object's way. `variant` is 0 if the table has no variants. Ignores
+ * $schema, names that begin with _ and, in the outermost object, members that any
+ * document may have. Refuses unknown and repeated members, and broken rules. */
+struct found object_read(const struct value *, const struct member *row,
     int variant, void *base);
 
 /* Reads the value of a member to its field in the struct at `base`. */
@@ -116,14 +130,10 @@ const struct member *member_named(const struct member *, int variant,
  * or right". The words may be written to `out`. */
 const char *member_type_name(const struct member *, char out[LIST_ROOM]);
 
-/* Returns, as bits, those members of a way that objects of the variant have. `names` is a
- * way, as in struct ways. If `required` is true, leaves out optional members. */
+/* Returns, as bits, the rows for `names`, which are names of members as in struct rule,
+ * of those that objects of the variant have. If `mark` is not NUL, returns only those
+ * whose names are followed by this mark. */
 uint64_t member_bits(const struct member *, int variant, const char *names,
-    bool required);
-
-/* Returns the index of the object's way. `given` has the object's members as bits.
- * Refuses an object that fits no way: it lacks a member, or has one of other ways. */
-int object_way(const struct value *, const struct member *, int variant,
-    uint64_t given, const struct ways *);
+    char mark);
 
 #endif

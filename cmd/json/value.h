@@ -11,6 +11,10 @@
 #include "../message/utf8.h"
 #include "../message/words.h"
 
+/* What a document is read for, which decides the members that it may lack: fit finds
+ * some of them, and --plane needs neither near nor far. */
+enum task { TASK_WHOLE, TASK_FIT, TASK_PLANE };
+
 /* The text of a document, and what the functions that read its values need. */
 struct json_source {
 	const char *name;    /* of the file, for messages */
@@ -22,11 +26,10 @@ struct json_source {
 	bool column_vectors;   /* matrices are for column, not row, vectors */
 	unsigned unit;         /* of angles: an enum angle_unit */
 	unsigned implied_type; /* type of a projection without "type"; or 0 */
-	bool for_fit;          /* members that fit computes may be missing */
-	bool for_plane;        /* near and far may be missing, for --plane */
-	bool flat;             /* the document is of two dimensions */
-	bool has_axes;         /* a convention gives the view axes */
-	bool is_operand;       /* is POINTS, which --keep-going never skips */
+	enum task task;
+	bool flat;       /* the document is of two dimensions */
+	bool has_axes;   /* a convention gives the view axes */
+	bool is_operand; /* is POINTS, which --keep-going never skips */
 	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	const struct member *scene_members; /* for hints in messages */
 };

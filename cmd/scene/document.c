@@ -166,7 +166,8 @@ static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))
 		return v->item != NULL ? ALL_MEMBERS : 0;
-	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL);
+	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL)
+	    .given;
 }
 
 /* Sets fields of *d that depend on several members. A device without "origin" takes it
@@ -191,7 +192,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_device && answer == NULL &&
 	    (given_by_convention(&m[ROW_OF(CONVENTION)]) &
-		member_bits(convention_members, 0, "origin", false)) != 0)
+		member_bits(convention_members, 0, "origin", '\0')) != 0)
 		answer = &s->convention;
 	if (s->has_device && answer != NULL &&
 	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))

@@ -51,9 +51,7 @@ struct document_wants {
 	unsigned flat_members;
 	/* The caller sets lines_before, bytes_before, two_numbers_hint, and:
 	 * - implied_type: projections have only this type, and may lack "type".
-	 * - for_fit: the eye, near, far, the width and height of a parallel projection,
-	 *   and all members of a window may be missing.
-	 * - for_plane: far may be missing; near, too, if no size or edge is at near. */
+	 * - task: members that the rules leave to it (struct rule) may be missing. */
 	struct json_source source;
 	/* The convention that the option -c names, or NULL. It is the convention of the
 	 * output, and of a document that names none. */

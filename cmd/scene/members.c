@@ -58,18 +58,13 @@ static const struct member camera_members[] = {
 };
 
 /* in the order of the enum that is the type of camera.kind */
-static const struct ways camera_ways[] = {
-	{ .way = { "eye at up? roll?", "eye gaze up? roll?",
-	      "eye orientation roll?", "eye rvec roll?",
+static const struct rule camera_rules[] = {
+	{ .ways = WAYS("eye at up? roll?", "eye~ gaze up? roll?",
+	      "eye~ orientation roll?", "eye~ rvec roll?",
 	      "translation orientation roll?", "translation rvec roll?",
-	      "pose orthonormalize?", "matrix orthonormalize?" },
-	    .own_fit = true,
-	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
-		"eye? orientation roll?", "eye? rvec roll?",
-		"translation orientation roll?", "translation rvec roll?",
-		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .offset = offsetof(struct camera, kind) },
-	{ .way = { NULL } },
+	      "pose orthonormalize?", "matrix orthonormalize?"),
+	    .field = FIELD(camera, kind) },
+	{ .ways = NULL },
 };
 
 #define SIZE(object, label, field, ...)                                   \
@@ -157,8 +152,10 @@ static const struct member device_members[] = {
 	{ .name = NULL },
 };
 
-static const struct ways rectangle_ways[] = { { .way = { "width height" } },
-	{ .way = { NULL } } };
+static const struct rule rectangle_rules[] = {
+	{ .ways = WAYS("width height") },
+	{ .ways = NULL },
+};
 
 static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
@@ -185,7 +182,7 @@ static const struct member window_members[] = {
 	SIZE(window, "zoom", zoom, .aliases = "scale", .fallback = "1",
 	    .about = "factor of magnification; 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
-	    .flag = offsetof(struct window, has_about), .unit = "window units",
+	    .flag = FIELD(window, has_about), .unit = "window units",
 	    .about = "point that zoom does not move; if absent, the centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
 	    .fallback = "\"stretch\"",
@@ -193,11 +190,10 @@ static const struct member window_members[] = {
 	{ .name = NULL },
 };
 
-static const struct ways window_ways[] = {
-	{ { "center width height", "left right bottom top" }, true,
-	    { "center? width? height?", "left? right? bottom? top?" },
-	    .offset = offsetof(struct window, by_edges) },
-	{ .way = { NULL } },
+static const struct rule window_rules[] = {
+	{ .ways = WAYS("center~ width~ height~", "left~ right~ bottom~ top~"),
+	    .field = FIELD(window, by_edges) },
+	{ .ways = NULL },
 };
 
 /* Reads a point of bounds: three numbers or, in a flat document, two. If the command
@@ -232,16 +228,16 @@ static const struct member bounds_members[] = {
 	{ .name = NULL },
 };
 
-static const struct ways bounds_ways[] = {
-	{ .way = { "min max", "center radius" },
-	    .offset = offsetof(struct bounds, sphere) },
-	{ .way = { NULL } },
+static const struct rule bounds_rules[] = {
+	{ .ways = WAYS("min max", "center radius"),
+	    .field = FIELD(bounds, sphere) },
+	{ .ways = NULL },
 };
 
 static const struct member pick_members[] = {
-	ROW(pick, "at", type_numbers, at, .n = 2,
-	    .flag = offsetof(struct pick, has_at), .aliases = "position center",
-	    .unit = "device units", .about = "centre of the circle to search"),
+	ROW(pick, "at", type_numbers, at, .n = 2, .flag = FIELD(pick, has_at),
+	    .aliases = "position center", .unit = "device units",
+	    .about = "centre of the circle to search"),
 	SIZE(pick, "radius", radius, .unit = "device units",
 	    .about = "radius of the circle to search"),
 	{ .name = NULL },
@@ -260,8 +256,8 @@ static const struct value_range margin_range = { .min = 0,
  * scene, and sets the bool there whose name is has_ and `field`. */
 #define SCENE_OBJECT(label, field, table, sample, ...)                    \
 	ROW(document, label, type_object, scene.field, .example = sample, \
-	    .flag = offsetof(struct document, scene.has_##field),         \
-	    .members = table, __VA_ARGS__)
+	    .flag = FIELD(document, scene.has_##field), .members = table, \
+	    __VA_ARGS__)
 
 const struct member scene_members[] = {
 	ROW(document, "convention", type_convention, scene.convention,
@@ -279,31 +275,31 @@ const struct member scene_members[] = {
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_affine, scene.world, .aliases = "model",
-	    .flag = offsetof(struct document, scene.has_world),
-	    .example = WORLD_EXAMPLE, .fallback = WORLD_EXAMPLE,
+	    .flag = FIELD(document, scene.has_world), .example = WORLD_EXAMPLE,
+	    .fallback = WORLD_EXAMPLE,
 	    .about = "affine matrix from model to world space",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' '[1,2,3]'"),
 	SCENE_OBJECT("camera", camera, camera_members, CAMERA_EXAMPLE,
-	    .ways = camera_ways, .aliases = "view",
+	    .rules = camera_rules, .aliases = "view",
 	    .about = "where the camera stands (map from world to view space)",
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "projection", type_projection, scene.projection,
 	    .members = projection_members, .aliases = "lens perspective",
-	    .ways = projection_ways, .example = PERSP_EXAMPLE,
+	    .rules = projection_rules, .example = PERSP_EXAMPLE,
 	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
 	SCENE_OBJECT("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
-	    .ways = rectangle_ways, .aliases = "screen image",
+	    .rules = rectangle_rules, .aliases = "screen image",
 	    .about = "rectangle on the screen that shows the camera's image",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
 	SCENE_OBJECT("window", window, window_members, WINDOW_EXAMPLE,
-	    .ways = window_ways, .aliases = "viewbox",
+	    .rules = window_rules, .aliases = "viewbox",
 	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
 	SCENE_OBJECT("device", device, device_members, RECTANGLE_EXAMPLE,
-	    .ways = rectangle_ways,
+	    .rules = rectangle_rules,
 	    .about = "rectangle on the screen that shows a 2D window",
 	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
 	ROW(document, "points", type_points, points, .aliases = "point",
@@ -312,15 +308,15 @@ const struct member scene_members[] = {
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
-	    .flag = offsetof(struct document, has_bounds), .aliases = "extent",
-	    .members = bounds_members, .ways = bounds_ways,
+	    .flag = FIELD(document, has_bounds), .aliases = "extent",
+	    .members = bounds_members, .rules = bounds_rules,
 	    .example = BOUNDS_EXAMPLE, .unit = "model units",
 	    .about = "volume that the picture of fit holds, in place of points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
 	ROW(document, "pick", type_object, pick,
-	    .flag = offsetof(struct document, has_pick),
-	    .members = pick_members, .example = PICK_EXAMPLE,
+	    .flag = FIELD(document, has_pick), .members = pick_members,
+	    .example = PICK_EXAMPLE,
 	    .about = "circle in which pick finds points; or --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"projection\": " PERSP_EXAMPLE

@@ -172,47 +172,60 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-/* the index in projection_ways of the ways to give near and far */
-enum { WAYS_PLANES = 3 };
+#define OPEN_PLANES WAYS("near far? reverse_z?", "")
 
-/* The command fit computes the width and height of every parallel projection. */
-const struct ways projection_ways[] = {
-	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
-	      "field aspect?", "width height edges_at?",
-	      "width aspect? edges_at?", "height aspect? edges_at?",
-	      "left right bottom top edges_at?", "angles", "intrinsics" },
-	    .variants = PERSP, .offset = OFFSET(section.way) },
-	{ { "width height", "width aspect?", "height aspect?",
-	      "left right bottom top" },
-	    .own_fit = true,
-	    .fit_way = { "width? height?", "width? aspect?", "height? aspect?",
-		"left right bottom top" },
-	    .variants = PARALLEL, .offset = OFFSET(section.way),
+/* The command fit computes the width and height of every parallel projection. Near and
+ * far are needed neither with intrinsics nor for --plane, but a cross-section on the
+ * near plane always needs near. fit refuses every matrix itself. */
+const struct rule projection_rules[] = {
+	{ .ways = WAYS("fovy aspect|viewport", "fovx aspect|viewport",
+	      "view_angle aspect|viewport", "field aspect|viewport",
+	      "width height edges_at?", "width aspect|viewport edges_at?",
+	      "height aspect|viewport edges_at?",
+	      "left right bottom top edges_at?", "angles", "intrinsics"),
+	    .variants = PERSP,
+	    .field = FIELD(projection, section.way) },
+	{ .ways = WAYS("width~ height~", "width~ aspect~|viewport",
+	      "height~ aspect~|viewport", "left right bottom top"),
+	    .variants = PARALLEL,
+	    .field = FIELD(projection, section.way),
 	    .way_0 = SECTION_SIZE },
-	{ { "kind", "angle" }, .variants = OBLIQUE },
-	[WAYS_PLANES] = { { "near far" }, .own_fit = true, .plane_as_fit = true,
-	    .variants = PARALLEL },
-	{ { "half_width half_height", "size aspect?" }, .variants = VOLUME },
-	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
-	    .variants = VOLUME, .offset = OFFSET(volume.eye_given_by) },
-	{ { "z_near z_far" }, .own_fit = true, .variants = VOLUME },
-	/* no fit_way, as fit_scene refuses every matrix */
-	{ { "matrix" }, .own_fit = true, .variants = MATRIX },
-	{ .way = { NULL } },
+	{ .ways = WAYS("kind", "angle"), .variants = OBLIQUE },
+	{ .ways = WAYS("near far"),
+	    .variants = PERSP | PARALLEL,
+	    .tasks = 1 << TASK_WHOLE,
+	    .with = "intrinsics!" },
+	{ .ways = OPEN_PLANES,
+	    .variants = PERSP,
+	    .tasks = 1 << TASK_WHOLE | 1 << TASK_PLANE,
+	    .with = "intrinsics" },
+	{ .ways = OPEN_PLANES,
+	    .variants = PERSP,
+	    .tasks = 1 << TASK_PLANE,
+	    .with = "fovy fovx view_angle field angles edges_at" },
+	{ .ways = WAYS("near"),
+	    .variants = PERSP,
+	    .tasks = 1 << TASK_FIT | 1 << TASK_PLANE,
+	    .with = "width height left edges_at!",
+	    .hint = "the section is on the near plane, unless \"edges_at\" "
+		    "says where" },
+	{ .ways = WAYS("half_width half_height", "size aspect|viewport"),
+	    .variants = VOLUME },
+	{ .ways = WAYS("inverse_eye_z? tan_skew?", "eye",
+	      "view_angle tan_skew?"),
+	    .variants = VOLUME,
+	    .field = FIELD(projection, volume.eye_given_by) },
+	{ .ways = WAYS("z_near~ z_far~"), .variants = VOLUME },
+	{ .ways = WAYS("matrix~"), .variants = MATRIX },
+	{ .ways = NULL },
 };
 
-/* The ways to give near and far where neither is needed: with intrinsics or --plane. */
-static const struct ways optional_planes = {
-	.way = { "near far? reverse_z?", "" },
-};
-
-static bool is_given(const struct projection *p, uint64_t seen,
+static bool is_given(const struct projection *p, uint64_t given,
     const char *name)
 {
-	const struct member *row = member_named(projection_members,
-	    (int)p->type - 1, name, false);
-
-	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
+	return (given &
+		   member_bits(projection_members, (int)p->type - 1, name,
+		       '\0')) != 0;
 }
 
 /* Refuses a projection without a type; lists the types that fit its members best. */
@@ -259,29 +272,6 @@ static void read_type(const struct value *v, struct projection *p)
 		    projection_type_names[implied - 1]);
 }
 
-/* Refuses a perspective that lacks near or far. fit computes both. Intrinsics and
- * --plane need neither, and far is infinity if it is missing. But a cross-section on
- * the near plane always needs near. */
-static void check_planes(const struct value *v, uint64_t seen,
-    struct projection *p)
-{
-	bool at_near = projection_is_given_at_near(p);
-	bool open = !v->source->for_fit && !at_near &&
-	    (p->section.way == SECTION_INTRINSICS || v->source->for_plane);
-	int way = 0;
-
-	if (!at_near || !(v->source->for_fit || v->source->for_plane))
-		way = object_way(v, projection_members, 0, seen,
-		    open ? &optional_planes : &projection_ways[WAYS_PLANES]);
-	else if (!is_given(p, seen, "near"))
-		value_refuse(VALUE_MISSING(v, "near"),
-		    "missing; the section is on the near plane, unless "
-		    "\"edges_at\" says where");
-	p->reverse_z |= way == 1;
-	if ((open || v->source->for_plane) && !is_given(p, seen, "far"))
-		p->far = HUGE_VAL;
-}
-
 static void read_projection(const struct value *v, const struct member *row,
     void *out)
 {
@@ -296,27 +286,32 @@ static void read_projection(const struct value *v, const struct member *row,
 	read_type(v, p);
 	/* an index in projection_type_names, which has no PROJECTION_NONE */
 	int variant = (int)p->type - 1;
-	uint64_t seen = object_read(v, row, variant, p);
+	const struct found found = object_read(v, row, variant, p);
+	const uint64_t seen = found.given;
+	const enum task task = v->source->task;
 	const enum projection_family family = projection_family(p);
 
 	p->unit = (enum angle_unit)v->source->unit;
 	/* the default direction, 45, is in degrees in every document */
 	if (is_given(p, seen, "direction"))
 		p->shear.direction_unit = p->unit;
-	if (family == FAMILY_PERSP)
-		check_planes(v, seen, p);
-	else if (v->source->for_plane && p->far == p->near &&
-	    !(is_given(p, seen, "near") && is_given(p, seen, "far")))
+	if (family == FAMILY_PERSP && task != TASK_FIT) {
+		p->reverse_z |= !is_given(p, seen, "near");
+		if (!is_given(p, seen, "far"))
+			p->far = HUGE_VAL;
+	} else if (task == TASK_PLANE && p->far == p->near &&
+	    !(is_given(p, seen, "near") && is_given(p, seen, "far"))) {
 		p->far = 1; /* both were 0 */
+	}
 	if (p->section.way == SECTION_ANGLES &&
 	    !(p->section.angles[0] < p->section.angles[1] &&
 		p->section.angles[2] < p->section.angles[3]))
 		value_refuse(VALUE_MISSING(v, "angles"),
 		    "not in order: left below right, bottom below top");
+	p->aspect[1] = p->aspect[0] > 0 || found.left != 0;
 	if (is_given(p, seen, "size")) {
 		p->volume.half_width /= 2;
 		p->volume.half_height = p->volume.half_width;
-		p->aspect[1] = 1;
 	}
 }
 
@@ -341,44 +336,23 @@ static void set_image_size(const struct value *v,
 	p->section.height = viewport->height;
 }
 
-/* Returns whether the projection depends on an aspect. In fit a parallel projection
- * does if it has an aspect or there is a viewport: fit widens it to this aspect. */
-static bool needs_aspect(const struct value *v, const struct viewport *viewport,
-    const struct projection *p)
-{
-	if (!is_given(p, ALL_MEMBERS, "aspect"))
-		return false;
-	switch (projection_family(p)) {
-	case FAMILY_PARALLEL:
-		if (v->source->for_fit)
-			return viewport != NULL || p->aspect[0] > 0;
-		break;
-	case FAMILY_VOLUME:
-		return p->aspect[1] != 0;
-	case FAMILY_PERSP:
-	case FAMILY_FIXED:
-		break;
-	}
-	return p->section.way < SECTION_SIZE ||
-	    p->section.way == SECTION_WIDTH || p->section.way == SECTION_HEIGHT;
-}
-
 void projection_complete(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
+	/* fit widens a parallel projection to the viewport's aspect */
+	const bool widened = v->source->task == TASK_FIT && viewport != NULL &&
+	    projection_family(p) == FAMILY_PARALLEL;
+
 	if (v->unused)
 		return;
 	if (projection_has_intrinsics(p))
 		set_image_size(v, viewport, p);
-	if (!needs_aspect(v, viewport, p))
-		return;
-	p->aspect[1] = 1;
-	if (p->aspect[0] > 0)
+	if (p->aspect[0] > 0 || (p->aspect[1] == 0 && !widened))
 		return;
 	if (viewport == NULL)
 		value_refuse(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
-	p->aspect[0] = 1;
+	p->aspect[0] = p->aspect[1] = 1;
 	if (viewport->scale != SCALE_UNIFORM) {
 		p->aspect[0] = viewport->width;
 		p->aspect[1] = viewport->height;
@@ -409,7 +383,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 	for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
 		if (groups[i].is_hidden)
 			bits &= ~member_bits(row->members, variant,
-			    groups[i].names, false);
+			    groups[i].names, '\0');
 	if (sized)
 		p.volume.half_width *= 2; /* "size" is twice half_width */
 	object_print(printer, row, variant, bits, &p);

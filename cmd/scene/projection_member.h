@@ -10,7 +10,7 @@
 
 /* The members of a projection, and the ways to combine them. */
 extern const struct member projection_members[];
-extern const struct ways projection_ways[];
+extern const struct rule projection_rules[];
 extern const struct member_type type_projection;
 
 /* The names of the types of projections, from PROJECTION_PERSP on; NULL ends them. */

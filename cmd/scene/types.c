@@ -116,10 +116,12 @@ static const struct member matrix_members[] = { { .name = "matrix" },
 #define MATRIX_FORMS "16 numbers or 4 rows of 4"
 #define AFFINE_FORMS "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
-static const struct ways matrix_ways[] = { { .way = { "matrix vectors?" } },
-	{ .way = { NULL } } };
+static const struct rule matrix_rules[] = {
+	{ .ways = WAYS("matrix vectors?") },
+	{ .ways = NULL },
+};
 static const struct member matrix_row = { .members = matrix_members,
-	.ways = matrix_ways };
+	.rules = matrix_rules };
 
 /* Returns whether rows of a matrix are for column vectors: by the member "vectors" of
  * v, else by the number of rows and columns or, if they are equal, by the document. */

@@ -3,11 +3,11 @@
 #include "read_text.h"
 
 static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
-	.source.for_fit = true };
+	.source.task = TASK_FIT };
 static const struct document_wants project = { WANTS };
 
 static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
-	.flat_members = SCENE_WINDOW | SCENE_DEVICE, .source.for_fit = true };
+	.flat_members = SCENE_WINDOW | SCENE_DEVICE, .source.task = TASK_FIT };
 
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
 #define WINDOW_HINT                                                \

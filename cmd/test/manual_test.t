@@ -15,7 +15,7 @@ use Projcalc;
 my $program = "$build/projcalc";
 my $manual = slurp('man/projcalc.1');
 my $scene = slurp('man/projcalc-scene.5');
-my $schema = decode_json(scalar `$^X man/schema.pl $program man/scene.rules.json`);
+my $schema = decode_json(scalar `$^X man/schema.pl $program`);
 
 # The options by command, by their letter if they have one.
 my %synopsis;

@@ -26,7 +26,7 @@ enum projection_family {
 	FAMILY_VOLUME,   /* `volume` */
 };
 
-/* The ways to give a cross-section, in the order of projection_ways (cmd/scene). In
+/* The ways to give a cross-section, in the order of projection_rules (cmd/scene). In
  * persp, sizes and edges are at distance edges_at. */
 enum section_way {
 	SECTION_FOVY,       /* angle from bottom to top, aspect */
@@ -76,7 +76,7 @@ struct projection_volume {
 	    half_height; /* with an aspect, of the smaller side */
 	double z_near, z_far;
 	/* The member that gives the eye; a view_angle of 0 makes the projection
-	 * parallel. projection_ways (cmd/scene) has the same order. */
+	 * parallel. projection_rules (cmd/scene) has the same order. */
 	enum { EYE_BY_INVERSE_Z, EYE_BY_POINT, EYE_BY_ANGLE } eye_given_by;
 	double inverse_eye_z, eye[3], view_angle; /* eye: in view space */
 	double tan_skew[2];                       /* x/z, y/z of the axis */
