@@ -117,6 +117,11 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 {
 	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
 		o->separator = '\t';
+	else if (strcmp(word, " ") == 0)
+		die(EXIT_USAGE,
+		    "--%s: a blank can't separate the fields of csv; say -i "
+		    "text, whose fields are separated by blanks",
+		    r->name);
 	else if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
 	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
 		die(EXIT_USAGE,

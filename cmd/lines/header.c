@@ -5,17 +5,14 @@
 
 #include "reason.h"
 
-/* Skips a # before the names, but not a # that is a whole field. If the separator is a
- * blank, # is never a whole field: "# x y z" has three names. */
+/* Skips a # before the names, but not a # that is a whole field. */
 struct cursor header_cursor(struct dialect d, struct span text)
 {
-	const bool blanks = d.separator == ' ';
 	const char *s = skip_blanks(d, text.s, text.end);
 
 	if (s < text.end && *s == '#') {
-		s = skip_blanks(blanks ? dialect_of(FORMAT_TEXT, ' ') : d,
-		    s + 1, text.end);
-		if (blanks || s == text.end || *s != d.separator)
+		s = skip_blanks(d, s + 1, text.end);
+		if (s == text.end || *s != d.separator)
 			text.s = s;
 	}
 	struct cursor c = line_cursor(d, text);
@@ -89,18 +86,16 @@ static bool has_fields(struct cursor c, size_t n)
 
 bool header_is_comment(const struct layout *l, struct span text, bool first)
 {
-	const char *s = skip_blanks(l->in, text.s, text.end);
 	struct lookup c;
 
 	if (!format_of(l->in)->header)
 		return true;
 	const struct cursor row = line_cursor(l->in, text);
 
-	if (!first) /* "# 1 2" is no row if a blank is the separator */
+	if (!first)
 		return cursor_count(row) < 2 ||
 		    (!has_fields(row, l->seen.max_fields) &&
-			!has_fields(row, l->seen.header_fields)) ||
-		    (l->in.separator == ' ' && is_blank(s[1]));
+			!has_fields(row, l->seen.header_fields));
 	struct cursor header = header_cursor(l->in, text);
 
 	lookup_fields(l, header, &c);
@@ -141,12 +136,11 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
     char reason[REASON_MAX])
 {
-	bool blanks = false;
 	size_t n = 0;
 	struct field f = { .next = NULL };
 
-	for (; cursor_next(&c, &f); n++)
-		blanks |= reason_empty_field(l, f.whole, reason);
+	while (cursor_next(&c, &f))
+		n++;
 	const size_t full = n - (f.value.s == f.value.end);
 	const bool lacks_name = first == FIRST_ROW &&
 	    full == l->seen.header_fields + 1 && full > 2;
@@ -158,20 +152,19 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
 		l->seen.max_fields = full;
 	if (full <= l->seen.max_fields || l->seen.header_fields == 0)
 		return false;
-	if (!blanks)
-		snprintf(reason, REASON_MAX,
-		    lacks_name ?
-			"has %zu fields and the %s %zu; name each column: if "
-			"the first has no name, by sed '1s/^/row%s/'%s" :
-			"has %zu fields and the %s %zu; quote a field that has "
-			"the separator in it%s%s",
-		    full,
-		    l->seen.header_fields == l->seen.max_fields ? "header" :
-								  "first row",
-		    l->seen.max_fields,
-		    !lacks_name            ? "" :
-			*separator == '\t' ? "\\t" :
-					     separator,
-		    *separator == ',' ? ", or write 1.5 for 1,5" : "");
+	snprintf(reason, REASON_MAX,
+	    lacks_name ?
+		"has %zu fields and the %s %zu; name each column: if "
+		"the first has no name, by sed '1s/^/row%s/'%s" :
+		"has %zu fields and the %s %zu; quote a field that has "
+		"the separator in it%s%s",
+	    full,
+	    l->seen.header_fields == l->seen.max_fields ? "header" :
+							  "first row",
+	    l->seen.max_fields,
+	    !lacks_name            ? "" :
+		*separator == '\t' ? "\\t" :
+				     separator,
+	    *separator == ',' ? ", or write 1.5 for 1,5" : "");
 	return true;
 }

@@ -33,8 +33,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 			reason_missing(l, i, c, found, reason);
 		else if (format_read(l->in, f->value.s, end, &v[i]) != end)
 			reason_field(l, i, f, reason);
-		else if (!reason_empty_field(l, f->whole, reason) &&
-		    in_range(l, i, v[i], reason))
+		else if (in_range(l, i, v[i], reason))
 			continue;
 		return false;
 	}

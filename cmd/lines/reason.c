@@ -30,36 +30,26 @@ static const char *find_byte(struct span f, char c)
 static const char rare[] = ";|\t", frequent[] = ";|\t, ";
 
 /* Adds to the reason how to mend f, a line or field. If f begins with one of marks[],
- * adds the remedy for the mark; a mark that is a word has to be all of f. Otherwise, if
- * f has one of the separators before its last byte, adds the remedy for the separator.
+ * adds the remedy for the mark. Otherwise, if f has one of the separators before its
+ * last byte, adds the remedy for the separator.
  * Returns false if it adds nothing. */
 static bool say_mend(const struct layout *l, struct span f,
     const char *separators, char reason[REASON_MAX])
 {
 	static const char *const marks[][2] = {
-		{ "---", "; leave out such lines by grep -v -e ---" },
-		{ "+--", "; leave out such lines by grep -v -e ---" },
 		{ "[", "; is it JSON? say -i json; if not, tr -d '[]'" },
 		{ "{", "; is it JSON? say -i json" },
-		{ "(", "; leave out such lines by grep -v '^('" },
-		{ "%", "; % begins no comment: sed 's/^%/#/'" },
-		/* U+2500 to U+253F, the frame of a table; U+2212, a minus */
-		{ "\xe2\x94",
-		    "; as ASCII: sed '/\xe2\x94\x80/d;s/\xe2\x94\x82/|/g'" },
-		{ "\xe2\x88\x92",
+		{ "\xe2\x88\x92", /* U+2212, a minus */
 		    "; write - for U+2212: sed 's/\xe2\x88\x92/-/g'" },
-		{ "VERSION", "; in PCD, sed '1,/^DATA/d' leaves the points" },
-		{ "v", "; in OBJ, grep '^v ' and --columns 2,3,4 find points" },
 	};
-	const char own = format_of(l->in)->header ? l->in.separator : '\0';
+	const char own = l->in.separator;
 	const char *c = separators;
 	const size_t size = (size_t)(f.end - f.s);
 
 	for (size_t k = 0; k < sizeof marks / sizeof *marks; k++) {
 		const size_t n = strlen(*marks[k]);
 
-		if (size >= n && memcmp(f.s, *marks[k], n) == 0 &&
-		    (size == n || (*f.s | 32) < 'a' || (*f.s | 32) > 'z')) {
+		if (size >= n && memcmp(f.s, *marks[k], n) == 0) {
 			say_more(reason, "%s", marks[k][1]);
 			return true;
 		}
@@ -77,6 +67,7 @@ static bool say_mend(const struct layout *l, struct span f,
 	    l->seen.header_fields > 1 ?
 		"the header has another; make both the same by tr or sed" :
 		*c == '\t' ? "say -i tsv" :
+		*c == ' '  ? "say -i text" :
 			     "say -i csv --separator '%c'",
 	    *c);
 	return true;
@@ -149,17 +140,6 @@ void reason_field(const struct layout *l, int i, const struct field *field,
 		    l->columns.n == 0 && i == 0 ?
 			"; --columns says which fields the coordinates are" :
 			", or NA");
-}
-
-bool reason_empty_field(const struct layout *l, struct span f,
-    char reason[REASON_MAX])
-{
-	if (l->in.separator != ' ' || !format_of(l->in)->header || f.s < f.end)
-		return false;
-	strcpy(reason,
-	    "has too few fields or an empty one; for one blank between fields: "
-	    "sed 's/^ *//;s/ *$//' | tr -s ' '; or, without a header, -i text");
-	return true;
 }
 
 enum { NAMES_MAX = 32, COLUMN_ROOM = 64 };
@@ -394,7 +374,6 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
     const struct lookup *found, char reason[REASON_MAX])
 {
 	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
-	const struct span none = { NULL, NULL };
 	const bool one = c.bracket == NULL && cursor_count(c) == 1;
 	char shown[ESCAPED_MAX];
 
@@ -405,7 +384,7 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 			    "%s is missing; %d numbers are wanted%s",
 			    coordinate_name(i), l->reads,
 			    i == 2 && l->z_hint != NULL ? l->z_hint : "");
-		else if (one || !reason_empty_field(l, none, reason))
+		else
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
 		if (one)
@@ -440,9 +419,9 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 
 void reason_comment_columns(struct layout *l, struct span text)
 {
-	const bool csv = format_of(l->in)->header;
+	const struct dialect blanks = { FORMAT_TEXT, ' ' };
 	const struct dialect table = { FORMAT_CSV,
-		csv ? l->in.separator : ',' };
+		format_of(l->in)->header ? l->in.separator : ',' };
 	char reason[REASON_MAX] = "the comment above names the columns";
 	char *remedy = strchr(reason, '\0');
 	uint32_t numbers = 0;
@@ -454,23 +433,13 @@ void reason_comment_columns(struct layout *l, struct span text)
 		if (*s != table.separator &&
 		    strchr(s == text.s ? "#%!;:=" : ":=", *s) != NULL)
 			text.s = s + 1;
-	const struct cursor c = line_cursor(table, text);
+	const bool separated = memchr(text.s, table.separator,
+				   (size_t)(text.end - text.s)) != NULL;
 
-	copy_names(line_cursor((struct dialect){ FORMAT_TEXT, ' ' }, text),
-	    &names);
-	const int words = names.n;
-
-	if (memchr(text.s, table.separator, (size_t)(text.end - text.s)))
-		copy_names(c, &names);
-	if (names.omitted)
+	copy_names(line_cursor(separated ? table : blanks, text), &names);
+	/* a comment with other names, such as # id,foo,bar, deserves a note at most */
+	if (names.omitted || !say_guess(&names, l->reads, &numbers, reason))
 		return;
-	if (!say_guess(&names, l->reads, &numbers, reason)) {
-		if (!csv || table.separator == ' ' || text.s[-1] == ':' ||
-		    names.n < 3 || (words != names.n && words != 1) ||
-		    !lookup_is_header(l, c))
-			return;
-		say_more(reason, "; say --columns by number");
-	}
 	const char *columns = remedy + strlen("; say --columns ");
 	const bool first = strncmp(columns, "1,2,3,4", n) == 0 &&
 	    (columns[n] == '\0' ||
@@ -520,8 +489,8 @@ void reason_text_header(const struct layout *l, struct span line,
 	    say_remedy(l, f.value, remedy))
 		return;
 	strcpy(reason, "looks like a header");
-	say_mend(l, line, frequent, reason);
 	say_more(reason,
-	    ", or leave it out by sed %zud, with --columns if x is not first",
+	    "%s leave it out by sed %zud, with --columns if x is not first",
+	    say_mend(l, line, frequent, reason) ? ", or" : ";",
 	    l->seen.first_line);
 }

@@ -10,10 +10,6 @@
 void reason_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
 
-/* If f is an empty field of csv between blanks, writes the reason and returns true. */
-bool reason_empty_field(const struct layout *, struct span f,
-    char reason[REASON_MAX]);
-
 /* Writes that coordinate i was not found after the cursor, or was found twice. */
 void reason_missing(const struct layout *, int i, struct cursor,
     const struct lookup *, char reason[REASON_MAX]);
