@@ -24,7 +24,7 @@ void depth_of(const struct lens *l, struct depth *d)
 	bool negative_w = sum_sign(l->clip[3][3]) < 0, against_n = false;
 	const struct sum *eye_z = l->volume.eye_z;
 	struct sum z[4], w[4];
-	struct map m = l->volume.to_clip, to_range;
+	struct map m, to_range;
 
 	*d = (struct depth){ .low = range.min_z,
 		.high = range.max_z,
@@ -32,6 +32,7 @@ void depth_of(const struct lens *l, struct depth *d)
 		.open = projection_is_open(&s->projection),
 		.constant = s->has_viewport && !has_range };
 	viewport_map(&range, answer_convention(s), false, &to_range);
+	map_copy(&m, &l->volume.to_clip);
 	map_multiply(&m, &to_range, false);
 	for (int i = 0; i < 4; i++) {
 		z[i] = m.m[i][2];

@@ -21,9 +21,9 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 /* Sets column j of r to a x + b w or, if minus, to -a x + b w, where x is column k of m
  * and w is column 3 of m. */
 static void combine_columns(struct map *r, int j, const struct map *m,
-    bool minus, int k, struct sum a, struct sum b)
+    bool minus, int k, const struct sum *a, const struct sum *b)
 {
-	const struct sum factor[2] = { sum_negated_if(minus, a), b };
+	const struct sum factor[2] = { sum_negated_if(minus, *a), *b };
 
 	for (int i = 0; i < 5; i++)
 		sum_dot(2, factor, &m->m[i][k], 3 - k, &r->m[i][j]);
@@ -40,18 +40,19 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 	const struct convention *c = answer_convention(s);
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum half[2], scale[2], one = sum_of_double(1);
+	struct sum low = sum_of_double(c->depth_minus_one);
 
-	*sides = *ends = *m;
+	map_copy(sides, m);
+	map_copy(ends, m);
 	view_limits(s, half, scale);
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
-		combine_columns(sides, k, m, high, k / 2, scale[k / 2],
-		    half[k / 2]);
+		combine_columns(sides, k, m, high, k / 2, &scale[k / 2],
+		    &half[k / 2]);
 	}
-	combine_columns(ends, reversed, m, false, 2, one,
-	    sum_of_double(c->depth_minus_one));
-	combine_columns(ends, !reversed, m, true, 2, one, one);
+	combine_columns(ends, reversed, m, false, 2, &one, &low);
+	combine_columns(ends, !reversed, m, true, 2, &one, &one);
 	for (int i = 0; i < 5 && projection_is_open(&s->projection); i++)
 		ends->m[i][0] = ends->m[i][1] = sum_of_double(i >= 3);
 	for (int i = 0; i < 5; i++)
@@ -101,7 +102,7 @@ const char *flat_frustum_of(const struct scene *s, enum flat_space from,
 	f->sides.map = m;
 	f->sides.in = 2;
 	for (int k = 0; k < 4; k++)
-		combine_columns(&f->sides.map, k, &m, k & 1, k / 2, one, one);
+		combine_columns(&f->sides.map, k, &m, k & 1, k / 2, &one, &one);
 	transform_prepare(&f->sides);
 	return NULL;
 }

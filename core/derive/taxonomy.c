@@ -100,8 +100,9 @@ static void set_fov(const struct lens *l, double fov[2])
 static void classify_perspective(const struct lens *l, struct taxonomy *t)
 {
 	const struct scene *s = l->scene;
-	struct map screen = l->volume.to_clip, to_device;
+	struct map screen, to_device;
 
+	map_copy(&screen, &l->volume.to_clip);
 	if (s->has_viewport) {
 		viewport_map(&s->viewport, answer_convention(s), false,
 		    &to_device);

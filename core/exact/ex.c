@@ -147,14 +147,12 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	    lowest);
 }
 
-ex ex_truncate(ex a, int n)
+void ex_truncate(const ex *a, int n, ex *r)
 {
-	int dropped = a.n > n ? a.n - n : 0;
-	ex r;
+	int dropped = a->n > n ? a->n - n : 0;
 
-	ex_set_words(&r, a.sign, a.word + dropped, a.n - dropped,
-	    a.e + dropped);
-	return r;
+	ex_set_words(r, a->sign, a->word + dropped, a->n - dropped,
+	    a->e + dropped);
 }
 
 /* Returns one word q of the long division of u[0..n] by d[0..n), and leaves the
@@ -226,8 +224,9 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
  * nearest to a. This root has 50 correct bits; each step doubles their number, so that
  * its quotient needs 2, 4, 8, and then EX_QUOTIENT_WORDS words. The last result is
  * rounded to EX_QUOTIENT_WORDS words, so that roots of few words are exact. */
-ex ex_sqrt(ex a)
+ex ex_sqrt(const ex *square)
 {
+	ex a = *square;
 	int top = a.e + a.n - 1;
 
 	if (a.n == 0)
@@ -243,7 +242,7 @@ ex ex_sqrt(ex a)
 	}
 	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT_WORDS) - 1);
 	ex_dot(2, pair, (const ex *[]){ &one, &one }, INT_MIN, &r);
-	r = ex_truncate(r, EX_QUOTIENT_WORDS);
+	ex_truncate(&r, EX_QUOTIENT_WORDS, &r);
 	q = ex_power(32 * top);
 	ex_dot(1, pair, pair + 1, INT_MIN, &r);
 	return r;

@@ -39,8 +39,8 @@ ex ex_power(int e); /* 2^e */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT_WORDS = 12 };
 
-ex ex_sqrt(ex a);
-ex ex_truncate(ex a, int n); /* the n highest words of a */
+ex ex_sqrt(const ex *);
+void ex_truncate(const ex *a, int n, ex *); /* the n highest words of a */
 
 enum { EX_RANGE = 1 << 24 }; /* exponents are between -EX_RANGE and EX_RANGE */
 

@@ -28,10 +28,10 @@ struct sum vec3_length(const struct sum a[3])
 
 	if (sum_is_exact(&r))
 		return r;
-	r = sum_with_error(r.value, SUM_QUOTIENT_ERROR);
+	r = sum_with_error(r, SUM_QUOTIENT_ERROR);
 	for (int i = 0; i < 3; i++)
 		if (!sum_is_exact(&a[i]))
-			r = sum_add(r, (struct sum){ ex_of(0), a[i].error });
+			r = sum_add(r, (struct sum){ .error = a[i].error });
 	return r;
 }
 
@@ -49,13 +49,22 @@ void map_identity(struct map *r)
 	map_of_doubles(one, r);
 }
 
+void map_copy(struct map *r, const struct map *a)
+{
+	memcpy(r->origin, a->origin, sizeof r->origin);
+	sum_copy(&r->divisor, &a->divisor);
+	for (int i = 0; i < 20; i++)
+		sum_copy(&r->m[i / 4][i % 4], &a->m[i / 4][i % 4]);
+}
+
 void map_of_doubles(const double m[4][4], struct map *r)
 {
 	memset(r->origin, 0, sizeof r->origin);
 	sum_set(&r->divisor, 1);
 	for (int i = 0; i < 16; i++)
 		sum_set(&r->m[i / 4][i % 4], m[i / 4][i % 4]);
-	memcpy(r->m[4], r->m[3], sizeof r->m[4]);
+	for (int j = 0; j < 4; j++)
+		sum_copy(&r->m[4][j], &r->m[3][j]);
 }
 
 void map_set_origin(struct map *r, const double origin[3])
@@ -157,10 +166,12 @@ void map_multiply(struct map *r, const struct map *factor, bool before)
 	if (is_identity(factor))
 		return;
 	if (is_identity(r)) {
-		*r = *factor;
+		map_copy(r, factor);
 		return;
 	}
-	const struct map old = *r;
+	struct map old;
+
+	map_copy(&old, r);
 	const struct map *a = before ? factor : &old,
 			 *b = before ? &old : factor;
 

@@ -30,6 +30,7 @@ struct map {
 };
 
 void map_identity(struct map *);
+void map_copy(struct map *, const struct map *);
 
 /* Makes the map of a matrix of given numbers, with origin 0. */
 void map_of_doubles(const double m[4][4], struct map *);

@@ -50,7 +50,7 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 		if (!(slope > 0x1p-398 * x1 * x1 * x1))
 			return false;
 		*x = sum_sub(*x, exact_step);
-		*x = sum_with_error(ex_truncate(x->value, 16), 0);
+		*x = sum_truncate(*x, 16);
 	} while (fabs(step) > 0x1p-154 * slope / (x1 * x1));
 	return true;
 }
@@ -78,7 +78,7 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 		struct sum c = sum_negated_if((best + i) % 2,
 		    map_minor(3, k, 1u << best, 1u << i));
 
-		q[i] = sum_with_error(ex_truncate(c.value, 8), 0);
+		q[i] = sum_truncate(c, 8);
 		norm = sum_add(norm, sum_abs(q[i]));
 	}
 	for (int i = 0; i < 4; i++)
@@ -95,7 +95,7 @@ enum rotation_result rotation_nearest(const double matrix[4][4],
 	for (int i = 0; i < 9; i++)
 		largest = fmax(largest, fabs(matrix[i / 3][i % 3]));
 	frexp(largest, &e);
-	const struct sum unit = sum_with_error(ex_power(-e), 0);
+	const struct sum unit = sum_of_power(-e);
 
 	for (int i = 0; i < 9; i++) {
 		struct sum *a = &m[i / 3][i % 3];

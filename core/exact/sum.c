@@ -8,8 +8,9 @@
  * as small as 1; ex_divide sets the last bit if the quotient is not exact. */
 enum { ROUNDED_WORDS = 2 };
 
-static const struct sum one = { { 1, 1, 0, { 1 } }, 0 };
-static const struct sum two = { { 1, 1, 0, { 2 } }, 0 };
+static const struct sum one = { .value = { 1, 1, 0, { 1 } } };
+static const struct sum minus_one = { .value = { -1, 1, 0, { 1 } } };
+static const struct sum two = { .value = { 1, 1, 0, { 2 } } };
 
 /* Returns the least e with |a| <= 2^e, or a number below -EX_RANGE / 2 if a is 0. */
 static int ceil_log2(const ex *a)
@@ -40,6 +41,16 @@ void sum_set(struct sum *r, double exact)
 	r->error = 0;
 }
 
+void sum_copy(struct sum *r, const struct sum *a)
+{
+	r->value.sign = a->value.sign;
+	r->value.n = a->value.n;
+	r->value.e = a->value.e;
+	r->error = a->error;
+	for (int i = 0; i < a->value.n; i++)
+		r->value.word[i] = a->value.word[i];
+}
+
 struct sum sum_of_double(double exact)
 {
 	struct sum r;
@@ -53,35 +64,55 @@ struct sum sum_diff(double a, double b)
 	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
 
-struct sum sum_with_error(ex value, int relative_error)
+struct sum sum_of_power(int e)
 {
-	const int error = ceil_log2(&value) + relative_error;
-
-	return (struct sum){ value, add_errors(1, &error) };
+	return (struct sum){ .value = ex_power(e) };
 }
 
-struct sum sum_add_error(struct sum a, struct sum e)
+struct sum(sum_with_error)(const struct sum *a, int relative_error)
 {
-	a.error = add_errors(3,
-	    (int[]){ a.error, ceil_log2(&e.value) + EX_RANGE, e.error });
-	return a;
+	const int error = ceil_log2(&a->value) + relative_error;
+	struct sum r;
+
+	sum_copy(&r, a);
+	r.error = add_errors(1, &error);
+	return r;
 }
 
-struct sum sum_negated_if(bool negates, struct sum a)
+struct sum(sum_truncate)(const struct sum *a, int n)
 {
+	struct sum r = { .error = 0 };
+
+	ex_truncate(&a->value, n, &r.value);
+	return r;
+}
+
+struct sum(sum_add_error)(const struct sum *a, const struct sum *e)
+{
+	struct sum r = *a;
+
+	r.error = add_errors(3,
+	    (int[]){ a->error, ceil_log2(&e->value) + EX_RANGE, e->error });
+	return r;
+}
+
+struct sum(sum_negated_if)(bool negates, const struct sum *a)
+{
+	struct sum r = *a;
+
 	if (negates)
-		a.value.sign = -a.value.sign;
-	return a;
+		r.value.sign = -r.value.sign;
+	return r;
 }
 
-struct sum sum_neg(struct sum a)
+struct sum(sum_neg)(const struct sum *a)
 {
-	return sum_negated_if(true, a);
+	return sum_negated_if(true, *a);
 }
 
-struct sum sum_abs(struct sum a)
+struct sum(sum_abs)(const struct sum *a)
 {
-	return sum_negated_if(a.value.sign < 0, a);
+	return sum_negated_if(a->value.sign < 0, *a);
 }
 
 bool sum_is_exact_zero(const struct sum *a)
@@ -125,37 +156,50 @@ void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
 	dot_of_pointers(n, x, y, r);
 }
 
-struct sum sum_add(struct sum a, struct sum b)
+struct sum(sum_add)(const struct sum *a, const struct sum *b)
 {
-	const struct sum *const x[] = { &a, &b }, *const y[] = { &one, &one };
+	struct sum r;
 
-	dot_of_pointers(2, x, y, &a);
-	return a;
+	dot_of_pointers(2, (const struct sum *[]){ a, b },
+	    (const struct sum *[]){ &one, &one }, &r);
+	return r;
 }
 
-struct sum sum_sub(struct sum a, struct sum b)
+struct sum(sum_sub)(const struct sum *a, const struct sum *b)
 {
-	return sum_minor(a, one, b, one);
+	struct sum r;
+
+	dot_of_pointers(2, (const struct sum *[]){ a, b },
+	    (const struct sum *[]){ &one, &minus_one }, &r);
+	return r;
 }
 
-struct sum sum_mul(struct sum a, struct sum b)
+struct sum(sum_mul)(const struct sum *a, const struct sum *b)
 {
-	sum_dot(1, &a, &b, 1, &a);
-	return a;
+	struct sum r;
+
+	sum_dot(1, a, b, 1, &r);
+	return r;
 }
 
-struct sum sum_scale(struct sum a, double factor)
+struct sum(sum_scale)(const struct sum *a, double factor)
 {
-	return sum_mul(a, sum_of_double(factor));
+	struct sum b;
+
+	sum_set(&b, factor);
+	return sum_mul(*a, b);
 }
 
-struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d)
+struct sum(sum_minor)(const struct sum *a, const struct sum *b,
+    const struct sum *c, const struct sum *d)
 {
-	const struct sum *const x[] = { &a, &c }, *const y[] = { &b, &d };
+	struct sum r, minus_c;
 
-	c.value.sign = -c.value.sign;
-	dot_of_pointers(2, x, y, &a);
-	return a;
+	sum_copy(&minus_c, c);
+	minus_c.value.sign = -minus_c.value.sign;
+	dot_of_pointers(2, (const struct sum *[]){ a, &minus_c },
+	    (const struct sum *[]){ b, d }, &r);
+	return r;
 }
 
 bool sum_is_one(const struct sum *a)
@@ -169,44 +213,47 @@ bool sum_is_power_of_two(const struct sum *a)
 	return sum_is_exact(a) && ceil_log2(&a->value) < ex_exponent(&a->value);
 }
 
-struct sum sum_quotient(struct sum a, struct sum b)
+struct sum(sum_quotient)(const struct sum *a, const struct sum *b)
 {
 	/* 2^d bounds |b| from below; an error of b above 2^(d-40) halves this bound */
-	int d = ex_exponent(&b.value) - 1;
+	int d = ex_exponent(&b->value) - 1;
 	struct sum r;
 
-	if (sum_is_exact_zero(&a))
-		return a;
-	if (sum_is_power_of_two(&b)) {
-		r = sum_with_error(ex_power(-d), 0);
-		r.value.sign = b.value.sign;
-		return sum_mul(a, r);
+	if (sum_is_exact_zero(a))
+		return *a;
+	if (sum_is_power_of_two(b)) {
+		r = sum_of_power(-d);
+		r.value.sign = b->value.sign;
+		return sum_mul(*a, r);
 	}
-	d -= b.error - EX_RANGE > d - 40;
-	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT_WORDS, &r.value);
+	d -= b->error - EX_RANGE > d - 40;
+	bool exact = ex_divide(&a->value, &b->value, EX_QUOTIENT_WORDS,
+	    &r.value);
 	int size = ceil_log2(&r.value);
 
 	r.error = add_errors(3,
-	    (int[]){ a.error - d, size + b.error - d,
+	    (int[]){ a->error - d, size + b->error - d,
 		exact ? 0 : size + SUM_QUOTIENT_ERROR });
 	return r;
 }
 
-struct sum sum_sqrt(struct sum a)
+struct sum(sum_sqrt)(const struct sum *a)
 {
-	/* if the value is <= 0, the exact root is at most the root of a's error */
-	if (a.value.sign <= 0)
-		return (struct sum){ ex_of(0),
-			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
-	struct sum r = { ex_sqrt(a.value), 0 };
+	struct sum r = { .error = 0 };
 
+	/* if the value is <= 0, the exact root is at most the root of a's error */
+	if (a->value.sign <= 0) {
+		r.error = sum_is_exact(a) ? 0 : (a->error + EX_RANGE) / 2 + 1;
+		return r;
+	}
+	r.value = ex_sqrt(&a->value);
 	/* the lowest word of r * r has the index e = 2 r.e or 2 r.e + 1; if this is
 	 * below the index of a's lowest word, r is not exact */
-	if (!sum_is_exact(&a) || 2 * r.value.e + 1 < a.value.e ||
-	    sum_compare(sum_mul(r, r), a) != 0)
+	if (!sum_is_exact(a) || 2 * r.value.e + 1 < a->value.e ||
+	    sum_compare(sum_mul(r, r), *a) != 0)
 		r.error = add_errors(2,
 		    (int[]){ ceil_log2(&r.value) + SUM_QUOTIENT_ERROR,
-			a.error - ex_exponent(&r.value) + 1 });
+			a->error - ex_exponent(&r.value) + 1 });
 	return r;
 }
 
@@ -216,19 +263,23 @@ static bool counts_as_zero(const struct sum *a)
 	return ceil_log2(&a->value) + EX_RANGE <= a->error;
 }
 
-int sum_sign(struct sum a)
+int(sum_sign)(const struct sum *a)
 {
-	return counts_as_zero(&a) ? 0 : a.value.sign;
+	return counts_as_zero(a) ? 0 : a->value.sign;
 }
 
-int sum_compare(struct sum a, struct sum b)
+int(sum_compare)(const struct sum *a, const struct sum *b)
 {
-	return sum_sign(sum_sub(a, b));
+	struct sum r;
+
+	dot_of_pointers(2, (const struct sum *[]){ a, b },
+	    (const struct sum *[]){ &one, &minus_one }, &r);
+	return sum_sign(r);
 }
 
-struct sum sum_snap_zero(struct sum a)
+struct sum(sum_snap_zero)(const struct sum *a)
 {
-	return counts_as_zero(&a) ? sum_of_double(0) : a;
+	return counts_as_zero(a) ? sum_of_double(0) : *a;
 }
 
 /* Returns the double or, if single, float next to a: toward 0 unless `away` is set. */
@@ -294,26 +345,26 @@ double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 	    round_inexact(n, d, q, single);
 }
 
-double sum_ratio(struct sum n, struct sum d)
+double(sum_ratio)(const struct sum *n, const struct sum *d)
 {
-	return sum_nearest(&n, &d, false);
+	return sum_nearest(n, d, false);
 }
 
-double sum_ratio_or_nan(struct sum n, struct sum d)
+double(sum_ratio_or_nan)(const struct sum *n, const struct sum *d)
 {
-	double q = sum_nearest(&n, &d, false);
+	double q = sum_nearest(n, d, false);
 
 	return isfinite(q) ? q : (double)NAN;
 }
 
-double sum_double(struct sum a)
+double(sum_double)(const struct sum *a)
 {
-	return sum_nearest(&a, &one, false);
+	return sum_nearest(a, &one, false);
 }
 
-dd sum_dd(struct sum a)
+dd(sum_dd)(const struct sum *a)
 {
-	return counts_as_zero(&a) ? (dd){ 0, 0 } : ex_round(&a.value);
+	return counts_as_zero(a) ? (dd){ 0, 0 } : ex_round(&a->value);
 }
 
 double sum_error(const struct sum *a)

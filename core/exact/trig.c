@@ -5,14 +5,13 @@
 
 /* pi / 2, with a relative error below 2^-963. */
 static const struct sum HALF_PI = {
-	{ 1, 16, -15,
+	.value = { 1, 16, -15,
 	    { 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
 		0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
 		0xc90b6aecc4bcfd8d, 0x9fc26adadaa3848b, 0x605614dbe4be286e,
 		0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
 		0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469,
 		1 } },
-	0
 };
 
 /* The number of words of a reduced angle and of each term of its series. */
@@ -22,19 +21,22 @@ enum { SINE_WORDS = 6 };
  * this is cos x (n = 0), sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
  * scheme computes the sum as s / c, with the common denominator c. y and each s are cut
  * to `words` words; each cut loses less than one unit of the last word. */
-static ex trig_series(ex y, int n, int last, int words)
+static struct sum trig_series(const ex *y, int n, int last, int words)
 {
-	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, factor = c;
+	ex minus, c = ex_of(1), s = c, factor = c;
 	const ex *const a[] = { &c, &s }, *const b[] = { &factor, &minus };
 
+	ex_truncate(y, words, &minus);
 	minus.sign = -minus.sign;
 	for (int k = n + last; k > n; k -= 2) {
 		factor.word[0] = (uint64_t)(k * (k - 1));
 		ex_dot(2, a, b, 64 * (c.e + c.n - words), &s);
 		ex_dot(1, a, b, INT_MIN, &c);
 	}
-	ex_divide(&s, &c, EX_QUOTIENT_WORDS, &s);
-	return s;
+	struct sum r = { .error = 0 };
+
+	ex_divide(&s, &c, EX_QUOTIENT_WORDS, &r.value);
+	return sum_with_error(r, SUM_TRIG_ERROR);
 }
 
 /* The last power of x in the series for |x| <= pi / 4. The first term left out is
@@ -51,11 +53,10 @@ bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
 {
 	if (sum_compare(square, sum_scale(sum_mul(HALF_PI, HALF_PI), 16)) > 0)
 		return false;
-	ex s = trig_series(square.value, 1, SINC_POWER, SINC_WORDS);
-	ex v = trig_series(square.value, 2, SINC_POWER, SINC_WORDS);
-
-	*sinc = sum_with_error(s, SUM_TRIG_ERROR);
-	*versinc = sum_scale(sum_with_error(v, SUM_TRIG_ERROR), 0.5);
+	*sinc = trig_series(&square.value, 1, SINC_POWER, SINC_WORDS);
+	*versinc = sum_scale(trig_series(&square.value, 2, SINC_POWER,
+				 SINC_WORDS),
+	    0.5);
 	return true;
 }
 
@@ -66,20 +67,16 @@ struct reduced_angle {
 	unsigned quarters;
 };
 
-static struct sum cut_rest(struct sum a)
-{
-	return sum_with_error(ex_truncate(a.value, SINE_WORDS), 0);
-}
-
 /* Reduces degrees. fmod is exact, and so is the subtraction (Sterbenz's lemma). */
 static void reduce_degrees(double angle, struct reduced_angle *r)
 {
 	double rest = fmod(angle, 360), q = rint(rest / 90);
 
 	r->rest_degrees = rest - 90 * q;
-	r->rest_radians = cut_rest(
-	    sum_quotient(sum_scale(HALF_PI, r->rest_degrees),
-		sum_of_double(90)));
+	r->rest_radians = sum_truncate(sum_quotient(sum_scale(HALF_PI,
+							r->rest_degrees),
+					   sum_of_double(90)),
+	    SINE_WORDS);
 	r->quarters = (unsigned)(int)q;
 }
 
@@ -91,14 +88,15 @@ static void reduce_radians(double angle, struct reduced_angle *r)
 {
 	struct sum a = sum_of_double(angle);
 	struct sum half = sum_of_double(copysign(0.5, angle));
-	ex q = sum_add(sum_quotient(a, HALF_PI), half).value;
+	struct sum rounded = sum_add(sum_quotient(a, HALF_PI), half);
+	const ex *q = &rounded.value;
 
-	q = ex_truncate(q, q.e + q.n > 0 ? q.e + q.n : 0);
-	a = sum_sub(a, sum_mul(sum_with_error(q, 0), HALF_PI));
+	rounded = sum_truncate(rounded, q->e + q->n > 0 ? q->e + q->n : 0);
+	a = sum_sub(a, sum_mul(rounded, HALF_PI));
 	r->rest_degrees = (double)NAN;
-	r->rest_radians = cut_rest(a);
-	r->quarters = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] : 0;
-	r->quarters *= (unsigned)q.sign;
+	r->rest_radians = sum_truncate(a, SINE_WORDS);
+	r->quarters = q->n > 0 && q->e == 0 ? (unsigned)q->word[0] : 0;
+	r->quarters *= (unsigned)q->sign;
 }
 
 /* Returns the sine (n = 1) or the cosine (n = 0) of the rest of a reduced angle. The
@@ -109,10 +107,8 @@ static struct sum sine_or_cosine(const struct reduced_angle *r, int n)
 		return sum_of_double(1);
 	if (n == 1 && fabs(r->rest_degrees) == 30)
 		return sum_of_double(copysign(0.5, r->rest_degrees));
-	struct sum s = sum_with_error(
-	    trig_series(sum_mul(r->rest_radians, r->rest_radians).value, n,
-		SINE_POWER, SINE_WORDS),
-	    SUM_TRIG_ERROR);
+	struct sum square = sum_mul(r->rest_radians, r->rest_radians);
+	struct sum s = trig_series(&square.value, n, SINE_POWER, SINE_WORDS);
 
 	return n == 1 ? sum_mul(s, r->rest_radians) : s;
 }
@@ -170,6 +166,6 @@ double trig_atan2_degrees(struct sum y, struct sum x)
 
 	rest = sum_add_error(rest, sum_mul(cube, square));
 	rest = sum_quotient(sum_scale(rest, 90),
-	    sum_with_error(HALF_PI.value, SUM_TRIG_ERROR));
+	    sum_with_error(HALF_PI, SUM_TRIG_ERROR));
 	return sum_double(sum_add(sum_of_double(a), rest));
 }

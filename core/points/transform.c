@@ -34,12 +34,11 @@ void transform_prepare(struct transform *t)
 
 	for (int j = 0; j < 4; j++)
 		from_zero |= t->map.m[3][j].error < t->map.m[4][j].error;
-	memcpy(t->relative, t->map.m, sizeof t->relative);
-	memset(t->origin, 0, sizeof t->origin);
-	if (!from_zero) {
-		memcpy(t->relative[3], t->map.m[4], sizeof t->relative[3]);
-		memcpy(t->origin, t->map.origin, sizeof t->origin);
-	}
+	for (int i = 0; i < 16; i++)
+		sum_copy(&t->relative[i / 4][i % 4],
+		    &t->map.m[i < 12 || from_zero ? i / 4 : 4][i % 4]);
+	for (int i = 0; i < 3; i++)
+		t->origin[i] = from_zero ? 0 : t->map.origin[i];
 	memcpy(k->origin, t->map.origin, sizeof k->origin);
 	k->a = k->b = 0;
 	for (int j = 0; j < 4; j++)

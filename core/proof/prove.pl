@@ -44,7 +44,7 @@ sub log2 { $_[0]->copy->blog(2, 12)->numify }
 sub constant {
 	my ($text, $name) = @_;
 	my ($e, $words) = $text =~
-	    /struct sum $name = \{\s*\{ 1, \d+, (-?\d+),\s*\{([^}]*)\}/ or die $name;
+	    /struct sum $name = \{\s*.value = \{ 1, \d+, (-?\d+),\s*\{([^}]*)\}/ or die $name;
 	my $two = Math::BigFloat->new(2);
 	my $sum = Math::BigFloat->new(0);
 	my $half = $two**(64 * $e - 1);

@@ -79,7 +79,7 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 	const char *why = NULL;
 
 	if (s->known[first][inverse] != NULL) {
-		*r = *s->known[first][inverse];
+		map_copy(r, s->known[first][inverse]);
 		return NULL;
 	}
 	switch ((enum space)first) {

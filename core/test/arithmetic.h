@@ -44,6 +44,18 @@ static inline ex ex_quotient(ex a, ex b)
 	return r;
 }
 
+static inline ex ex_root(ex a)
+{
+	return ex_sqrt(&a);
+}
+
+/* Returns the n highest words of a. */
+static inline ex ex_cut(ex a, int n)
+{
+	ex_truncate(&a, n, &a);
+	return a;
+}
+
 /* Returns a times 2^e. */
 static inline ex ex_shift(ex a, int e)
 {

@@ -179,7 +179,7 @@ static void roots(void **state)
 			ex a = sample_words(n);
 
 			a.sign = 1;
-			ex r = ex_sqrt(a);
+			ex r = ex_sqrt(&a);
 
 			/* |r^2 - a| is at most 2^-318 a */
 			set_integer(x, &r, 2 * UP);

@@ -8,7 +8,7 @@
 /* Returns a 0. The bound of its error is SUM_QUOTIENT_ERROR, an exponent: see sum.h. */
 static struct sum inexact_zero(void)
 {
-	struct sum one = sum_with_error(ex_of(1), SUM_QUOTIENT_ERROR);
+	struct sum one = sum_with_error(sum_of_double(1), SUM_QUOTIENT_ERROR);
 
 	return sum_sub(one, sum_of_double(1));
 }
