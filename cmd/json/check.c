@@ -2,21 +2,13 @@
 #include "check.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../message/utf8.h"
 #include "../message/escape.h"
-#include "../number/number.h"
 #include "text.h"
-
-enum {
-	LEVELS_MAX = 100,
-	/* The length of the longest number that cJSON reads. */
-	CJSON_NUMBER_MAX = 63,
-};
 
 /* Each function check_PART below checks a part of JSON that begins at s->at. If the
  * part is valid, the function moves s->at to its end and returns true. If not, the
@@ -30,13 +22,6 @@ static bool next_is(const struct json_check *s, char c)
 static void skip_space(struct json_check *s)
 {
 	s->at = json_skip_blanks(s->at, s->end);
-}
-
-/* Appends n bytes to s->copy unless s->copy is NULL. */
-static void append_copy(struct json_check *s, const char *from, size_t n)
-{
-	if (s->copy != NULL)
-		s->copy = (char *)memcpy(s->copy, from, n) + n;
 }
 
 /* Returns whether c can be part of a word or number. */
@@ -153,8 +138,7 @@ static bool check_character(struct json_check *s)
 /* Checks a string, which begins with a quotation mark. */
 static bool check_string(struct json_check *s)
 {
-	const char *start = s->at++;
-
+	s->at++;
 	while (!next_is(s, '"')) {
 		if (s->at == s->end)
 			return refuse(s, "text or '\"' in a string", NULL);
@@ -162,7 +146,6 @@ static bool check_string(struct json_check *s)
 			return false;
 	}
 	s->at++;
-	append_copy(s, start, (size_t)(s->at - start));
 	return true;
 }
 
@@ -179,24 +162,6 @@ const char *json_scalar_end(const char *p, const char *end)
 	return json_number(p, end, NULL);
 }
 
-/* Appends to the copy the number from s->at to end or, if the number is too long for
- * cJSON, the shortest text of the same double. */
-static void copy_number(struct json_check *s, const char *end)
-{
-	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
-	char text[NUMBER_MAX] = "1e999", *text_end = text + 5;
-	double v;
-
-	if (end - s->at <= CJSON_NUMBER_MAX) {
-		append_copy(s, s->at, (size_t)(end - s->at));
-		return;
-	}
-	number_read(s->at, end, &v);
-	if (isfinite(v))
-		text_end = number_write(text, v, shortest);
-	append_copy(s, text, (size_t)(text_end - text));
-}
-
 /* Checks a number, true, false or null. */
 static bool check_scalar(struct json_check *s)
 {
@@ -210,8 +175,7 @@ static bool check_scalar(struct json_check *s)
 			       "quotes";
 		return refuse(s, "a value", hint);
 	}
-	if (s->copy != NULL)
-		copy_number(s, end);
+	s->has_long_number |= end - s->at > CJSON_NUMBER_MAX;
 	s->at = end;
 	return true;
 }
@@ -266,7 +230,7 @@ static bool check_member(struct json_check *s, const char *path)
 	skip_space(s);
 	if (!next_is(s, ':'))
 		return refuse(s, "':' after the member's name", NULL);
-	append_copy(s, s->at++, 1);
+	s->at++;
 	skip_space(s);
 	return check_value(s, path_after(path, name, 0));
 }
@@ -295,30 +259,19 @@ static bool check_brackets(struct json_check *s, const char *path)
 	const bool object = *open == '{';
 	const char close = object ? '}' : ']';
 
-	if (++s->level > LEVELS_MAX)
+	if (++s->level > JSON_LEVELS_MAX)
 		return refuse(s, "at most 100 levels of brackets", NULL);
-	append_copy(s, s->at++, 1);
+	s->at++;
 	skip_space(s);
 
-	/* s->copy is NULL during the check of a value that the copy leaves out */
-	char *const copy_start = s->copy;
-	const bool omits = path != NULL && *path == '\0' && !object;
 	long index = 0;
 
 	for (bool empty = next_is(s, close); !empty; skip_space(s)) {
-		char *copy_before = s->copy;
-
-		if (omits || (object && s->end - s->at > 1 && s->at[1] == '_'))
-			s->copy = NULL;
-		else if (copy_before != copy_start)
-			append_copy(s, ",", 1);
 		if (!(object ?
 			    check_member(s, path) :
 			    check_value(s,
 				path_after(path, (struct span){ 0 }, index++))))
 			return false;
-		if (s->copy == NULL)
-			s->copy = copy_before;
 		skip_space(s);
 		if (next_is(s, close))
 			break;
@@ -326,7 +279,7 @@ static bool check_brackets(struct json_check *s, const char *path)
 			return refuse_no_comma(s, open);
 		s->at++;
 	}
-	append_copy(s, s->at++, 1);
+	s->at++;
 	s->level--;
 	return true;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Checks whether text is JSON (RFC 8259), and says what is wrong where it is not. All
  * other readers of JSON in the program, cJSON too, get text that json_check accepted.
- * The caller owns the text and the memory of the copy; struct json_check points into
- * both, and may be discarded at any time. */
+ * The caller owns the text; struct json_check points into it, and may be discarded at
+ * any time. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -15,6 +15,8 @@
  * pair. A line of points has no newline. The strings of
  * a line are copied without being read, so they may hold any \u escape, and any bytes
  * but control characters. */
+enum { JSON_LEVELS_MAX = 100, CJSON_NUMBER_MAX = 63 };
+
 struct json_check {
 	bool is_line;           /* the text is a line of points */
 	const char *text, *end; /* the bytes from text to end - 1 are checked */
@@ -23,17 +25,14 @@ struct json_check {
 	 * pointer leads or, if there is none, the last value on the way there. */
 	const char *pointer;
 	struct span found;
-	/* NULL, or memory for a copy as large as the text. json_check writes the copy
-	 * and moves `copy` to its end. To save memory when cJSON parses it, the copy
-	 * lacks blanks, members whose names begin with _, and the elements of an array
-	 * to which the pointer leads. Numbers too long for cJSON are shortened. */
-	char *copy;
 	const char *at; /* the next character; after an error, the wrong one */
-	char reason[256]; /* what is wrong, after an error */
-	int level;        /* the number of open brackets */
+	char reason[256];     /* what is wrong, after an error */
+	int level;            /* the number of open brackets */
+	bool has_long_number; /* one of more than CJSON_NUMBER_MAX bytes */
 };
 
-/* Returns whether the text is one JSON value with at most 100 levels of brackets. */
+/* Returns whether the text is one JSON value with at most JSON_LEVELS_MAX levels of
+ * brackets. */
 bool json_check(struct json_check *);
 
 /* Returns the end of true, false, null or the number at p; NULL if none begins at p. */

@@ -47,18 +47,60 @@ struct place json_source_place(const struct json_source *source,
 	return p;
 }
 
+/* Replaces each number of a JSON text that is too long for cJSON by the shortest text of
+ * the same double, and blanks. */
+static void shorten_numbers(char *s, const char *end)
+{
+	char text[NUMBER_MAX], *text_end;
+	double v;
+
+	for (char *next; s < end; s = next) {
+		next = *s == '"' ? (char *)json_string_end(s, end) : s + 1;
+		if (*s != '-' && (*s < '0' || *s > '9'))
+			continue;
+		next = (char *)number_read(s, end, &v);
+		if (next - s <= CJSON_NUMBER_MAX)
+			continue;
+		memset(s, ' ', (size_t)(next - s));
+		text_end = isfinite(v) ? number_write(text, v, shortest) :
+					 stpcpy(text, "1e999");
+		memcpy(s, text, (size_t)(text_end - text));
+	}
+}
+
+/* Returns the tree of a checked text without the elements of an array, if array.s is not
+ * NULL: cJSON would need 64 bytes for each number. */
+static cJSON *parse_without(const struct json_check *c, struct span array)
+{
+	const char *rest = array.s != NULL ? array.end - 1 : c->end;
+	size_t n = (size_t)((array.s != NULL ? array.s + 1 : c->end) - c->text),
+	       more = (size_t)(c->end - rest);
+	char *copy = xrealloc(NULL, n + more);
+
+	memcpy(copy, c->text, n);
+	memcpy(copy + n, rest, more);
+	if (c->has_long_number)
+		shorten_numbers(copy, copy + n + more);
+	cJSON *parsed = cJSON_ParseWithLength(copy, n + more);
+
+	free(copy);
+	/* cJSON takes every text that json_check accepts, unless memory runs out */
+	if (parsed == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return parsed;
+}
+
 struct value value_parse_document(struct json_source *source,
     const char *pointer, char *text, size_t size, struct span *array)
 {
 	/* static: the next call frees them, even after a refusal by longjmp */
 	static cJSON *parsed;
 	static char *texts[2];
-	char **kept = &texts[source->is_operand], *copy = xrealloc(NULL, size);
+	char **kept = &texts[source->is_operand];
 	struct json_check c = { .text = text,
 		.end = text + size,
 		.line = source->lines_before + 1,
-		.pointer = pointer,
-		.copy = copy };
+		.pointer = pointer };
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
@@ -70,17 +112,13 @@ struct value value_parse_document(struct json_source *source,
 	if (!json_check(&c)) {
 		const struct place place = source_place_at(source, text, c.at);
 
-		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
 	cJSON_Delete(parsed);
-	parsed = cJSON_ParseWithLength(copy, (size_t)(c.copy - copy));
-	free(copy);
-	/* cJSON takes every text that json_check accepts, unless memory runs out */
-	if (parsed == NULL)
-		die(EXIT_SYSTEM, "out of memory");
+	parsed = NULL;
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
 		c.found.end };
+	parsed = parse_without(&c, *array);
 	return (struct value){ .source = source, .item = parsed };
 }
 
@@ -161,9 +199,9 @@ size_t value_count(const struct value *v)
 					 0;
 }
 
-/* A pointer has at most TOKENS_MAX tokens, as in /camera/matrix/matrix/3/3. A token
- * with its / has at most TOKEN_MAX bytes: a longer name is cut. */
-enum { TOKENS_MAX = 5, TOKEN_MAX = 64 };
+/* A pointer has a token for each level of brackets. A token with its / has at most
+ * TOKEN_MAX bytes: a longer name is cut. */
+enum { TOKEN_MAX = 64 };
 
 /* Writes the pointer to a value, such as /camera/eye/0. In a name, ~ becomes ~0 and /
  * becomes ~1 (RFC 6901). Returns the end of the pointer. */
@@ -189,7 +227,7 @@ static char *write_pointer(const struct value *v, char *out)
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char pointer[TOKENS_MAX * TOKEN_MAX + 1];
+	char pointer[JSON_LEVELS_MAX * TOKEN_MAX + 1];
 	va_list args;
 
 	*write_pointer(v, pointer) = '\0';

@@ -55,7 +55,6 @@ enum {
 	SECTIONED = PERSP | PARALLEL, /* types with a cross-section */
 };
 
-#define OFFSET(m) offsetof(struct projection, m)
 #define MEMBER(types, label, value, field, ...) \
 	ROW(projection, label, value, field, .variants = types, __VA_ARGS__)
 #define NUMBER(types, label, field, ...) \
@@ -242,8 +241,9 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 
 		for (; m.item != NULL; value_next(&m))
 			for (int alias = 0; alias < 2; alias++)
-				count += member_named(projection_members, i,
-					     m.name, alias) != NULL;
+				count += *m.name != '_' &&
+				    member_named(projection_members, i, m.name,
+					alias) != NULL;
 		n = count > most ? 0 : n;
 		most = count > most ? count : most;
 		if (count == most)

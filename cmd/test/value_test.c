@@ -38,23 +38,10 @@ static void test_long_numbers(void **state)
 	    0);
 }
 
-/* value_parse_document leaves out members whose names begin with _, and keeps all
- * else. */
-static void test_hidden(void **state)
-{
-	(void)state;
-	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 1),
-	    3);
-	assert_number(first_number("{\"c\":3,\"_a\":{}, \"_\" :null}", 1), 3);
-	assert_number(first_number("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 2), 3);
-	assert_number(first_number("[4,\"_a\",{\"_\":1}]", 3), 4);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_long_numbers),
-		cmocka_unit_test(test_hidden),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
