@@ -13,4 +13,7 @@ void help_all(const struct command *);
 void help_command(const struct command *);
 bool help_member(const char *name);
 
+/* Prints all help as JSON, from which scripts make the schema and the completions. */
+void help_json(const struct command *, const char *version);
+
 #endif

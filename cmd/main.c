@@ -6,7 +6,6 @@
 #include "call/operands.h"
 #include "call/unknown.h"
 #include "help.h"
-#include "help_json.h"
 #include "message/message.h"
 
 #define VERSION "0.3.0"
@@ -122,9 +121,8 @@ static void run_help(const struct options *o)
 		unknown_refuse_command(commands, true, what);
 }
 
-static void *run_scenes(void *data)
+static void run_scenes(const struct options *o)
 {
-	const struct options *o = data;
 	jmp_buf refused;
 
 	if (o->scenes && o->keep_going &&
@@ -138,7 +136,6 @@ static void *run_scenes(void *data)
 			die_at(EXIT_INPUT, &(struct place){ .of_scene = true },
 			    "what is printed is not exact: " SCENE_TOO_WIDE);
 	}
-	return NULL;
 }
 
 int main(int argc, char **argv)
@@ -168,7 +165,7 @@ int main(int argc, char **argv)
 		run_help(&o);
 	} else {
 		operands_check(&o);
-		call_with_stack(run_scenes, &o);
+		run_scenes(&o);
 	}
 	return answer_end();
 }

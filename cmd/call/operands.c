@@ -12,20 +12,14 @@
 #include "option_row.h"
 
 /* Refuses `word`, an operand that is no file, for the reason `why`. The message ends
- * with `hint` or, if `word` is the name of an option of c, suggests this option. Skips
- * characters from U+2010 to U+201F before the name, as editors make a dash of "--". */
+ * with `hint` or, if `word` is the name of an option of c, suggests this option. */
 static _Noreturn void refuse_no_file(const struct command *c, const char *word,
     const char *why, const char *hint)
 {
 	const struct place place = { .file = word };
-	const struct option_row *r;
-	const char *name = word;
 
-	while (strncmp(name, "\xe2\x80", 2) == 0 && (name[2] & 0xf0) == 0x90)
-		name += 3;
-	r = option_find(name);
-	if (option_is_for(r, c))
-		die_at(EXIT_USAGE, &place, "%s; did you mean --%s?", why, name);
+	if (option_is_for(option_find(word), c))
+		die_at(EXIT_USAGE, &place, "%s; did you mean --%s?", why, word);
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 

@@ -6,33 +6,15 @@
 
 #include "utf8.h"
 
-/* Returns whether a character looks like a blank or like nothing: no-break spaces, the
- * soft hyphen, joiners of zero width, invisible operators, the byte order mark. */
-static bool is_invisible(unsigned code)
+/* Returns whether a character is a control, ends a line, controls the direction of
+ * writing (UAX 9), or looks like a blank or like nothing: no-break spaces, the soft
+ * hyphen, joiners of zero width, invisible operators, the byte order mark. */
+static bool is_unseen(unsigned code)
 {
-	return code == 0xa0 || code == 0xad ||
-	    (code >= 0x200b && code <= 0x200d) ||
-	    (code >= 0x2060 && code <= 0x2064) || code == 0xfeff;
-}
-
-/* Returns whether a character is a C0 or C1 control, ends a line, or controls the
- * direction of writing (UAX 9, tables 1 to 4). */
-static bool is_control(unsigned code)
-{
-	return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x061c ||
-	    code == 0x200e || code == 0x200f ||
+	return code < 0x20 || (code >= 0x7f && code <= 0xa0) || code == 0xad ||
+	    code == 0x061c || (code >= 0x200b && code <= 0x200f) ||
 	    (code >= 0x2028 && code <= 0x202e) ||
-	    (code >= 0x2066 && code <= 0x2069);
-}
-
-unsigned escape_find_invisible(const char *s)
-{
-	unsigned code;
-
-	for (; (s = strstr(s, "\\u")) != NULL; s++)
-		if (sscanf(s, "\\u%4x", &code) == 1 && is_invisible(code))
-			return code;
-	return 0;
+	    (code >= 0x2060 && code <= 0x2069) || code == 0xfeff;
 }
 
 /* Writes the character at *s, escaped if necessary, and moves *s past it. Returns the
@@ -47,7 +29,7 @@ static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s,
 	*s += n > 0 ? n : 1;
 	if (n == 0 && !json)
 		return (size_t)sprintf(out, "\\x%02x", (unsigned char)*c);
-	if (n == 0 || is_control(code) || is_invisible(code))
+	if (n == 0 || is_unseen(code))
 		return (size_t)sprintf(out, "\\u%04x", n > 0 ? code : 0xfffd);
 	if (json && (*c == '"' || *c == '\\'))
 		return (size_t)sprintf(out, "\\%c", *c);

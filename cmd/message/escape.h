@@ -21,7 +21,4 @@ size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
 enum { ESCAPED_MAX = 64 };
 const char *escape_short(char out[ESCAPED_MAX], const char *s, size_t n);
 
-/* Returns the code of the first invisible character that a text has as \u..., or 0. */
-unsigned escape_find_invisible(const char *);
-
 #endif

@@ -154,13 +154,8 @@ static void print_line(int status, const struct place *place,
 		add_json(p, scene, message);
 	else
 		add_text(status, p, scene, message);
-	unsigned invisible = escape_find_invisible(line.s);
-
-	line.n -= message_state.json; /* in JSON drops the last quote */
-	if (invisible != 0)
-		addf(" (U+%04X is invisible)", invisible);
 	if (message_state.json)
-		addf("\",\"status\":%d}", status);
+		addf(",\"status\":%d}", status);
 	addf("\n");
 	fwrite(line.s, 1, line.n, stderr);
 	funlockfile(stderr);

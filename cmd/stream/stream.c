@@ -9,13 +9,11 @@
 #include <sched.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include "answer.h"
 
-/* The size of a thread's stack in bytes. By default some systems give 128 KB. The
- * command inspect needs up to 320 KB (measured), as each of its maps has 19 KB. */
+/* The size of a thread's stack in bytes. By default some systems give 128 KB. */
 enum { STACK_SIZE = 1 << 20 };
 
 /* Starts a thread with STACK_SIZE. Returns 0 or an error, as pthread_create does. */
@@ -30,24 +28,6 @@ static int start_thread(pthread_t *t, void *(*run)(void *), void *data)
 	error = pthread_create(t, &attributes, run, data);
 	pthread_attr_destroy(&attributes);
 	return error;
-}
-
-void call_with_stack(void *(*run)(void *), void *data)
-{
-	struct rlimit limit;
-	pthread_t t;
-
-	if (getrlimit(RLIMIT_STACK, &limit) != 0 ||
-	    limit.rlim_cur >= STACK_SIZE) {
-		run(data);
-		return;
-	}
-	int error = start_thread(&t, run, data);
-
-	if (error != 0)
-		die(EXIT_SYSTEM, "the stack is too small, and a thread: %s",
-		    strerror(error));
-	pthread_join(t, NULL);
 }
 
 /* One thread may be started for each BYTES_PER_THREAD bytes that were read of a source:

@@ -6,9 +6,6 @@
 
 #include "job.h"
 
-/* Calls run(data), in a new thread if the stack may be too small, and waits for it. */
-void call_with_stack(void *(*run)(void *), void *data);
-
 /* Does the job on the points of a source. Before it waits for more input, prints the
  * output for all points that were read. Prints errors and ends the program after them.
  * Each call must get the same struct job; its contents may change between calls. */
