@@ -145,13 +145,14 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->flag - 1) = true;
 }
 
-/* The members of a way. The index of `required` and `left` is 1 for the command fit. */
+/* The members of a way: all, and those with the mark ?, ~ or |. */
 struct way_bits {
-	uint64_t all, required[2], left[2]; /* left: those marked by | */
+	uint64_t all, optional, fitted, left;
 };
 
 /* A rule for one variant of object. In a set of members, bit i is row i of the table. */
 struct rule_bits {
+	struct rule_bits *next;
 	const struct rule *rule;
 	const struct member *table;
 	int variant;
@@ -165,39 +166,41 @@ struct rule_bits {
 static const struct rule_bits *rule_find(const struct rule *rule,
     const struct member *table, int variant)
 {
-	static struct rule_bits *kept[64]; /* more than rules have variants */
-	struct rule_bits **at = kept, *b;
-	const char *with = rule->with != NULL ? rule->with : "";
+	static struct rule_bits *kept;
+	struct rule_bits *b = kept;
 	size_t n = 0;
 
-	while (
-	    *at != NULL && ((*at)->rule != rule || (*at)->variant != variant))
-		at++;
-	if (*at != NULL)
-		return *at;
+	while (b != NULL && (b->rule != rule || b->variant != variant))
+		b = b->next;
+	if (b != NULL)
+		return b;
 	while (rule->ways[n] != NULL)
 		n++;
-	b = *at = xrealloc(NULL, sizeof *b + n * sizeof *b->way);
-	*b = (struct rule_bits){ rule, table, variant, .n = n,
-		.without = member_bits(table, variant, with, '!') };
-	b->with = member_bits(table, variant, with, '\0') & ~b->without;
-	for (struct way_bits *w = b->way; w < b->way + n; w++) {
-		const char *names = rule->ways[w - b->way];
+	b = xrealloc(NULL, sizeof *b + n * sizeof *b->way);
+	*b = (struct rule_bits){ kept, rule, table, variant, .n = n };
+	kept = b;
+	if (rule->with != NULL) {
+		b->without = member_bits(table, variant, rule->with, '!');
+		b->with = member_bits(table, variant, rule->with, 0) &
+		    ~b->without;
+	}
+	for (size_t i = 0; i < n; i++) {
+		const char *way = rule->ways[i];
 
-		for (int fit = 0; fit < 2; fit++) {
-			uint64_t found = fit == 0 ?
-			    0 :
-			    member_bits(table, variant, names, '~');
-
-			w->all = member_bits(table, variant, names, '\0');
-			w->left[fit] = member_bits(table, variant, names, '|') &
-			    ~found;
-			w->required[fit] = w->all & ~found & ~w->left[fit] &
-			    ~member_bits(table, variant, names, '?');
-		}
-		b->all |= w->all;
+		b->way[i].all = member_bits(table, variant, way, 0);
+		b->way[i].optional = member_bits(table, variant, way, '?');
+		b->way[i].fitted = member_bits(table, variant, way, '~');
+		b->way[i].left = member_bits(table, variant, way, '|');
+		b->all |= b->way[i].all;
 	}
 	return b;
+}
+
+/* Returns the members of a way that an object must have. */
+static uint64_t way_required(const struct way_bits *way, bool fit)
+{
+	return way->all &
+	    ~(way->optional | way->left | (fit ? way->fitted : 0));
 }
 
 /* Writes all ways: "give A and B, or C". Omits optional members that are not given. */
@@ -210,7 +213,8 @@ static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, bool fit,
 
 	for (size_t i = 0; i < b->n && n < LIST_ROOM; i++) {
 		list_names(b->table, b->variant,
-		    b->way[i].all & (b->way[i].required[fit] | given), names);
+		    b->way[i].all & (way_required(&b->way[i], fit) | given),
+		    names);
 		words_join(all, names, " and ", "\"");
 		n += (size_t)snprintf(out + n, LIST_ROOM - n, "%s%s",
 		    i > 0 ? ", or " : "give ",
@@ -252,7 +256,7 @@ static size_t find_way(const struct value *v, const struct rule_bits *b,
 
 	given &= b->all;
 	for (size_t i = 0; i < b->n; i++) {
-		const uint64_t required = b->way[i].required[fit];
+		const uint64_t required = way_required(&b->way[i], fit);
 		uint64_t missing = required & ~given,
 			 in = b->way[i].all & given;
 
@@ -266,7 +270,7 @@ static size_t find_way(const struct value *v, const struct rule_bits *b,
 			lacking = missing;
 	}
 	if (extra == 0 && lacking == 0)
-		lacking = b->way[0].required[fit];
+		lacking = way_required(&b->way[0], fit);
 	refuse_way(v, b, fit, given, extra != 0 ? extra : lacking, way);
 }
 
@@ -291,7 +295,7 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
 	if (base != NULL && rule->field != 0)
 		*(unsigned *)(void *)((char *)base + rule->field -
 		    1) = rule->way_0 + (unsigned)way;
-	return b->way[way].left[fit] & ~given;
+	return b->way[way].left & ~given & ~(fit ? b->way[way].fitted : 0);
 }
 
 struct found object_read(const struct value *v, const struct member *row,
@@ -380,3 +384,17 @@ void object_print(struct printer *p, const struct member *row, int variant,
 	}
 	put_close(p, "}");
 }
+
+static void read_object(const struct value *v, const struct member *row,
+    void *out)
+{
+	object_read(v, row, 0, out);
+}
+
+static void print_object(struct printer *p, const struct member *row,
+    const void *at)
+{
+	object_print(p, row, 0, ALL_MEMBERS, at);
+}
+
+const struct member_type type_object = { NULL, read_object, print_object, 0 };

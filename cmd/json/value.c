@@ -139,21 +139,23 @@ const char *value_peek(struct value *v, const char *s, const char *end)
 struct value value_literal(const char *text)
 {
 	static const struct json_source source;
-	static struct {
+	static struct literal {
 		const char *text;
-		const struct cJSON *item;
-	} known[LITERALS_MAX];
-	size_t i = 0;
+		const cJSON *item;
+		struct literal *next;
+	} * kept;
+	struct literal *l = kept;
 
-	while (known[i].item != NULL && known[i].text != text)
-		i++;
-	if (known[i].item == NULL) {
-		known[i].text = text;
-		known[i].item = cJSON_Parse(text);
+	while (l != NULL && l->text != text)
+		l = l->next;
+	if (l == NULL) {
+		l = xrealloc(NULL, sizeof *l);
+		*l = (struct literal){ text, cJSON_Parse(text), kept };
+		kept = l;
+		if (l->item == NULL)
+			die(EXIT_SYSTEM, "out of memory");
 	}
-	if (known[i].item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	return (struct value){ .source = &source, .item = known[i].item };
+	return (struct value){ .source = &source, .item = l->item };
 }
 
 struct value value_child(const struct value *v)

@@ -79,8 +79,7 @@ struct value value_parse_document(struct json_source *, const char *pointer,
 const char *value_peek(struct value *v, const char *s, const char *end);
 
 /* Returns the value of JSON text that the program has as a string literal, such as a
- * default. Each of at most LITERALS_MAX literals is parsed once and kept. */
-enum { LITERALS_MAX = 64 };
+ * default. Each literal is parsed once and kept. */
 struct value value_literal(const char *text);
 
 /* Returns the first element or member of a value, with item NULL if there is none. */

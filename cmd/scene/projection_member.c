@@ -171,51 +171,39 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-#define OPEN_PLANES WAYS("near far? reverse_z?", "")
+#define RULE(types, ...) .ways = WAYS(__VA_ARGS__), .variants = types
+#define TASK(name) (1u << TASK_##name)
 
 /* The command fit computes the width and height of every parallel projection. Near and
  * far are needed neither with intrinsics nor for --plane, but a cross-section on the
  * near plane always needs near. fit refuses every matrix itself. */
 const struct rule projection_rules[] = {
-	{ .ways = WAYS("fovy aspect|viewport", "fovx aspect|viewport",
+	{ RULE(PERSP, "fovy aspect|viewport", "fovx aspect|viewport",
 	      "view_angle aspect|viewport", "field aspect|viewport",
 	      "width height edges_at?", "width aspect|viewport edges_at?",
 	      "height aspect|viewport edges_at?",
 	      "left right bottom top edges_at?", "angles", "intrinsics"),
-	    .variants = PERSP,
 	    .field = FIELD(projection, section.way) },
-	{ .ways = WAYS("width~ height~", "width~ aspect~|viewport",
+	{ RULE(PARALLEL, "width~ height~", "width~ aspect~|viewport",
 	      "height~ aspect~|viewport", "left right bottom top"),
-	    .variants = PARALLEL,
-	    .field = FIELD(projection, section.way),
-	    .way_0 = SECTION_SIZE },
-	{ .ways = WAYS("kind", "angle"), .variants = OBLIQUE },
-	{ .ways = WAYS("near far"),
-	    .variants = PERSP | PARALLEL,
-	    .tasks = 1 << TASK_WHOLE,
+	    .field = FIELD(projection, section.way), .way_0 = SECTION_SIZE },
+	{ RULE(OBLIQUE, "kind", "angle") },
+	{ RULE(PERSP | PARALLEL, "near far"), .tasks = TASK(WHOLE),
 	    .with = "intrinsics!" },
-	{ .ways = OPEN_PLANES,
-	    .variants = PERSP,
-	    .tasks = 1 << TASK_WHOLE | 1 << TASK_PLANE,
-	    .with = "intrinsics" },
-	{ .ways = OPEN_PLANES,
-	    .variants = PERSP,
-	    .tasks = 1 << TASK_PLANE,
+	{ RULE(PERSP, "near far? reverse_z?", ""),
+	    .tasks = TASK(WHOLE) | TASK(PLANE), .with = "intrinsics" },
+	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(PLANE),
 	    .with = "fovy fovx view_angle field angles edges_at" },
-	{ .ways = WAYS("near"),
-	    .variants = PERSP,
-	    .tasks = 1 << TASK_FIT | 1 << TASK_PLANE,
+	{ RULE(PERSP, "near"), .tasks = TASK(FIT) | TASK(PLANE),
 	    .with = "width height left edges_at!",
 	    .hint = "the section is on the near plane, unless \"edges_at\" "
 		    "says where" },
-	{ .ways = WAYS("half_width half_height", "size aspect|viewport"),
-	    .variants = VOLUME },
-	{ .ways = WAYS("inverse_eye_z? tan_skew?", "eye",
+	{ RULE(VOLUME, "half_width half_height", "size aspect|viewport") },
+	{ RULE(VOLUME, "inverse_eye_z? tan_skew?", "eye",
 	      "view_angle tan_skew?"),
-	    .variants = VOLUME,
 	    .field = FIELD(projection, volume.eye_given_by) },
-	{ .ways = WAYS("z_near~ z_far~"), .variants = VOLUME },
-	{ .ways = WAYS("matrix~"), .variants = MATRIX },
+	{ RULE(VOLUME, "z_near~ z_far~") },
+	{ RULE(MATRIX, "matrix~") },
 	{ .ways = NULL },
 };
 

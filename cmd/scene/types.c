@@ -71,20 +71,6 @@ const struct member_type type_word = { NULL, read_word, print_word,
 
 const struct member_type type_points = { "a point or a list", NULL, NULL, 0 };
 
-static void read_object(const struct value *v, const struct member *row,
-    void *out)
-{
-	object_read(v, row, 0, out);
-}
-
-static void print_object(struct printer *p, const struct member *row,
-    const void *at)
-{
-	object_print(p, row, 0, ALL_MEMBERS, at);
-}
-
-const struct member_type type_object = { NULL, read_object, print_object, 0 };
-
 static void read_far(const struct value *v, const struct member *row, void *out)
 {
 	static const char *const words[] = { "infinity", NULL };
@@ -168,11 +154,8 @@ static void read_rows(const struct value *v, size_t rows, size_t columns,
 
 /* Reads a matrix. Rows for column vectors are transposed. A list of 16 numbers is not
  * transposed: it lists rows for row vectors, but columns for column vectors. */
-static void read_matrix(const struct value *v, const struct member *member,
-    void *out)
+static void read_any_matrix(const struct value *v, bool affine, double m[4][4])
 {
-	const bool affine = member->type == &type_affine;
-	double(*m)[4] = out;
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
@@ -211,6 +194,20 @@ static void read_matrix(const struct value *v, const struct member *member,
 		check_transposed(v, m);
 }
 
+static void read_matrix(const struct value *v, const struct member *row,
+    void *out)
+{
+	(void)row;
+	read_any_matrix(v, false, out);
+}
+
+static void read_affine(const struct value *v, const struct member *row,
+    void *out)
+{
+	(void)row;
+	read_any_matrix(v, true, out);
+}
+
 static void print_affine(struct printer *p, const struct member *row,
     const void *at)
 {
@@ -229,7 +226,7 @@ static void print_affine(struct printer *p, const struct member *row,
 }
 
 const struct member_type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct member_type type_affine = { "matrix", read_matrix, print_affine,
+const struct member_type type_affine = { "matrix", read_affine, print_affine,
 	0 };
 
 #define INTRINSICS_FORMS                                              \

@@ -37,9 +37,6 @@ extern const struct member_type type_intrinsics;
 /* A number, or "infinity"; in the struct a double. */
 extern const struct member_type type_far;
 
-/* An object with the members and ways of the row. */
-extern const struct member_type type_object;
-
 /* A point or a list of points. document.c makes lines of them for the job. */
 extern const struct member_type type_points;
 
