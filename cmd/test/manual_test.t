@@ -11,6 +11,7 @@ use JSON::PP;
 use List::Util qw(uniq);
 use lib $FindBin::Bin;
 use Projcalc;
+use Transcript;
 
 my $program = "$build/projcalc";
 my $manual = slurp('man/projcalc.1');
@@ -160,6 +161,8 @@ for my $name (qw(camera viewport window device bounds pick)) {
 is(on_page('convention'), sorted('convention', split / /, members('convention')),
     'convention on the page');
 compare('convention', rows('convention'));
+my @shown = map { transcript($_) } glob 'testdata/transcripts/*.txt';
+my ($formulas) = $manual =~ /^\.Sh FORMULAS\n(.*?)^\.Sh/ms;
 my ($types) = map { $_->{words} } grep { $_->{name} eq 'type' } rows('projection');
 for my $type (@$types) {
 	my $shared = $type =~ /^(?:volume|matrix)$/ ? 'type' :
@@ -167,6 +170,11 @@ for my $type (@$types) {
 	is(sorted(split / /, "$shared " . on_page("projection of type $type")),
 	    members('projection', $type), "$type on the page");
 	compare('projection', rows('projection', $type));
+	ok((grep { $_->{status} == 0 && $_->{command} =~
+	    /\bprojcalc $type\b|"type":\s*"$type"/ } @shown),
+	    "a transcript shows $type");
+	ok($type eq 'matrix' || $formulas =~ /^\.It Cm $type\b/m,
+	    "the formula of $type");
 }
 # The message about a wrong member lists the members.
 like((run('projcalc lookat \'{"camera": {"xyzzyxyzzy": 0}}\''))[2],

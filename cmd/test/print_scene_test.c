@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "../scene/document.h"
 
-#include "../../core/test/sample.h"
+#include "../../core/test/claims.h"
 #include "read_text.h"
 #include "../../core/test/arithmetic.h"
 
@@ -22,13 +22,15 @@ static void sample_fitted(struct document *d)
 	s->convention.column_vectors = sample_below(2);
 	s->camera.kind = CAMERA_GAZE;
 	s->has_camera = true;
-	p->type = PROJECTION_PERSP + sample_below(4);
+	while (projection_family(p) == FAMILY_FIXED)
+		p->type = 1 + sample_below(PROJECTION_TYPES - 1);
+	bool persp = projection_family(p) == FAMILY_PERSP;
 	enum section_way sampled = p->section.way;
 
 	p->section.way = SECTION_SIZE + sample_below(4);
-	if (p->type == PROJECTION_PERSP && sample_below(2))
+	if (persp && sample_below(2))
 		p->section.way = sample_below(4);
-	if (sampled >= SECTION_ANGLES && p->type == PROJECTION_PERSP)
+	if (sampled >= SECTION_ANGLES && persp)
 		p->section.way = sampled;
 	if (p->section.way < SECTION_SIZE || p->section.way > SECTION_EDGES)
 		p->section.edges_at = 0;
@@ -41,7 +43,7 @@ static void sample_fitted(struct document *d)
 	p->near = sample_size(3);
 	p->far = p->near * 3;
 	p->aspect[0] = 1.25;
-	p->aspect[1] = p->type != PROJECTION_VOLUME || sample_below(2);
+	p->aspect[1] = projection_family(p) != FAMILY_VOLUME || sample_below(2);
 	if (p->aspect[1] == 1)
 		p->volume.half_width = p->volume.half_height;
 	p->near_ratio = sample_below(2) ? 0.0005 : 0.25;
@@ -91,8 +93,7 @@ static void assert_same_maps(const struct scene *a, const struct scene *b)
 static void test_reads_back(void **state)
 {
 	(void)state;
-	sample_seed(1);
-	for (int i = 0; i < 300; i++) {
+	SAMPLES(i, 300) {
 		struct document d, r;
 		int status;
 
@@ -103,7 +104,8 @@ static void test_reads_back(void **state)
 		assert_number(d.scene.has_viewport, r.scene.has_viewport);
 		assert_number(d.scene.has_window, r.scene.has_window);
 		assert_number(d.scene.has_device, r.scene.has_device);
-		assert_true(r.scene.projection.type != PROJECTION_PERSP ||
+		assert_true(
+		    projection_family(&r.scene.projection) != FAMILY_PERSP ||
 		    d.scene.projection.near_ratio ==
 			r.scene.projection.near_ratio);
 		assert_number(d.scene.margin, r.scene.margin);
@@ -117,8 +119,7 @@ static void test_reads_back(void **state)
 static void test_flat(void **state)
 {
 	(void)state;
-	sample_seed(2);
-	for (int i = 0; i < 20; i++) {
+	SAMPLES(i, 20) {
 		struct document d, r;
 		int status;
 

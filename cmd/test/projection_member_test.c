@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../scene/projection_member.h"
 #include "read_text.h"
 
 #include <math.h>
@@ -496,6 +497,26 @@ static void test_volume(void **state)
 	assert_number(p.aspect[1], 2);
 }
 
+static void every_type_has_rows(void **state)
+{
+	(void)state;
+	for (int i = 0; i < PROJECTION_TYPES - 1; i++) {
+		bool member = false, rule = false;
+
+		if (projection_type_names[i] == NULL)
+			fail_msg("type %d has no name", i + 1);
+		for (const struct member *m = projection_members;
+		     m->name != NULL; m++)
+			member |= (m->variants >> i & 1) != 0;
+		for (const struct rule *r = projection_rules; r->ways != NULL;
+		     r++)
+			rule |= (r->variants >> i & 1) != 0;
+		if (!member || !rule)
+			fail_msg("type %s lacks members or rules",
+			    projection_type_names[i]);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -506,6 +527,7 @@ int main(void)
 		cmocka_unit_test(test_angles),
 		cmocka_unit_test(test_angle_unit),
 		cmocka_unit_test(test_volume),
+		cmocka_unit_test(every_type_has_rows),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

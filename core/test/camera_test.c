@@ -35,8 +35,7 @@ static void check_cameras(const char *what, int e, int tries)
 	struct worst w = { 0 };
 	int refusals = 0;
 
-	sample_seed(1);
-	for (int i = 0; i < tries; i++) {
+	SAMPLES(i, tries) {
 		struct convention convention;
 		struct camera c;
 
@@ -62,7 +61,7 @@ static void check_orthonormalized(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 
-	for (int i = 0; i < tries; i++) {
+	SAMPLES(i, tries) {
 		struct camera c;
 
 		sample_orthonormalize(&c, e);
@@ -74,7 +73,6 @@ static void check_orthonormalized(const char *what, int e, int tries)
 static void rotation_is_nearest(void **state)
 {
 	(void)state;
-	sample_seed(2);
 	check_orthonormalized("drifted", 0, 60);
 	check_orthonormalized("hardly a rotation", 20, 60);
 }
@@ -175,8 +173,7 @@ static void zeros_of_whole_numbers(void **state)
 	int zeros = 0;
 
 	(void)state;
-	sample_seed(3);
-	for (int i = 0; i < 7 * 7 * 7 * 12; i++)
+	SAMPLES(i, 7 * 7 * 7 * 12)
 		check_whole_numbers(i % 343, ups[i % 4], &zeros);
 	assert_true(zeros > 500);
 }
@@ -261,8 +258,7 @@ static void up_parallel_to_the_gaze(void **state)
 	int refusals = 0;
 
 	(void)state;
-	sample_seed(4);
-	for (int i = 0; i < 500; i++) {
+	SAMPLES(i, 500) {
 		struct camera c = { .kind = CAMERA_GAZE };
 		int mark = real_mark();
 		struct map m;
@@ -290,8 +286,7 @@ static void up_parallel_to_the_gaze(void **state)
 static void pose_is_the_inverse(void **state)
 {
 	(void)state;
-	sample_seed(5);
-	for (int i = 0; i < 40; i++) {
+	SAMPLES(i, 40) {
 		struct camera c, pose;
 		struct map m, back;
 

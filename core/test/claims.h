@@ -7,12 +7,32 @@
 #include "sample.h"
 #include "truth.h"
 
+/* A test that fails within SAMPLES names the sample. */
+static inline int tell_sample(void **state)
+{
+	(void)state;
+	if (*sample_name() != '\0')
+		print_error("%s; SEED=N repeats it first\n", sample_name());
+	return 0;
+}
+
+#undef cmocka_unit_test
+#define cmocka_unit_test(f) cmocka_unit_test_teardown(f, tell_sample)
+
 static inline void assert_at_most(const char *what, double worst, double bound)
 {
 	print_message("%s: %.3g, at most %.3g\n", what, worst, bound);
 	if (!(worst <= bound))
 		fail_msg("%s: came %.17g, expected at most %.17g", what, worst,
 		    bound);
+}
+
+static inline void assert_largest(const char *what, const struct largest *l,
+    double bound)
+{
+	if (!(l->value <= bound))
+		print_error("%s\n", l->where);
+	assert_at_most(what, l->value, bound);
 }
 
 /* Asserts what truth_compare found in many maps. Every element is the nearest double
@@ -29,12 +49,14 @@ static inline void assert_errors(const char *what, const struct worst *w,
 	    n[NEAREST] + n[WITHIN_TOLERANCE], n[WITHIN_TOLERANCE]);
 	if (n[WRONG] > 0 || w->beyond_error > 0 || w->false_nonzeros > 0)
 		fail_msg("%s: expected nearest elements, came %d wrong, %d "
-			 "beyond their error, %d not 0 where the truth is 0",
-		    what, n[WRONG], w->beyond_error, w->false_nonzeros);
+			 "beyond their error, %d not 0 where the truth is 0; "
+			 "first: %s",
+		    what, n[WRONG], w->beyond_error, w->false_nonzeros,
+		    w->fault.where);
 	assert_true(n[NEAREST] > 0 && n[WITHIN_TOLERANCE] <= n[NEAREST] / 100);
-	assert_at_most("errors of pairs of doubles", w->pair_error,
+	assert_largest("errors of pairs of doubles", &w->pair_error,
 	    EX_ROUND_BOUND);
-	assert_at_most("bounds of errors", w->sum_bound, bound);
+	assert_largest("bounds of errors", &w->sum_bound, bound);
 }
 
 static inline void assert_maps(const char *what, const struct worst *w)

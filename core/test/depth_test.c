@@ -2,9 +2,7 @@
 #include <stdio.h>
 
 #include "../derive/picture.h"
-#include "sample.h"
-#include "truth.h"
-#include "numbers.h"
+#include "claims.h"
 
 static const double most[BUFFERS] = { 65535, 16777215, 0 };
 
@@ -161,8 +159,7 @@ static void steps_are_nearest(void **state)
 	struct picture t;
 
 	(void)state;
-	sample_seed(32);
-	for (int k = 0; k < 250; k++) {
+	SAMPLES(k, 250) {
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
 		sample_answer(&s);
 		if (picture_of(&s, &t) != NULL)

@@ -94,8 +94,7 @@ static void edges_agree_with_mpfr(void **state)
 	struct count c = { 0 };
 
 	(void)state;
-	sample_seed(1);
-	for (int k = 0; k < 600; k++) {
+	SAMPLES(k, 600) {
 		struct scene s = { .has_device = true, .has_window = true };
 		enum flat_space from = sample_below(3);
 		int mark = real_mark();

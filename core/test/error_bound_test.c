@@ -127,8 +127,7 @@ static void bounds_hold(void **state)
 
 	(void)state;
 	kernels_choose(NULL);
-	sample_seed(33);
-	for (int k = 0; k < 400; k++) {
+	SAMPLES(k, 400) {
 		static const int magnitudes[] = { 0, 3, 6, 30 };
 		struct truth truth = { 0 };
 		int mark = real_mark();

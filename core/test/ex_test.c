@@ -56,8 +56,7 @@ static double relative(real got, real exact)
 static void sums_are_exact(void **state)
 {
 	(void)state;
-	sample_seed(1);
-	for (int i = 0; i < TRIES; i++) {
+	SAMPLES(i, TRIES) {
 		int mark = real_mark();
 		real r;
 		ex a = polynomial(i % 20, &r);
@@ -74,8 +73,7 @@ static void sums_are_exact(void **state)
 static void wide_magnitudes(void **state)
 {
 	(void)state;
-	sample_seed(2);
-	for (int i = 0; i < TRIES; i++) {
+	SAMPLES(i, TRIES) {
 		int mark = real_mark();
 		ex a = ex_of(0);
 		real r = real_of(0);
@@ -122,8 +120,7 @@ static void quotients_and_roots(void **state)
 	double quotient = 0, square = 0;
 
 	(void)state;
-	sample_seed(3);
-	for (int i = 0; i < 20 * TRIES; i++) {
+	SAMPLES(i, 20 * TRIES) {
 		int mark = real_mark();
 		ex a = sample_words(8), b = sample_words(8), p = ex_mul(a, b);
 		real x = real_of_ex(a), y = real_of_ex(b);
@@ -159,8 +156,7 @@ static void quotients_and_roots(void **state)
 static void quotients_at_midpoints(void **state)
 {
 	(void)state;
-	sample_seed(5);
-	for (int i = 0; i < 20 * TRIES; i++) {
+	SAMPLES(i, 20 * TRIES) {
 		double even = 0x1p52 + 2 * sample_below(1000);
 		ex q, b = sample_words(4),
 		      middle = ex_add(ex_of(even), ex_of(0.5));
@@ -184,8 +180,7 @@ static void rounding(void **state)
 	double round = 0, first = 0;
 
 	(void)state;
-	sample_seed(3);
-	for (int i = 0; i < TRIES; i++) {
+	SAMPLES(i, TRIES) {
 		int mark = real_mark();
 		real x;
 		ex a = polynomial(i % 20, &x);

@@ -158,7 +158,7 @@ static void farthest_many(int n, int e)
 {
 	int looked_at = 0;
 
-	for (int i = 0; i < n; i++) {
+	SAMPLES(i, n) {
 		static struct cloud c;
 		struct directions d;
 		struct extremes first, again;
@@ -188,7 +188,6 @@ static void farthest_many(int n, int e)
 static void none_is_farther(void **state)
 {
 	(void)state;
-	sample_seed(1);
 	farthest_many(150, 0);
 	farthest_many(150, 3);
 	farthest_many(100, 60);
@@ -249,7 +248,6 @@ static void small_differences_decide(void **state)
 	};
 
 	(void)state;
-	sample_seed(1);
 	kernels_choose("baseline");
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
 		assert_farther(cases[i][0], cases[i][1], cases[i][2]);

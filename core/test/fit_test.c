@@ -117,7 +117,7 @@ static double farthest(const double eye[3])
 static void measure_side_gaps(struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
-	bool persp = p->type == PROJECTION_PERSP;
+	bool persp = projection_family(p) == FAMILY_PERSP;
 	real limit[2];
 	struct truth t;
 
@@ -154,7 +154,7 @@ static void measure_gaps(struct fitted *f)
 		f->gap[k] = sized_add(least(&z, f->b, &f->cloud),
 		    sized_of(k == 4 ? -s->projection.near : s->projection.far));
 		/* w of intrinsics may be z plus a constant */
-		if (s->projection.type == PROJECTION_PERSP &&
+		if (projection_family(&s->projection) == FAMILY_PERSP &&
 		    s->projection.section.way == SECTION_INTRINSICS)
 			f->gap[k] = sized_add(f->gap[k],
 			    sized_of((k == 4 ? 1 : -1) *
@@ -408,12 +408,17 @@ static void sample_fit(struct scene *s, int e)
 	s->has_camera = sample_below(8) > 0;
 	s->has_viewport = sample_below(2);
 	s->margin = sample_below(2) ? 0 : sample_between(0, 0.49);
-	if (p->type == PROJECTION_VOLUME && p->aspect[1] == 0)
+	if (p->aspect[1] == 0)
 		p->aspect[0] = p->aspect[1] = 1;
-	p->type = PROJECTION_PERSP + sample_below(3);
-	p->section.way = sample_below(p->type == PROJECTION_PERSP ? 10 : 8);
+	do
+		p->type = 1 + sample_below(PROJECTION_TYPES - 1);
+	while (projection_family(p) != FAMILY_PERSP &&
+	    projection_family(p) != FAMILY_PARALLEL);
+	bool persp = projection_family(p) == FAMILY_PERSP;
+
+	p->section.way = sample_below(persp ? SECTION_WAYS : SECTION_ANGLES);
 	p->section.edges_at = sample_below(2) ? 0 : sample_size(1);
-	if (p->type != PROJECTION_PERSP)
+	if (!persp)
 		p->aspect[1] = sample_below(2) ? p->aspect[1] : 0;
 	if (p->section.way < SECTION_FIELD && !(p->section.angle < 180))
 		p->section.angle = 60;
@@ -432,6 +437,7 @@ static void sample_fit(struct scene *s, int e)
 	}
 	if (p->section.way == SECTION_INTRINSICS)
 		sample_calibrated(s);
+	sample_remember(p);
 }
 
 /* Fits n scenes, without those that fit refuses. Returns the number of fitted scenes,
@@ -440,7 +446,7 @@ static int fit_many(int n, int e, bool points)
 {
 	int fitted = 0;
 
-	for (int i = 0; i < n; i++) {
+	SAMPLES(i, n) {
 		struct bounds b;
 		struct fitted f = { .b = &b };
 		const struct projection *p = &f.s.projection;
@@ -464,9 +470,11 @@ static int fit_many(int n, int e, bool points)
 		assert_true(contains_bounds(&f));
 		assert_int_equal(out_bits(&f.s, &f), 0);
 		assert_true(depth_tight(&f));
-		if (p->type == PROJECTION_PERSP && points && !has_eye)
+		bool persp = projection_family(p) == FAMILY_PERSP;
+
+		if (persp && points && !has_eye)
 			assert_true(is_balanced(&f));
-		else if (p->type == PROJECTION_PERSP)
+		else if (persp)
 			assert_true(eye_is_tight(&f));
 		else
 			assert_true(is_centered(&f) && sides_are_tight(&f));
@@ -480,21 +488,18 @@ static int fit_many(int n, int e, bool points)
 static void test_ordinary(void **state)
 {
 	(void)state;
-	sample_seed(1);
 	assert_in_range(fit_many(300, 0, false), 225, 300);
 }
 
 static void test_mixed(void **state)
 {
 	(void)state;
-	sample_seed(2);
 	assert_in_range(fit_many(250, 4, false), 150, 250);
 }
 
 static void test_points(void **state)
 {
 	(void)state;
-	sample_seed(3);
 	assert_in_range(fit_many(300, 0, true), 150, 300);
 	assert_in_range(fit_many(200, 4, true), 80, 200);
 }
@@ -505,15 +510,15 @@ static void test_farthest(void **state)
 	int fitted = 0;
 
 	(void)state;
-	sample_seed(4);
-	for (int i = 0; i < 1500; i++) {
+	SAMPLES(i, 1500) {
 		struct bounds b, all = { 0 };
 		struct fitted f = { .b = &b };
 		struct scene s;
 		bool has_eye = sample_below(2), volume = sample_below(3) == 0;
 
 		sample_fit(&f.s, 1);
-		while (volume && f.s.projection.type != PROJECTION_VOLUME)
+		while (volume &&
+		    projection_family(&f.s.projection) != FAMILY_VOLUME)
 			sample_scene(&f.s, 1);
 		if (!sample_cloud(&f.s, has_eye, 1, &f, &b) ||
 		    f.cloud.n > BOUNDS_POINTS)
@@ -543,6 +548,31 @@ static void test_farthest(void **state)
 	assert_in_range(fitted, 300, 1500);
 }
 
+/* Each type of projection can be fitted, or is refused as one that has no parameters. */
+static void every_type_is_fitted_or_refused(void **state)
+{
+	(void)state;
+	for (int type = 0; type < PROJECTION_TYPES; type++) {
+		const struct bounds ball = { .sphere = 1, .radius = 1 };
+		const char *why = "not tried";
+
+		SAMPLES(i, 100) {
+			struct scene s;
+
+			sample_scene(&s, 0);
+			s.projection.type = (enum projection_type)type;
+			if (why != NULL &&
+			    (why = fit_scene(&s, false, &ball)) == NULL)
+				assert_true(scene_is_valid(&s));
+		}
+		if (why != NULL &&
+		    (type == PROJECTION_NONE || type == PROJECTION_MATRIX))
+			assert_reason(why, "/projection/type");
+		else if (why != NULL)
+			fail_msg("type %d is never fitted: %s", type, why);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -550,6 +580,7 @@ int main(void)
 		cmocka_unit_test(test_mixed),
 		cmocka_unit_test(test_points),
 		cmocka_unit_test(test_farthest),
+		cmocka_unit_test(every_type_is_fitted_or_refused),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

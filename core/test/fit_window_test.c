@@ -117,7 +117,7 @@ static void fit_many(int e, int n)
 {
 	int fitted = 0, tight = 0;
 
-	for (int i = 0; i < n; i++) {
+	SAMPLES(i, n) {
 		struct scene s = { .has_device = sample_below(2),
 			.margin = sample_below(2) ? 0 :
 						    sample_between(0, 0.49) };
@@ -159,7 +159,6 @@ static void fit_many(int e, int n)
 static void windows_are_the_least(void **state)
 {
 	(void)state;
-	sample_seed(1);
 	fit_many(1, 1000);
 	fit_many(20, 1000);
 	fit_many(149, 500);
@@ -240,8 +239,7 @@ static void windows_are_shown(void **state)
 	int shown = 0;
 
 	(void)state;
-	sample_seed(2);
-	for (int i = 0; i < 900; i++) {
+	SAMPLES(i, 900) {
 		struct scene s = { .has_device = sample_below(4) > 0 };
 		struct window_extent w;
 		int mark = real_mark();

@@ -170,8 +170,7 @@ static void planes_agree_with_mpfr(void **state)
 
 	(void)state;
 	kernels_choose(NULL);
-	sample_seed(1);
-	for (int k = 0; k < 1200; k++) {
+	SAMPLES(k, 1200) {
 		struct truth to_clip = { 0 }, to_view = { 0 };
 		int mark = real_mark();
 
@@ -245,8 +244,7 @@ static void all_points_agree_with_each(void **state)
 	struct frustum f;
 
 	(void)state;
-	sample_seed(2);
-	for (int k = 0; k < 300; k++) {
+	SAMPLES(k, 300) {
 		/* the last choice stays if the processor lacks this one */
 		kernels_choose(copies[k / 6 % 4]);
 		sample_scene(&s, k % 3 * 4);

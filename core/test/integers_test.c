@@ -68,11 +68,10 @@ static void sums_and_products(void **state)
 	mpz_t x[4], y[4], z;
 
 	(void)state;
-	sample_seed(1);
 	mpz_init(z);
 	for (int k = 0; k < 4; k++)
 		mpz_inits(x[k], y[k], NULL);
-	for (int i = 0; i < 1000 * tries; i++) {
+	SAMPLES(i, 1000 * tries) {
 		int n = 1 + (int)sample_below(4);
 		ex a[4], b[4], r;
 		const ex *p[4], *q[4];
@@ -110,9 +109,8 @@ static void overflow_of_products(void **state)
 	mpz_t x, y;
 
 	(void)state;
-	sample_seed(2);
 	mpz_inits(x, y, NULL);
-	for (int i = 0; i < 1000 * tries; i++) {
+	SAMPLES(i, 1000 * tries) {
 		ex a = sample_up_to(EX_WORDS), b = sample_up_to(EX_WORDS), r;
 
 		(void)ex_has_overflowed();
@@ -137,9 +135,8 @@ static void quotients(void **state)
 	mpz_t x, y, q, rest;
 
 	(void)state;
-	sample_seed(3);
 	mpz_inits(x, y, q, rest, NULL);
-	for (int i = 0; i < 1000 * tries; i++) {
+	SAMPLES(i, 1000 * tries) {
 		ex a = sample_up_to(EX_WORDS), b = sample_up_to(EX_WORDS), r;
 		int n = 2 + (int)sample_below(EX_QUOTIENT_WORDS - 1);
 
@@ -172,9 +169,8 @@ static void roots(void **state)
 	mpz_t x, y;
 
 	(void)state;
-	sample_seed(4);
 	mpz_inits(x, y, NULL);
-	for (int i = 0; i < 10 * tries; i++)
+	SAMPLES(i, 10 * tries)
 		for (int n = 1; n <= EX_WORDS; n++) {
 			ex a = sample_words(n);
 
@@ -198,10 +194,9 @@ static void rounding(void **state)
 	mpfr_t f;
 
 	(void)state;
-	sample_seed(5);
 	mpz_init(x);
 	mpfr_init2(f, 64 * EX_WORDS);
-	for (int i = 0; i < 1000 * tries; i++) {
+	SAMPLES(i, 1000 * tries) {
 		ex a = sample_up_to(EX_WORDS);
 
 		a.e = -a.n - (int)sample_below(17) + (int)sample_below(17);

@@ -50,8 +50,7 @@ static void inverses(void **state)
 	struct worst w = { 0 };
 
 	(void)state;
-	sample_seed(1);
-	for (int i = 0; i < 4 * TRIES; i++)
+	SAMPLES(i, 4 * TRIES)
 		check_inverses(magnitudes[i % 4], &w);
 	assert_maps("inverse", &w);
 }
@@ -61,8 +60,7 @@ static void singular_matrices_are_refused(void **state)
 	struct map m;
 
 	(void)state;
-	sample_seed(2);
-	for (int i = 0; i < TRIES; i++) {
+	SAMPLES(i, TRIES) {
 		double a[4][4];
 		int row = (int)sample_below(3);
 
@@ -83,8 +81,7 @@ static void products(void **state)
 	struct worst w = { 0 };
 
 	(void)state;
-	sample_seed(3);
-	for (int i = 0; i < 3 * TRIES; i++) {
+	SAMPLES(i, 3 * TRIES) {
 		struct projection p;
 		struct map before, m, next;
 		struct truth t = { 0 };
@@ -110,8 +107,7 @@ static void products(void **state)
 static void products_with_inverses(void **state)
 {
 	(void)state;
-	sample_seed(4);
-	for (int i = 0; i < TRIES; i++) {
+	SAMPLES(i, TRIES) {
 		struct projection p;
 		struct map m, there, back;
 

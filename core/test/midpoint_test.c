@@ -205,8 +205,7 @@ static void search_scenes(int e, int scenes)
 	struct scene s;
 	enum space from;
 
-	sample_seed(11);
-	for (int k = 0; k < scenes; k++) {
+	SAMPLES(k, scenes) {
 		int mark = real_mark();
 
 		h.truth.n = 0;

@@ -19,7 +19,7 @@ struct distance {
 static void distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;
-	bool volume = p->type == PROJECTION_VOLUME;
+	bool volume = projection_family(p) == FAMILY_VOLUME;
 	double gaze = truth_gaze_sign(&s->convention);
 
 	struct scene own = *s;
@@ -37,7 +37,7 @@ static void distance_of(const struct scene *s, struct distance *d)
 		return;
 	}
 	/* the constant term of w, of intrinsics */
-	double w = p->type == PROJECTION_PERSP &&
+	double w = projection_family(p) == FAMILY_PERSP &&
 		p->section.way == SECTION_INTRINSICS ?
 	    p->section.intrinsics[2][3] :
 	    0;
@@ -148,8 +148,7 @@ static void random_scenes(void **state)
 
 	(void)state;
 	kernels_choose(NULL);
-	sample_seed(1);
-	for (int i = 0; i < 500; i++) {
+	SAMPLES(i, 500) {
 		struct distance d = { 0 };
 		struct truth truth = { 0 };
 		int mark = real_mark();

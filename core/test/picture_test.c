@@ -41,15 +41,21 @@ static double most_off(const struct scene *s, const struct scene *r,
 	return worst;
 }
 
+/* Returns whether near and far give the projection's planes. */
+static bool has_planes(const struct projection *p)
+{
+	return projection_family(p) == FAMILY_PERSP ||
+	    projection_family(p) == FAMILY_PARALLEL;
+}
+
 static void scenes_make_the_same_picture(void **state)
 {
 	struct scene s;
 	static struct picture r;
-	int n = 0, made = 0, types[PROJECTION_MATRIX + 1] = { 0 };
+	int n = 0, made = 0, types[PROJECTION_TYPES] = { 0 };
 
 	(void)state;
-	sample_seed(7);
-	for (int k = 0; k < 2000; k++) {
+	SAMPLES(k, 2000) {
 		sample_scene(&s, 0);
 		sample_answer(&s);
 		if (picture_of(&s, &r) != NULL)
@@ -68,7 +74,7 @@ static void scenes_make_the_same_picture(void **state)
 		types[s.projection.type]++;
 	}
 	print_message("%d scenes, %d by parameters:", n, made);
-	for (int i = 0; i <= PROJECTION_MATRIX; i++)
+	for (int i = 0; i < PROJECTION_TYPES; i++)
 		print_message(" %d", types[i]);
 	print_message("\n");
 	assert_true(made > 800 && types[PROJECTION_PERSP] > 150);
@@ -101,11 +107,10 @@ static void matrices_give_their_parameters(void **state)
 	int n = 0;
 
 	(void)state;
-	sample_seed(9);
-	for (int k = 0; k < 1000; k++) {
+	SAMPLES(k, 1000) {
 		sample_scene(&s, 0);
 		s.answer = NULL;
-		if (s.projection.type > PROJECTION_OBLIQUE ||
+		if (!has_planes(&s.projection) ||
 		    projection_is_open(&s.projection) ||
 		    picture_of(&s, &was) != NULL)
 			continue;
@@ -292,8 +297,7 @@ static void numbers_are_nearest(void **state)
 	int told = 0;
 
 	(void)state;
-	sample_seed(14);
-	for (int k = 0; k < 400; k++) {
+	SAMPLES(k, 400) {
 		int mark = real_mark();
 		struct truth back;
 		struct sized h[4];
@@ -339,14 +343,13 @@ static void parameters_are_found_again(void **state)
 	int n = 0;
 
 	(void)state;
-	sample_seed(15);
-	for (int k = 0; k < 1000; k++) {
+	SAMPLES(k, 1000) {
 		const struct projection *p = &s.projection;
 
 		sample_scene(&s, k % 2 * 10);
 		sample_answer(&s);
 		s.has_viewport &= p->section.way == SECTION_INTRINSICS;
-		if (p->type > PROJECTION_OBLIQUE || projection_is_open(p) ||
+		if (!has_planes(p) || projection_is_open(p) ||
 		    picture_of(&s, &r) != NULL)
 			continue;
 		if (!projection_is_tilted(p))
@@ -464,14 +467,12 @@ static void cameras_are_found_in_matrices(void **state)
 	static struct picture was, is;
 
 	(void)state;
-	sample_seed(21);
-	for (int k = 0; k < 1500; k++) {
+	SAMPLES(k, 1500) {
 		int mark = real_mark();
 
 		sample_scene(&s, 0);
 		s.answer = NULL;
-		if (s.projection.type > PROJECTION_OBLIQUE ||
-		    s.projection.type == PROJECTION_NONE ||
+		if (!has_planes(&s.projection) ||
 		    projection_is_open(&s.projection) ||
 		    s.projection.section.way == SECTION_INTRINSICS ||
 		    picture_of(&s, &was) != NULL)

@@ -31,8 +31,7 @@ static void random_points(void **state)
 	struct scene s;
 
 	(void)state;
-	sample_seed(1);
-	for (int k = 0; k < 200; k++) {
+	SAMPLES(k, 200) {
 		struct truth truth = { 0 };
 		enum space from;
 		int mark = real_mark();
@@ -147,8 +146,7 @@ static void quotients_of_given_numbers(void **state)
 	struct scene s;
 
 	(void)state;
-	sample_seed(2);
-	for (int k = 0; k < 400; k++) {
+	SAMPLES(k, 400) {
 		struct truth truth = { 0 };
 		enum space from;
 		int mark = real_mark();

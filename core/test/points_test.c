@@ -76,8 +76,7 @@ static void copies_give_the_same_bits(void **state)
 	enum space from;
 
 	(void)state;
-	sample_seed(4);
-	for (int k = 0; k < 1500; k++) {
+	SAMPLES(k, 1500) {
 		size_t n = 1 + sample_below(POINTS + 5);
 
 		if (!sample_any(k % 3 * 4, &s, &from, &t))
@@ -107,8 +106,7 @@ static void points_do_not_depend_on_blocks(void **state)
 
 	(void)state;
 	kernels_choose(NULL);
-	sample_seed(5);
-	for (int k = 0; k < 500; k++) {
+	SAMPLES(k, 500) {
 		if (!sample_any(k % 2 * 5, &s, &from, &t))
 			continue;
 		sample_points(&s, from, &whole, POINTS);

@@ -32,19 +32,24 @@ static const char *compare(const struct projection *p,
 static void check_projections(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
-	int refused = 0;
+	int refused = 0, compared[PROJECTION_TYPES] = { 0 };
 
-	sample_seed(1);
-	for (int i = 0; i < tries; i++) {
+	SAMPLES(i, tries) {
 		struct projection p;
 		struct convention c;
 
 		sample_projection(&p, e);
 		sample_convention(&c);
-		refused += compare(&p, &c, &w) != NULL;
+		bool is = compare(&p, &c, &w) == NULL;
+
+		compared[p.type] += is;
+		refused += !is;
 	}
 	assert_maps(what, &w);
 	assert_true(refused < tries / 4);
+	for (int type = 1; type < PROJECTION_TYPES; type++)
+		if (compared[type] < tries / 4 / PROJECTION_TYPES)
+			fail_msg("type %d is hardly sampled", type);
 }
 
 static void random_projections(void **state)

@@ -106,8 +106,7 @@ static void rays_are_exact(void **state)
 	int verdicts[VERDICTS] = { 0 };
 
 	(void)state;
-	sample_seed(3);
-	for (int k = 0; k < 600; k++) {
+	SAMPLES(k, 600) {
 		struct truth back = { 0 }, eye = { 0 };
 		int mark = real_mark();
 
@@ -145,8 +144,7 @@ static void copies_give_the_same_rays(void **state)
 	struct scene s;
 
 	(void)state;
-	sample_seed(5);
-	for (int k = 0; k < 300; k++) {
+	SAMPLES(k, 300) {
 		size_t n = 1 + sample_below(40);
 		bool single = k % 2;
 
@@ -283,8 +281,7 @@ static void planes_are_met(void **state)
 
 	(void)state;
 	kernels_choose(NULL);
-	sample_seed(6);
-	for (int k = 0; k < 600; k++) {
+	SAMPLES(k, 600) {
 		enum space from = sample_below(2) ? SPACE_DEVICE : SPACE_NDC;
 		enum space to = (enum space)sample_below(3);
 		double plane[4];

@@ -1,16 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Copies rows of points to columns and back, and maps floats from rows to rows, in
  * every copy of the kernels. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <string.h>
-
 #include "block.h"
+#include "claims.h"
 
 enum { ROWS = 53 };
 
@@ -162,8 +154,7 @@ static void floats_as_by_doubles(void **state)
 	size_t mapped = 0;
 
 	(void)state;
-	sample_seed(81);
-	for (int k = 0; k < 6000; k++) {
+	SAMPLES(k, 6000) {
 		size_t n = 1 + sample_below(POINTS);
 		int mark = real_mark();
 

@@ -4,10 +4,19 @@
 #include <math.h>
 
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The state of the generator splitmix64. */
 static uint64_t state;
+
+/* The present sample: its seed, or 0 outside of SAMPLES, its number among those of the
+ * seed, and what was sampled last. */
+static unsigned seed_now;
+static int sample_now;
+static enum projection_type type_now;
+static int way_now, camera_now, magnitude_now;
 
 static uint64_t next_random(void)
 {
@@ -21,6 +30,35 @@ static uint64_t next_random(void)
 void sample_seed(unsigned seed)
 {
 	state = seed;
+}
+
+bool sample_begin(int i, int tries)
+{
+	const char *given = getenv("SEED");
+	int k = (int)((int64_t)i * SEEDS / tries);
+
+	seed_now = 0;
+	if (i >= tries)
+		return false;
+	seed_now = (given != NULL ? (unsigned)atoi(given) : 1) + (unsigned)k;
+	sample_now = i - (int)(((int64_t)k * tries + SEEDS - 1) / SEEDS);
+	state = (uint64_t)seed_now << 32 | (unsigned)sample_now;
+	state = next_random();
+	return true;
+}
+
+const char *sample_name(void)
+{
+	static char name[200];
+
+	*name = '\0';
+	if (seed_now != 0)
+		snprintf(name, sizeof name,
+		    "SEED=%u, sample %d: to 1e%d, projection of type %d by "
+		    "way %d, camera of kind %d",
+		    seed_now, sample_now, magnitude_now, (int)type_now, way_now,
+		    camera_now);
+	return name;
 }
 
 unsigned sample_below(unsigned n)
@@ -145,6 +183,8 @@ void sample_camera(struct camera *c, int e)
 
 	memset(c, 0, sizeof *c);
 	c->kind = sample_below(8);
+	camera_now = (int)c->kind;
+	magnitude_now = e;
 	sample_vector(c->eye, e);
 	sample_vector(c->at, e);
 	sample_vector(c->up, e);
@@ -370,6 +410,14 @@ static void sample_intrinsics(struct projection *p, int e)
 	p->reverse_z = true;
 }
 
+void sample_remember(const struct projection *p)
+{
+	type_now = p->type;
+	way_now = projection_family(p) == FAMILY_VOLUME ?
+	    (int)p->volume.eye_given_by :
+	    (int)p->section.way;
+}
+
 void sample_projection(struct projection *p, int e)
 {
 	struct projection_section *s = &p->section;
@@ -402,6 +450,8 @@ void sample_projection(struct projection *p, int e)
 		sample_vector(p->matrix[i], e);
 		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary_number();
 	}
+	magnitude_now = e;
+	sample_remember(p);
 }
 
 void sample_viewport(struct viewport *v, int e)
@@ -487,7 +537,8 @@ void sample_round_scene(struct scene *s)
 
 	do
 		sample_scene(s, 0);
-	while (p->type == PROJECTION_OBLIQUE);
+	while (projection_family(p) == FAMILY_PARALLEL &&
+	    p->type != PROJECTION_ORTHO);
 	round_matrix(s->world, 3);
 	s->has_camera = sample_below(2);
 	s->camera.kind = CAMERA_MATRIX;

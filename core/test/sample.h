@@ -8,7 +8,22 @@
 
 #include "../scene/scene.h"
 
+/* Begins the stream of random numbers that belongs to a seed. */
 void sample_seed(unsigned seed);
+
+/* Runs the statement that follows for i from 0 to tries - 1, divided among SEEDS seeds.
+ * They begin with the SEED of the environment, or 1. Each sample has a stream of its
+ * own, so that SEED=5 repeats first what another run did with the seed 5. */
+#define SAMPLES(i, tries) for (int i = 0; sample_begin(i, tries); i++)
+enum { SEEDS = 8 };
+bool sample_begin(int i, int tries);
+
+/* Returns the seed and the number of the present sample, and what was sampled last; or
+ * an empty string outside of SAMPLES. */
+const char *sample_name(void);
+
+/* Makes sample_name tell of a projection whose type was changed. */
+void sample_remember(const struct projection *);
 
 unsigned sample_below(unsigned n);
 double sample_unit(void); /* in [0, 1) */

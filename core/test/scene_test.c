@@ -20,8 +20,7 @@ static void check_scenes(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 
-	sample_seed(1);
-	for (int i = 0; i < tries; i++) {
+	SAMPLES(i, tries) {
 		struct scene s;
 
 		sample_scene(&s, e);
@@ -48,8 +47,7 @@ static void models_far_from_the_origin(void **state)
 	struct worst w = { 0 };
 
 	(void)state;
-	sample_seed(2);
-	for (int i = 0; i < 100; i++) {
+	SAMPLES(i, 100) {
 		struct scene s;
 
 		sample_scene(&s, 0);
@@ -129,8 +127,7 @@ static void around_all_conventions(void **state)
 static void device_is_the_same_in_all_conventions(void **state)
 {
 	(void)state;
-	sample_seed(7);
-	for (int k = 0; k < 60; k++) {
+	SAMPLES(k, 60) {
 		struct scene s;
 		struct map own, other;
 

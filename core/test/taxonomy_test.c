@@ -204,8 +204,7 @@ static void numbers_are_nearest(void **state)
 	int n[2] = { 0, 0 };
 
 	(void)state;
-	sample_seed(31);
-	for (int k = 0; k < 400; k++) {
+	SAMPLES(k, 400) {
 		int mark = real_mark();
 
 		sample_scene(&s, k % 3 * 10);

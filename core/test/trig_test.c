@@ -45,7 +45,6 @@ static void degrees_within_bound(void **state)
 {
 	(void)state;
 	worst = 0;
-	sample_seed(1);
 	for (double a = -720; a <= 720; a += 7.5)
 		check_sine_and_cosine(a, DEGREES);
 	for (int i = -450; i <= 450; i++)
@@ -56,7 +55,7 @@ static void degrees_within_bound(void **state)
 		check_sine_and_cosine(nextafter(45, k % 2 * 90) + 90 * k,
 		    DEGREES);
 	}
-	for (int i = 0; i < 200; i++)
+	SAMPLES(i, 200)
 		check_sine_and_cosine(sample_number(150), DEGREES);
 	assert_at_most("sine and cosine", worst, TRIG_BOUND);
 }
@@ -65,7 +64,6 @@ static void cotangents_within_bound(void **state)
 {
 	(void)state;
 	worst = 0;
-	sample_seed(2);
 	for (int i = 1; i < 1800; i += 2)
 		check_cotangent(i / 10.0, DEGREES);
 	for (double a = 7.5; a < 180; a += 7.5)
@@ -75,7 +73,7 @@ static void cotangents_within_bound(void **state)
 		check_cotangent(90 - ldexp(1, -k), DEGREES);
 	}
 	check_cotangent(179.9999999999, DEGREES);
-	for (int i = 0; i < 200; i++)
+	SAMPLES(i, 200)
 		check_cotangent(pow(10, sample_between(-150, 2)), DEGREES);
 	assert_at_most("cotangent", worst, TRIG_BOUND);
 }
@@ -93,7 +91,6 @@ static void radians_within_bound(void **state)
 {
 	(void)state;
 	worst = 0;
-	sample_seed(3);
 	for (int i = -600; i <= 600; i++)
 		if (i != 0)
 			check_sine_and_cosine(i / 50.0, RADIANS);
@@ -102,10 +99,12 @@ static void radians_within_bound(void **state)
 		check_sine_and_cosine(nextafter(PI / 4 * i, i % 2 * 1e9),
 		    RADIANS);
 		check_sine_and_cosine(-ldexp(PI / 2, i), RADIANS);
-		check_sine_and_cosine(sample_number(150), RADIANS);
-		check_sine_and_cosine(ldexp(1 + sample_unit(), i), RADIANS);
 		check_cotangent(i / 100.0, RADIANS);
 		check_cotangent(pow(10, -i / 2.0), RADIANS);
+	}
+	SAMPLES(i, 300) {
+		check_sine_and_cosine(sample_number(150), RADIANS);
+		check_sine_and_cosine(ldexp(1 + sample_unit(), i), RADIANS);
 	}
 	check_sine_and_cosine(ldexp(6381956970095103, -500), RADIANS);
 	check_sine_and_cosine(ldexp(6381956970095103, 400), RADIANS);
@@ -172,12 +171,11 @@ static void roots_of_sums_of_squares(void **state)
 
 	(void)state;
 	worst = 0;
-	sample_seed(4);
 	for (int i = 1; i <= 628; i++)
 		check_sinc(square_of(i / 100.0));
 	for (int i = 1; i < 150; i++)
 		check_sinc(square_of(pow(10, -i)));
-	for (int i = 0; i < 2000; i++)
+	SAMPLES(i, 2000)
 		check_sinc(square_near(i % 2 + 1));
 	assert_at_most("of squares", worst, TRIG_BOUND);
 	assert_true(trig_sinc(sum_of_double(0), &s, &c));

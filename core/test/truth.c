@@ -2,7 +2,10 @@
 #include "truth.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+#include "sample.h"
 
 struct truth_stage *truth_stage(struct truth *t)
 {
@@ -177,10 +180,15 @@ double element(const struct map *m, int i, int j)
 	return map_nearest(m, i, j, false);
 }
 
-static void keep_worst(double *worst, double a)
+/* Keeps the value a of element i j if it is the largest so far. */
+static void keep_largest(struct largest *l, double a, const struct map *m,
+    int i, int j)
 {
-	if (!(a <= *worst))
-		*worst = a;
+	if (a <= l->value)
+		return;
+	l->value = a;
+	snprintf(l->where, sizeof l->where, "%s; element %d %d is %.17g",
+	    sample_name(), i, j, map_nearest(m, i, j, false));
 }
 
 static void compare_element(const struct map *m, int i, int j,
@@ -202,9 +210,10 @@ static void compare_element(const struct map *m, int i, int j,
 	if (truth_sign(exact, NULL) == 0)
 		w->false_nonzeros += sum_sign(got) != 0;
 	else if (truth_verdict(pair.hi, exact, one, false) == NEAREST)
-		keep_worst(&w->pair_error,
+		keep_largest(&w->pair_error,
 		    u2_error(pair, exact.value,
-			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
+			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)),
+		    m, i, j);
 	mpfr_mul_2si(bound, bound, got.error - EX_RANGE, MPFR_RNDN);
 	/* The truth has rounding errors, too: its sine of 180 degrees and its
 	 * difference of equal roots are not 0. */
@@ -214,10 +223,13 @@ static void compare_element(const struct map *m, int i, int j,
 	off = sub(off, add(rounding, mul(exact.size, real_of(0x1p-1000))));
 	if (!t->irrational || !mpfr_zero_p(bound))
 		w->beyond_error += mpfr_cmp(off, bound) > 0;
+	keep_largest(&w->fault,
+	    w->verdicts[WRONG] + w->beyond_error + w->false_nonzeros > 0, m, i,
+	    j);
 	if (!mpfr_zero_p(bound))
-		keep_worst(&w->sum_bound,
-		    mpfr_get_d(divide(bound, tolerance(exact.size)),
-			MPFR_RNDU));
+		keep_largest(&w->sum_bound,
+		    mpfr_get_d(divide(bound, tolerance(exact.size)), MPFR_RNDU),
+		    m, i, j);
 }
 
 void truth_compare(const struct truth *t, const struct map *r, struct worst *w)

@@ -101,15 +101,22 @@ enum verdict truth_verdict(double printed, struct sized n, struct sized d,
 /* Returns the double nearest to an element. */
 double element(const struct map *, int i, int j);
 
+/* A largest value, with the sample and the element where it was found. */
+struct largest {
+	double value;
+	char where[200];
+};
+
 /* The worst errors in many maps. TRUTH_TOLERANCE excuses none in a rational scene. */
 struct worst {
 	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
-	double
-	    pair_error; /* of an element's pair of doubles, in units of 2^-106 */
-	double
-	    sum_bound; /* bound of a sum's error / (TRUTH_TOLERANCE times its size) */
+	struct largest
+	    pair_error; /* of an element's pair of doubles, in 2^-106 */
+	struct largest
+	    sum_bound;      /* bound of a sum / (TRUTH_TOLERANCE times size) */
 	int beyond_error;   /* elements whose error is above its bound */
 	int false_nonzeros; /* elements that are not 0 where the truth is */
+	struct largest fault; /* 1: the first that is wrong, beyond or not 0 */
 };
 
 /* Compares every element of the map with the truth. */

@@ -161,9 +161,11 @@ static void size_tangents(const struct projection *p, struct truth_stage *s)
 	}
 }
 
+/* Sets also the size of (f + n) / (f - n), which cancels if n is nearly -f. */
 static void ortho(const struct projection *p, const struct convention *c,
-    real m[4][4])
+    struct truth_stage *stage)
 {
+	real(*m)[4] = stage->m;
 	real n = real_of(p->reverse_z ? p->far : p->near);
 	real f = real_of(p->reverse_z ? p->near : p->far);
 	real s[2], off[2];
@@ -176,6 +178,9 @@ static void ortho(const struct projection *p, const struct convention *c,
 	m[3][1] = negative(off[1]);
 	m[3][2] = negative(
 	    divide(c->depth_minus_one ? add(f, n) : n, sub(f, n)));
+	stage->size[0][0] = magnitude(m[0][0]);
+	stage->size[3][2] = magnitude(
+	    divide(add(magnitude(f), magnitude(n)), sub(f, n)));
 	if (c->right_handed)
 		m[2][2] = negative(m[2][2]);
 }
@@ -309,51 +314,71 @@ void truth_half_turn(struct truth *t)
 	s->m[1][1] = s->m[2][2] = real_of(-1);
 }
 
+/* Adds half a turn to the view space of formulas, in which y points up. Returns the
+ * stage that follows. */
+static struct truth_stage *upright(struct truth *t, const struct projection *p,
+    const struct convention *c)
+{
+	const enum section_way way = p->section.way;
+
+	t->irrational |= way <= SECTION_VIEW_ANGLE || way == SECTION_ANGLES;
+	if (c->view_y_down)
+		truth_half_turn(t);
+	return truth_stage(t);
+}
+
+static void perspective(struct truth *t, const struct projection *p,
+    const struct convention *c)
+{
+	struct truth_stage *s = upright(t, p, c);
+
+	if (p->section.way == SECTION_INTRINSICS) {
+		s->m[2][2] = real_of(c->right_handed ? -1 : 1);
+		pixels(t, p, c);
+		truth_stage(t);
+		return;
+	}
+	persp(p, c, s->m);
+	if (p->section.way == SECTION_ANGLES)
+		size_tangents(p, s);
+}
+
 void truth_projection(struct truth *t, const struct projection *p,
     const struct convention *c)
 {
-	bool has_extent = p->type == PROJECTION_PERSP ||
-	    p->type == PROJECTION_ORTHO;
-	bool upright = has_extent || p->type == PROJECTION_OBLIQUE;
+	bool down = c->ndc_y_down;
+	struct truth_stage *s;
 
-	bool by_pixels = p->type == PROJECTION_PERSP &&
-	    p->section.way == SECTION_INTRINSICS;
-
-	if (p->type == PROJECTION_OBLIQUE ||
-	    (p->type == PROJECTION_VOLUME &&
-		p->volume.eye_given_by == EYE_BY_ANGLE) ||
-	    (has_extent &&
-		(p->section.way <= SECTION_VIEW_ANGLE ||
-		    p->section.way == SECTION_ANGLES)))
-		t->irrational = true;
-	if (upright && c->view_y_down)
-		truth_half_turn(t);
-	if (by_pixels) {
-		truth_stage(t)->m[2][2] = real_of(c->right_handed ? -1 : 1);
-		pixels(t, p, c);
-	}
-	if (p->type == PROJECTION_OBLIQUE)
-		shear(p, c->right_handed, truth_stage(t)->m);
-	struct truth_stage *s = truth_stage(t);
-
-	if (p->type == PROJECTION_MATRIX)
+	switch (p->type) {
+	case PROJECTION_NONE:
+		return;
+	case PROJECTION_MATRIX:
+		s = truth_stage(t);
 		for (int i = 0; i < 4; i++)
 			set_reals(s->m[i], 4, p->matrix[i]);
-	if (p->type == PROJECTION_PERSP && !by_pixels)
-		persp(p, c, s->m);
-	if (p->type == PROJECTION_PERSP && p->section.way == SECTION_ANGLES)
-		size_tangents(p, s);
-	if (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE)
-		ortho(p, c, s->m);
-	if (p->type == PROJECTION_VOLUME)
-		volume(p, c->depth_minus_one, s);
-	bool down = c->ndc_y_down;
-
-	if (p->type == PROJECTION_VOLUME)
+		return;
+	case PROJECTION_PERSP:
+		perspective(t, p, c);
+		break;
+	case PROJECTION_OBLIQUE:
+		shear(p, c->right_handed, upright(t, p, c)->m);
+		t->irrational = true;
+		ortho(p, c, truth_stage(t));
+		break;
+	case PROJECTION_ORTHO:
+		ortho(p, c, upright(t, p, c));
+		break;
+	case PROJECTION_VOLUME:
+		volume(p, c->depth_minus_one, truth_stage(t));
+		t->irrational |= p->volume.eye_given_by == EYE_BY_ANGLE;
 		down = c->ndc_y_down != c->view_y_down;
-	for (int i = 0; i < 4 && down; i++)
-		if (p->type != PROJECTION_MATRIX && p->type != PROJECTION_NONE)
-			s->m[i][1] = negative(s->m[i][1]);
+		break;
+	}
+	for (int i = 0; i < 4 && down; i++) {
+		real *y = &t->stage[t->n - 1].m[i][1];
+
+		*y = negative(*y);
+	}
 }
 
 struct sized truth_w_gradient(const struct projection *p)

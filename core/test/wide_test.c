@@ -34,8 +34,7 @@ static wide wide_of_words(uint64_t high, uint64_t low)
 static void products(void **state)
 {
 	(void)state;
-	sample_seed(2);
-	for (int i = 0; i < TRIES; i++) {
+	SAMPLES(i, TRIES) {
 		uint64_t a = any_word(), b = any_word(), c = any_word();
 		uint64_t before = any_word(), carry = before;
 		uint64_t p = multiply_add(a, b, c, &carry);
@@ -48,8 +47,7 @@ static void products(void **state)
 static void quotients(void **state)
 {
 	(void)state;
-	sample_seed(3);
-	for (int i = 0; i < TRIES; i++) {
+	SAMPLES(i, TRIES) {
 		uint64_t d = any_word() | 1, high = any_word() % d;
 		uint64_t low = any_word(), q = divide_two_words(high, low, d);
 

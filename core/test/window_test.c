@@ -6,8 +6,7 @@ static void check_windows(const char *what, int e, int tries)
 {
 	struct worst one = { 0 }, two = { 0 };
 
-	sample_seed(1);
-	for (int i = 0; i < tries; i++) {
+	SAMPLES(i, tries) {
 		struct scene s = { .has_device = true };
 		enum flat_space from = sample_below(3), to = sample_below(3);
 		bool both = from != to && from != FLAT_NDC && to != FLAT_NDC;
@@ -38,8 +37,7 @@ static void check_viewports(const char *what, int e, int tries)
 {
 	struct worst w = { 0 };
 
-	sample_seed(2);
-	for (int i = 0; i < tries; i++) {
+	SAMPLES(i, tries) {
 		struct scene s = { .has_viewport = true };
 		bool back = sample_below(2);
 		struct map m;
