@@ -24,7 +24,7 @@ static inline struct scene scene_of(const struct view *v)
 {
 	struct scene s = {
 		.has_camera = true,
-		.camera = { .kind = CAMERA_AT },
+		.camera = { .way = CAMERA_AT },
 		.projection = { .type = PROJECTION_PERSP,
 		    .section.way = SECTION_FOVY,
 		    .section.angle = v->fovy,

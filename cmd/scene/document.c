@@ -182,10 +182,10 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	s->camera.unit = d->unit;
 	s->projection.without_camera = !s->has_camera;
 	d->has_eye = s->has_camera &&
-	    (s->camera.kind >= CAMERA_TRANSLATION ||
+	    (s->camera.way >= CAMERA_TRANSLATION ||
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
-	if (s->camera.kind == CAMERA_RVEC ||
-	    s->camera.kind == CAMERA_RVEC_TRANSLATION)
+	if (s->camera.way == CAMERA_RVEC ||
+	    s->camera.way == CAMERA_RVEC_TRANSLATION)
 		convention_require(&m[ROW_OF(CAMERA)], "rvec");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],

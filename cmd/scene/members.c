@@ -57,13 +57,13 @@ static const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
-/* in the order of the enum that is the type of camera.kind */
+/* in the order of the enum that is the type of camera.way */
 static const struct rule camera_rules[] = {
 	{ .ways = WAYS("eye at up? roll?", "eye~ gaze up? roll?",
 	      "eye~ orientation roll?", "eye~ rvec roll?",
 	      "translation orientation roll?", "translation rvec roll?",
 	      "pose orthonormalize?", "matrix orthonormalize?"),
-	    .field = FIELD(camera, kind) },
+	    .field = FIELD(camera, way) },
 	{ .ways = NULL },
 };
 

@@ -114,7 +114,7 @@ static void test_missing(void **state)
 		     "\"viewport\":{\"width\":4,\"height\":3},"
 		     "\"camera\":{\"gaze\":[1,2,3]}");
 	assert_numbers(d.scene.projection.aspect, 2, 4.0, 3.0);
-	assert_true(!d.has_eye && d.scene.camera.kind == CAMERA_GAZE);
+	assert_true(!d.has_eye && d.scene.camera.way == CAMERA_GAZE);
 	d = read_fit("\"projection\":{\"type\":\"ortho\",\"height\":1,"
 		     "\"aspect\":2},\"camera\":{\"eye\":[1,2,3],"
 		     "\"orientation\":[0,0,0,1]}");

@@ -200,31 +200,31 @@ static void test_camera(void **state)
 	struct camera c = CAMERA("\"at\":[4,5,6],\"eye\":[1,2,-1e150]");
 
 	(void)state;
-	assert_int_equal(c.kind, CAMERA_AT);
+	assert_int_equal(c.way, CAMERA_AT);
 	assert_numbers(c.eye, 3, 1.0, 2.0, -1e150);
 	assert_numbers(c.at, 3, 4.0, 5.0, 6.0);
 	assert_numbers(c.up, 3, 0.0, 1.0, 0.0);
 	assert_number(c.roll, 0);
 	c = CAMERA("\"eye\":[0,0,0],\"gaze\":[0,1,0],\"up\":[0,0,1],"
 		   "\"roll\":-30");
-	assert_int_equal(c.kind, CAMERA_GAZE);
+	assert_int_equal(c.way, CAMERA_GAZE);
 	assert_numbers(c.at, 3, 0.0, 1.0, 0.0);
 	assert_numbers(c.up, 3, 0.0, 0.0, 1.0);
 	assert_number(c.roll, -30);
 	c = CAMERA("\"eye\":[0,0,0],\"orientation\":[1,2,3,4],\"roll\":1");
-	assert_int_equal(c.kind, CAMERA_ORIENTATION);
+	assert_int_equal(c.way, CAMERA_ORIENTATION);
 	assert_numbers(c.orientation, 4, 1.0, 2.0, 3.0, 4.0);
 	assert_number(c.roll, 1);
 	c = CAMERA("\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],"
 		   "\"orthonormalize\":true");
-	assert_int_equal(c.kind, CAMERA_MATRIX);
+	assert_int_equal(c.way, CAMERA_MATRIX);
 	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
 	assert_true(c.orthonormalize);
 	c = CAMERA("\"orientation\":[1,2,3,4],\"translation\":[5,6,7]");
-	assert_int_equal(c.kind, CAMERA_TRANSLATION);
+	assert_int_equal(c.way, CAMERA_TRANSLATION);
 	assert_numbers(c.eye, 3, 5.0, 6.0, 7.0);
 	c = CAMERA("\"pose\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]");
-	assert_int_equal(c.kind, CAMERA_POSE);
+	assert_int_equal(c.way, CAMERA_POSE);
 	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
 	/* 3 rows of 4 are for column vectors and 4 rows of 3 for row vectors, in every
 	 * convention */

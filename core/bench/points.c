@@ -15,7 +15,7 @@ static const char *const copies[COPIES] = { "baseline", "avx2", "avx512",
 
 static const struct scene scene = {
 	.has_camera = true,
-	.camera = { .kind = CAMERA_AT,
+	.camera = { .way = CAMERA_AT,
 	    .eye = { 1, 2, -5 },
 	    .at = { 0.1, 0.2, 0.3 },
 	    .up = { 0, 1, 0 } },

@@ -18,9 +18,9 @@ static const char *gaze_from_axes(struct camera *c,
 	double upward = convention->view_y_down ? -1 : 1;
 	struct camera turned = *c;
 
-	for (int k = 0; k < 3 && c->kind >= CAMERA_TRANSLATION; k++)
+	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION; k++)
 		c->eye[k] = map_nearest(to_world, 3, k, false);
-	if (c->kind >= CAMERA_POSE)
+	if (c->way >= CAMERA_POSE)
 		c->roll = 0;
 	turned.roll = 0;
 	turned.orthonormalize = true;
@@ -57,18 +57,18 @@ static const char *make_gaze_camera(struct scene *s)
 	struct map to_world;
 
 	if (!s->has_camera)
-		*c = (struct camera){ .kind = CAMERA_GAZE,
+		*c = (struct camera){ .way = CAMERA_GAZE,
 			.at = { 0, 0,
 			    convention_looks_back(convention) ? -1 : 1 },
 			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
 	const char *why = camera_map(c, convention, true, &to_world);
 
-	if (why == NULL && c->kind >= CAMERA_ORIENTATION)
+	if (why == NULL && c->way >= CAMERA_ORIENTATION)
 		why = gaze_from_axes(c, convention, &to_world);
-	else if (c->kind == CAMERA_AT)
+	else if (c->way == CAMERA_AT)
 		gaze_from_at(c);
-	c->kind = CAMERA_GAZE;
+	c->way = CAMERA_GAZE;
 	return why;
 }
 

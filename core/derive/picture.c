@@ -67,7 +67,7 @@ static void set_camera(const struct lens *l, const struct upright *u,
 {
 	struct camera *c = &r->scene.camera;
 
-	*c = (struct camera){ .kind = CAMERA_GAZE };
+	*c = (struct camera){ .way = CAMERA_GAZE };
 	r->scene.has_camera = true;
 	for (int k = 0; k < 3; k++)
 		c->eye[k] = l->parallel ?

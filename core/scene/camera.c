@@ -23,7 +23,7 @@ static const char *axes_of_gaze(const struct camera *c,
     const struct convention *convention, struct axes *a)
 {
 	struct sum up[3], *x = a->v[0], *y = a->v[1], *z = a->v[2];
-	bool at = c->kind == CAMERA_AT;
+	bool at = c->way == CAMERA_AT;
 
 	for (int i = 0; i < 3; i++) {
 		z[i] = sum_negated_if(convention->right_handed,
@@ -119,10 +119,10 @@ static const char *axes_of_matrix(const struct camera *c, struct axes *a)
 	enum rotation_result found = rotation_nearest(c->matrix, q);
 
 	if (found == ROTATION_NONE)
-		return REFUSAL(c->kind == CAMERA_POSE,
+		return REFUSAL(c->way == CAMERA_POSE,
 		    "its determinant is not positive; a rotation's is 1");
 	if (found == ROTATION_MANY)
-		return REFUSAL(c->kind == CAMERA_POSE,
+		return REFUSAL(c->way == CAMERA_POSE,
 		    "two directions have all but vanished; no rotation is the "
 		    "nearest");
 	axes_of_quaternion(q, a);
@@ -207,7 +207,7 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse,
 static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {
-	bool pose = c->kind == CAMERA_POSE, inverts = inverse != pose;
+	bool pose = c->way == CAMERA_POSE, inverts = inverse != pose;
 	struct axes axes;
 
 	map_of_doubles(c->matrix, r);
@@ -233,15 +233,15 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 const char *camera_map(const struct camera *c,
     const struct convention *convention, bool inverse, struct map *r)
 {
-	bool is_translation = c->kind == CAMERA_TRANSLATION ||
-	    c->kind == CAMERA_RVEC_TRANSLATION;
-	bool by_rvec = c->kind == CAMERA_RVEC ||
-	    c->kind == CAMERA_RVEC_TRANSLATION;
+	bool is_translation = c->way == CAMERA_TRANSLATION ||
+	    c->way == CAMERA_RVEC_TRANSLATION;
+	bool by_rvec = c->way == CAMERA_RVEC ||
+	    c->way == CAMERA_RVEC_TRANSLATION;
 	struct axes axes;
 
-	if (c->kind == CAMERA_MATRIX || c->kind == CAMERA_POSE)
+	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
 		return camera_matrix_map(c, inverse, r);
-	const char *why = c->kind <= CAMERA_GAZE ?
+	const char *why = c->way <= CAMERA_GAZE ?
 	    axes_of_gaze(c, convention, &axes) :
 	    by_rvec ? axes_of_rvec(c, &axes) :
 		      axes_of_orientation(c, &axes);

@@ -8,8 +8,8 @@
 
 struct camera {
 	double eye[3]; /* or translation: the world's origin in view space */
-	/* the members that give the camera */
-	enum {
+	/* the members that give the camera, in the order of camera_rules (cmd/scene) */
+	enum camera_way {
 		CAMERA_AT,               /* eye, at and up */
 		CAMERA_GAZE,             /* eye, gaze and up */
 		CAMERA_ORIENTATION,      /* eye and orientation */
@@ -18,7 +18,7 @@ struct camera {
 		CAMERA_RVEC_TRANSLATION, /* translation and rvec */
 		CAMERA_POSE,
 		CAMERA_MATRIX,
-	} kind;
+	} way;
 	double at[3]; /* or the gaze, a direction of any length */
 	double up[3];
 	double orientation[4]; /* quaternion x y z w, any norm; view to world */

@@ -10,7 +10,7 @@
  * orthonormalize does. */
 static void nearest_rotation(double m[4][4])
 {
-	struct camera c = { .kind = CAMERA_MATRIX, .orthonormalize = true };
+	struct camera c = { .way = CAMERA_MATRIX, .orthonormalize = true };
 	const struct convention any = { 0 };
 	struct map r;
 

@@ -33,7 +33,7 @@ static double sample_coordinate(const struct scene *s, enum space from, int j)
 	if (sample_below(6) == 0)
 		d = rint(d);
 	if (j < 3 && from <= SPACE_WORLD && s->has_camera &&
-	    s->camera.kind < CAMERA_TRANSLATION)
+	    s->camera.way < CAMERA_TRANSLATION)
 		d += s->camera.eye[j];
 	return d;
 }

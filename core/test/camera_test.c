@@ -80,7 +80,7 @@ static void rotation_is_nearest(void **state)
 static void set_diagonal(struct camera *c, double a, double b, double d)
 {
 	memset(c, 0, sizeof *c);
-	c->kind = CAMERA_MATRIX;
+	c->way = CAMERA_MATRIX;
 	c->orthonormalize = true;
 	c->matrix[0][0] = a;
 	c->matrix[1][1] = b;
@@ -148,7 +148,7 @@ static void check_zeros(const int eye[3], const int gaze[3], const int up[3],
 
 static void check_whole_numbers(int eye_number, const int up[3], int *zeros)
 {
-	struct camera c = { .kind = CAMERA_AT };
+	struct camera c = { .way = CAMERA_AT };
 	int eye[3], gaze[3];
 	struct map m;
 
@@ -259,7 +259,7 @@ static void up_parallel_to_the_gaze(void **state)
 
 	(void)state;
 	SAMPLES(i, 500) {
-		struct camera c = { .kind = CAMERA_GAZE };
+		struct camera c = { .way = CAMERA_GAZE };
 		int mark = real_mark();
 		struct map m;
 
@@ -291,10 +291,10 @@ static void pose_is_the_inverse(void **state)
 		struct map m, back;
 
 		sample_orthonormalize(&c, i % 2 ? 5 : 0);
-		c.kind = CAMERA_MATRIX;
+		c.way = CAMERA_MATRIX;
 		c.orthonormalize = i % 4 < 2;
 		pose = c;
-		pose.kind = CAMERA_POSE;
+		pose.way = CAMERA_POSE;
 		for (int inverse = 0; inverse < 2; inverse++) {
 			if (camera_map(&c, &d3d, inverse, &m) != NULL)
 				continue;
@@ -366,27 +366,27 @@ static void refused_cameras(void **state)
 	assert_camera_refused(c, true, "/camera/up");
 	memset(c.up, 0, sizeof c.up);
 	assert_camera_refused(c, false, "/camera/up");
-	c.kind = CAMERA_GAZE;
+	c.way = CAMERA_GAZE;
 	memset(c.at, 0, sizeof c.at);
 	assert_camera_refused(c, false, "/camera/gaze");
-	c.kind = CAMERA_ORIENTATION;
+	c.way = CAMERA_ORIENTATION;
 	assert_camera_refused(c, false, "/camera/orientation");
-	c.kind = CAMERA_TRANSLATION;
+	c.way = CAMERA_TRANSLATION;
 	assert_camera_refused(c, true, "/camera/orientation");
-	c.kind = CAMERA_RVEC;
+	c.way = CAMERA_RVEC;
 	c.rvec[1] = nextafter(2 * PI, 7);
 	assert_camera_refused(c, false, "/camera/rvec: is longer than 2 pi");
-	c.kind = CAMERA_RVEC_TRANSLATION;
+	c.way = CAMERA_RVEC_TRANSLATION;
 	assert_camera_refused(c, true, "/camera/rvec: is longer than 2 pi");
 	set_diagonal(&c, 1, 1, -1);
 	assert_camera_refused(c, false,
 	    "/camera/matrix: its determinant is not positive");
-	c.kind = CAMERA_POSE;
+	c.way = CAMERA_POSE;
 	assert_camera_refused(c, true,
 	    "/camera/pose: its determinant is not positive");
 	set_diagonal(&c, 1, 1, 0);
 	assert_camera_refused(c, false, "/camera/matrix");
-	c.kind = CAMERA_POSE;
+	c.way = CAMERA_POSE;
 	assert_camera_refused(c, false, "/camera/pose");
 	c.orthonormalize = false;
 	assert_camera_refused(c, false, "/camera/pose: singular");
@@ -394,7 +394,7 @@ static void refused_cameras(void **state)
 	c.matrix[0][3] = 1;
 	assert_camera_refused(c, true, "/camera/pose: " WHY_NOT_AFFINE);
 	c.matrix[0][3] = 0;
-	c.kind = CAMERA_MATRIX;
+	c.way = CAMERA_MATRIX;
 	c.orthonormalize = false;
 	assert_camera_refused(c, true, "/camera/matrix");
 	c.matrix[2][2] = 1;

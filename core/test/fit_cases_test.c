@@ -34,7 +34,7 @@ static void assert_fits(struct scene *s, bool has_eye, const struct bounds *b,
     double x, double y, double z, double near, double far)
 {
 	assert_null(fit_scene(s, has_eye, b));
-	assert_int_equal(s->camera.kind, CAMERA_GAZE);
+	assert_int_equal(s->camera.way, CAMERA_GAZE);
 	assert_number(s->camera.eye[0], x);
 	assert_number(s->camera.eye[1], y);
 	assert_number(s->camera.eye[2], z);
@@ -71,7 +71,7 @@ static void test_eye(void **state)
 
 	(void)state;
 	s.has_camera = true;
-	s.camera = (struct camera){ .kind = CAMERA_AT,
+	s.camera = (struct camera){ .way = CAMERA_AT,
 		.eye = { 3, 0, -100 },
 		.at = { 3, 0, 7 },
 		.up = { 0, 1, 0 } };
@@ -202,7 +202,7 @@ static void test_flat(void **state)
 static void assert_gaze(const struct camera *c, double x, double y, double z,
     double up_x, double up_y, double up_z)
 {
-	assert_true(c->kind == CAMERA_GAZE);
+	assert_true(c->way == CAMERA_GAZE);
 	assert_true(c->at[0] == x && c->at[1] == y && c->at[2] == z);
 	assert_number(c->up[0], up_x);
 	assert_number(c->up[1], up_y);
@@ -215,20 +215,20 @@ static void test_cameras(void **state)
 
 	(void)state;
 	s.has_camera = true;
-	s.camera = (struct camera){ .kind = CAMERA_ORIENTATION,
+	s.camera = (struct camera){ .way = CAMERA_ORIENTATION,
 		.orientation = { 0, 1, 0, 1 },
 		.roll = 30 };
 	assert_null(fit_scene(&s, false, &unit_ball));
 	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
 	assert_number(s.camera.roll, 30);
-	s.camera = (struct camera){ .kind = CAMERA_MATRIX,
+	s.camera = (struct camera){ .way = CAMERA_MATRIX,
 		.matrix = { { 0, 0, 4 }, { 0, 4 }, { -4 }, { 0, 0, 20, 1 } } };
 	assert_null(fit_scene(&s, true, &unit_ball));
 	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
 	assert_number(s.camera.eye[0], -5);
 	assert_number(s.projection.near, 4);
 	assert_number(s.projection.section.width, 2);
-	s.camera = (struct camera){ .kind = CAMERA_AT,
+	s.camera = (struct camera){ .way = CAMERA_AT,
 		.eye = { -9e149, 0, 0 },
 		.at = { 9e149, 0, 0 },
 		.up = { 0, 1, 0 } };

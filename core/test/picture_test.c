@@ -93,7 +93,7 @@ static void to_matrices(struct scene *s)
 		s->projection.matrix[i / 4][i % 4] = element(&projection, i / 4,
 		    i % 4);
 	}
-	s->camera.kind = CAMERA_MATRIX;
+	s->camera.way = CAMERA_MATRIX;
 	s->camera.orthonormalize = false;
 	s->projection.type = PROJECTION_MATRIX;
 }

@@ -194,7 +194,7 @@ static void underflow(void **state)
 static void ties_of_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
-		.camera = { .kind = CAMERA_GAZE,
+		.camera = { .way = CAMERA_GAZE,
 		    .at = { 0, 1, 1 },
 		    .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_PERSP,
@@ -235,7 +235,7 @@ static void ties_of_irrational_parts(void **state)
 static void ties_of_different_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
-		.camera = { .kind = CAMERA_GAZE,
+		.camera = { .way = CAMERA_GAZE,
 		    .at = { 0, 1, 1 },
 		    .up = { 0, 1, 0 },
 		    .roll = 45 },

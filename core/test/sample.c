@@ -154,7 +154,7 @@ static void put_up_near_gaze(struct camera *c)
 	for (int i = 0; i < 3; i++) {
 		double gaze = c->at[i];
 
-		if (c->kind == CAMERA_AT)
+		if (c->way == CAMERA_AT)
 			gaze -= c->eye[i];
 		c->up[i] = gaze * (1 + near * sample_between(-1, 1));
 	}
@@ -182,8 +182,8 @@ void sample_camera(struct camera *c, int e)
 {
 
 	memset(c, 0, sizeof *c);
-	c->kind = sample_below(8);
-	camera_now = (int)c->kind;
+	c->way = sample_below(8);
+	camera_now = (int)c->way;
 	magnitude_now = e;
 	sample_vector(c->eye, e);
 	sample_vector(c->at, e);
@@ -193,12 +193,12 @@ void sample_camera(struct camera *c, int e)
 	for (int i = 0; i < 4; i++)
 		c->orientation[i] = e > 0 ? sample_number(e) :
 					    ordinary_number();
-	if (c->kind == CAMERA_RVEC || c->kind == CAMERA_RVEC_TRANSLATION)
+	if (c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION)
 		sample_rotation_vector(c->rvec, e);
 	sample_affine(c->matrix, e);
-	if (e > 0 && c->kind == CAMERA_AT && sample_below(2))
+	if (e > 0 && c->way == CAMERA_AT && sample_below(2))
 		place_far(c);
-	if (e > 0 && c->kind < CAMERA_ORIENTATION && sample_below(2))
+	if (e > 0 && c->way < CAMERA_ORIENTATION && sample_below(2))
 		put_up_near_gaze(c);
 	c->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
 	if (sample_below(3) == 0)
@@ -218,7 +218,7 @@ void sample_orthonormalize(struct camera *c, int e)
 	double drift = sample_below(2) ? 1e-7 : 0.5;
 
 	memset(c, 0, sizeof *c);
-	c->kind = sample_below(2) ? CAMERA_MATRIX : CAMERA_POSE;
+	c->way = sample_below(2) ? CAMERA_MATRIX : CAMERA_POSE;
 	c->orthonormalize = true;
 	for (int i = 0; i < 4; i++) {
 		q[i] = sample_between(-1, 1);
@@ -541,7 +541,7 @@ void sample_round_scene(struct scene *s)
 	    p->type != PROJECTION_ORTHO);
 	round_matrix(s->world, 3);
 	s->has_camera = sample_below(2);
-	s->camera.kind = CAMERA_MATRIX;
+	s->camera.way = CAMERA_MATRIX;
 	s->camera.orthonormalize = false;
 	round_matrix(s->camera.matrix, 3);
 	round_matrix(p->matrix, 4);

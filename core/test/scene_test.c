@@ -52,7 +52,7 @@ static void models_far_from_the_origin(void **state)
 
 		sample_scene(&s, 0);
 		s.has_world = true;
-		s.camera.kind = CAMERA_AT;
+		s.camera.way = CAMERA_AT;
 		for (int k = 0; k < 3; k++) {
 			s.world[3][k] = 1e15 * sample_between(-1, 1);
 			s.camera.eye[k] = s.world[3][k] +
@@ -86,7 +86,7 @@ static void around_all_conventions(void **state)
 		struct scene s = {
 			.convention = known[k % 5],
 			.has_camera = true,
-			.camera = { .kind = CAMERA_MATRIX,
+			.camera = { .way = CAMERA_MATRIX,
 			    .matrix = { { 0, 3, 4, 0 }, { 5, 0, 1, 0 },
 				{ 1, 2, 3, 0 }, { 7, -8, 9, 1 } } },
 			.projection = { .type = PROJECTION_MATRIX,

@@ -68,7 +68,7 @@ static void sample_regime_scene(const struct regime *r, struct scene *s)
 {
 	*s = (struct scene){ .has_world = true,
 		.has_camera = true,
-		.camera = { .kind = CAMERA_GAZE, .up = { 0, 1, 0.25 } },
+		.camera = { .way = CAMERA_GAZE, .up = { 0, 1, 0.25 } },
 		.projection = { .type = PROJECTION_PERSP,
 		    .section.way = SECTION_EDGES,
 		    .section.left = -1.25,

@@ -22,7 +22,7 @@ static void kinds_have_their_names(void **state)
 		struct camera *c = &s.camera;
 		struct projection *p = &s.projection;
 
-		*c = (struct camera){ .kind = CAMERA_GAZE, .up = { 0, 1, 0 } };
+		*c = (struct camera){ .way = CAMERA_GAZE, .up = { 0, 1, 0 } };
 		memcpy(c->at, along[i], sizeof c->at);
 		*p = (struct projection){ .type = PROJECTION_PERSP,
 			.section.way = SECTION_FOVY,

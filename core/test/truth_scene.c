@@ -35,7 +35,7 @@ static void look_at(const struct camera *c, bool right_handed, real m[4][4])
 	set_reals(eye, 3, c->eye);
 	set_reals(z, 3, c->at);
 	for (int i = 0; i < 3; i++) {
-		if (c->kind == CAMERA_AT)
+		if (c->way == CAMERA_AT)
 			z[i] = sub(z[i], eye[i]);
 		if (right_handed)
 			z[i] = negative(z[i]);
@@ -104,7 +104,7 @@ static void camera_by_matrix(struct truth *t, const struct camera *c)
 	struct truth r = { 0 };
 
 	affine(&r, c->matrix, c->orthonormalize);
-	if (c->kind == CAMERA_POSE)
+	if (c->way == CAMERA_POSE)
 		invert_stages(&r);
 	t->irrational |= r.irrational;
 	for (int i = 0; i < r.n; i++)
@@ -115,14 +115,14 @@ static void camera_by_matrix(struct truth *t, const struct camera *c)
 static void camera(struct truth *t, const struct camera *c,
     const struct convention *convention)
 {
-	if (c->kind >= CAMERA_POSE) {
+	if (c->way >= CAMERA_POSE) {
 		camera_by_matrix(t, c);
 		return;
 	}
-	bool down = convention->view_y_down, by_axes = c->kind > CAMERA_GAZE;
-	bool by_eye = c->kind < CAMERA_TRANSLATION;
-	bool by_rvec = c->kind == CAMERA_RVEC ||
-	    c->kind == CAMERA_RVEC_TRANSLATION;
+	bool down = convention->view_y_down, by_axes = c->way > CAMERA_GAZE;
+	bool by_eye = c->way < CAMERA_TRANSLATION;
+	bool by_rvec = c->way == CAMERA_RVEC ||
+	    c->way == CAMERA_RVEC_TRANSLATION;
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
 	struct truth_stage *origin = truth_stage(t);
 
