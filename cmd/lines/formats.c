@@ -16,22 +16,31 @@ struct dialect dialect_of(enum format f, char separator)
 		row->separator != 0 ? row->separator : separator };
 }
 
+/* Returns the end of the quoted text at s, where two quotes stand for one; NULL if it is
+ * not closed. */
+static const char *csv_quote_end(const char *s, const char *end)
+{
+	do {
+		s++;
+		s = memchr(s, '"', (size_t)(end - s));
+	} while (s != NULL && ++s < end && *s == '"');
+	return s;
+}
+
 bool format_has_only_cr(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = line.s;
-	bool fields = format_of(d)->escape == '"' &&
+	const bool csv = format_of(d)->header &&
 	    *skip_blanks(d, s, line.end) != '#';
-	/* a quote opens a field only at the field's beginning, as in next_of_csv */
-	bool quoted = false, opens = fields;
 
-	for (; s < line.end && (*s != '\r' || quoted); s++) {
-		if (*s == '"' && quoted && s + 1 < line.end && s[1] == '"')
-			s++;
-		else if (*s == '"')
-			quoted = opens && !quoted;
-		opens = quoted ||
-		    (fields && (*s == d.separator || (opens && is_blank(*s))));
+	for (bool begins = csv; s < line.end && *s != '\r'; s++) {
+		if (begins && *s == '"') {
+			s = csv_quote_end(s, line.end);
+			if (s-- == NULL)
+				return false;
+		}
+		begins = csv && (*s == d.separator || (begins && is_blank(*s)));
 	}
 	while (s < line.end && is_blank(*s))
 		s++;
@@ -93,12 +102,11 @@ static void next_of_csv(struct cursor *c, struct field *f)
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
 
 	f->whole.s = c->s;
-	f->unclosed = s < end && *s == '"';
-	for (s += f->unclosed; s < end && f->unclosed; s++)
-		if (*s == '"' && (s + 1 == end || *++s != '"')) {
-			f->unclosed = false;
-			break;
-		}
+	if (s < end && *s == '"') {
+		s = csv_quote_end(s, end);
+		f->unclosed = s == NULL;
+		s = f->unclosed ? end : s;
+	}
 	s = memchr(s, c->in.separator, (size_t)(end - s));
 	f->next = s != NULL ? s + 1 : NULL;
 	f->whole.end = s != NULL ? s : end;
@@ -134,13 +142,13 @@ static void next_of_json(struct cursor *c, struct field *f)
 static bool csv_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
-	struct cursor c = { .in = d, .s = line.s, .end = line.end };
+	struct cursor c = line_cursor(d, line);
 	struct field f = { .unclosed = false };
 
 	if (memchr(line.s, '"', (size_t)(line.end - line.s)) == NULL)
 		return true;
-	for (; c.s != NULL && !f.unclosed; c.s = f.next)
-		next_of_csv(&c, &f);
+	while (!f.unclosed && cursor_next(&c, &f))
+		continue;
 	if (f.unclosed)
 		strcpy(reason,
 		    "a quote is not closed on the line; a field with a newline "
