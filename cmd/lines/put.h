@@ -59,6 +59,22 @@ static inline char *put_coordinate(const struct layout *l, struct numbers n,
 	    l->output.style[k]);
 }
 
+/* Writes the numbers from k on and, unless it is NULL, the word of --flags, each after
+ * the separator. */
+static inline char *put_added(const struct layout *l, struct numbers n, int k,
+    char separator, const struct flags *flags, char *out)
+{
+	for (; k < l->writes; k++) {
+		*out++ = separator;
+		out = put_coordinate(l, n, k, out);
+	}
+	if (flags != NULL) {
+		*out++ = separator;
+		out = put_flags_word(l, flags, out);
+	}
+	return out;
+}
+
 /* Copies the n bytes at s, which precede a coordinate or end the line. Copies the first
  * byte without a branch, even if n is 0, because n is mostly 1. */
 static inline char *put_gap(const char *s, size_t n, char *out)

@@ -373,14 +373,7 @@ static char *convert_point(const struct layout *l, const struct line *line,
 
 	*out = *to->open;
 	out = put_coordinate(l, n, 0, out + (*to->open != '\0'));
-	for (int k = 1; k < l->writes; k++) {
-		*out++ = l->out.separator;
-		out = put_coordinate(l, n, k, out);
-	}
-	if (flags != NULL) {
-		*out++ = l->out.separator;
-		out = put_flags_word(l, flags, out);
-	}
+	out = put_added(l, n, 1, l->out.separator, flags, out);
 	out = splice_rest(l, line, out);
 	*out = *to->close;
 	out += *to->close != '\0';

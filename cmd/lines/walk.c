@@ -2,41 +2,10 @@
 #include "walk.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "../../core/scene/scene.h"
 #include "../json/check.h"
-#include "../json/text.h"
-
-/* INLINE functions are compiled once for each format, so that the compiler removes the
- * branches of other formats. */
-#define INLINE static inline __attribute__((always_inline))
-
-/* Returns a dialect's stops: bytes that can end a field, or make a line not simple. */
-static struct byte_set stops_of(struct dialect d)
-{
-	const struct format_row *row = format_of(d);
-	const bool json = *row->open != '\0';
-	struct byte_set set = { { 0 }, { 0 } };
-	int bits = 0;
-
-	for (int b = 0; b < 256; b++) {
-		/* stops with the same upper four bits share one of 8 bits */
-		uint8_t *bit = &set.high[b >> 4];
-		char c = (char)b;
-
-		if (c != '\n' && !is_blank(c) && c != d.separator &&
-		    !(row->blanks && c == ',') &&
-		    (row->quote == 0 ||
-			(c != row->quote && c != row->escape)) &&
-		    !(json && (b < ' ' || strchr("[]{}", c) != NULL)))
-			continue;
-		if (*bit == 0)
-			*bit = (uint8_t)(1 << bits++);
-		set.low[b & 15] |= *bit;
-	}
-	return set;
-}
+#include "walker.h"
 
 bool walk_plan(const struct layout *l, struct walk *w)
 {
@@ -44,7 +13,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	const bool json = l->in.format == FORMAT_JSON;
 
 	*w = (struct walk){ .in = l->in,
-		.stops = stops_of(l->in),
+		.stops = stretch_stops(l->in),
 		.n = l->reads,
 		.exact_fields = l->output.append ? (int)l->seen.header_fields :
 						   0,
@@ -67,115 +36,6 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		w->paths.size[i] = pointer ? strcspn(name, "/") : strlen(name);
 	}
 	return w->arrays || w->objects;
-}
-
-bool stretch_open(struct stretch *s, const struct walk *walk, const char *text,
-    const char *end)
-{
-	size_t size = (size_t)(end - text), n;
-
-	if (size > STRETCH_MAX)
-		size = STRETCH_MAX;
-	n = number_loops()->find(&walk->stops, text, size, s->stop);
-	while (n > 0 && text[s->stop[n - 1]] != '\n')
-		n--;
-	s->text = text;
-	s->at = 0;
-	s->end = n > 0 ? s->stop[n - 1] + 1u : 0;
-	s->next = s->stop;
-	return n > 0;
-}
-
-/* A position in a stretch of text. A function pass_x moves the position behind x, or
- * returns false if the line has to be left to line_read. */
-struct walker {
-	const char *text;
-	uint32_t at;          /* the position, in bytes from text */
-	const uint16_t *stop; /* the first stop at or after `at` */
-	bool comma;           /* the separator passed last has a comma */
-	int found;            /* the number of coordinates passed */
-};
-
-/* Returns whether the byte at the position is a stop, and is c. */
-INLINE bool stop_is(const struct walker *p, char c)
-{
-	return *p->stop == p->at && p->text[p->at] == c;
-}
-
-INLINE void pass_stop(struct walker *p)
-{
-	p->at++;
-	p->stop++;
-}
-
-INLINE void pass_blanks(struct walker *p, struct dialect d)
-{
-	while (*p->stop == p->at && is_blank_of(d, p->text[p->at]))
-		pass_stop(p);
-}
-
-/* Passes a separator, in the format text as skip_text_separator does. Returns false if
- * there is none. Tries a single byte first, because most separators are a single byte.
- * */
-INLINE bool pass_separator(struct walker *p, struct dialect d)
-{
-	bool text = d.format == FORMAT_TEXT;
-	char comma = text ? ',' : d.separator, c = p->text[p->at];
-
-	if (*p->stop == p->at &&
-	    (text ? c != '\n' && p->stop[1] > p->at + 1 : c == comma)) {
-		p->comma = c == comma;
-		pass_stop(p);
-		if (!text)
-			pass_blanks(p, d);
-		return true;
-	}
-	pass_blanks(p, d);
-	p->comma = stop_is(p, comma);
-	if (p->comma) {
-		pass_stop(p);
-		pass_blanks(p, d);
-	}
-	return p->comma || (text && !stop_is(p, '\n'));
-}
-
-/* Returns how many stops the escape at s has after its backslash; -1: no escape. */
-static int stops_in_escape(const char *s)
-{
-	unsigned code;
-
-	if (s[1] == 'u')
-		return json_hex4(s + 2, s + 6, &code) == s + 6 ? 0 : -1;
-	if (s[1] == '"' || s[1] == '\\')
-		return 1;
-	return s[1] != '\0' && strchr("/bfnrt", s[1]) != NULL ? 0 : -1;
-}
-
-/* Passes a string of JSON. Returns false if the string has an escape, unless
- * may_have_escapes is set: an escaped name could be the name of a coordinate. */
-INLINE bool pass_string(struct walker *p, bool may_have_escapes)
-{
-	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
-		const char *s = &p->text[*p->stop];
-		int stops = -1;
-
-		if (__builtin_expect(*s == '\\', 0) && may_have_escapes)
-			stops = stops_in_escape(s);
-		if (stops < 0 && (*s == '\\' || (unsigned char)*s < ' '))
-			return false;
-		p->stop += stops > 0;
-	}
-	p->at = *p->stop++ + 1u;
-	return true;
-}
-
-/* Returns whether a plain number (loops.h) is legal JSON: 01, .5 and "1." are not. */
-INLINE bool is_json_number(const char *s, const char *end)
-{
-	s += *s == '-';
-	/* no branches, because the first digits can't be predicted */
-	return !(((*s == '0') & (s[1] >= '0') & (s[1] <= '9')) | (*s == '.') |
-	    (end[-1] == '.'));
 }
 
 /* Where to store what is found in line i of a batch, which begins at byte `begin`. */
@@ -221,24 +81,6 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes a field, in the formats text and csv, that is not a coordinate. A quote inside
- * of a quoted field ends it here: as no separator follows, line_read reads the line. */
-INLINE bool pass_other_field(struct walker *p, struct dialect d)
-{
-	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
-
-	if (quoted)
-		for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
-			if (p->text[*p->stop] == '\n')
-				return false;
-	while (csv && !quoted && is_blank_of(d, p->text[*p->stop]))
-		p->stop++;
-	p->at = *p->stop;
-	if (quoted)
-		pass_stop(p);
-	return true;
-}
-
 /* The ways to find coordinate i. BY_ORDER: it is field i. BY_COLUMN: it is field
  * walk->field[i]. BY_PATH: path i leads to it. NO_LOOKUP: no field is a coordinate. */
 enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
@@ -250,40 +92,24 @@ static bool pass_nested(struct walker *, const struct target *,
  * read the line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
-/* Returns path i without its first name or index, for each bit i set in leads. */
-static struct walk_paths paths_inside(const struct walk_paths *t,
-    unsigned leads)
+/* Returns the coordinate that is field k, or NO_COORDINATE. */
+INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 {
-	struct walk_paths rest;
-
-	for (int i = 0; i < 4; i++) {
-		bool set = (leads >> i & 1) != 0;
-
-		rest.path[i] = set ? t->path[i] + t->size[i] + 1 : "";
-		rest.size[i] = set ? strcspn(rest.path[i], "/") : SIZE_MAX;
-	}
-	return rest;
+	for (int i = 0; i < n; i++)
+		if (w->field[i] == k)
+			return i;
+	return NO_COORDINATE;
 }
 
-/* Returns the coordinate whose path ends at the field with this name or index, or
- * NO_COORDINATE. Sets bit i of *leads if path i leads to the field or into it. */
-INLINE int follow_paths(const struct walk_paths *t, int n, struct span name,
-    unsigned *leads)
+static bool is_added_name(const char (*added)[NAME_ROOM], struct span name)
 {
-	size_t size = (size_t)(name.end - name.s);
+	size_t n = (size_t)(name.end - name.s);
 
-	*leads = 0;
-	for (int i = 0; i < n; i++) {
-		const char *path = t->path[i];
-
-		if (t->size[i] != size || *path != *name.s ||
-		    (size > 1 && memcmp(path, name.s, size) != 0))
-			continue;
-		*leads |= 1u << i;
-		if (path[size] != '/')
-			return i;
-	}
-	return NO_COORDINATE;
+	for (int k = 0; k <= COORDINATES_MAX; k++)
+		if (added[k][0] == *name.s && n < NAME_ROOM &&
+		    memcmp(added[k], name.s, n) == 0 && added[k][n] == '\0')
+			return true;
+	return false;
 }
 
 /* Passes a JSON value that is not a coordinate. Bit i of leads is set if path i leads
@@ -322,40 +148,6 @@ INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
 		return false;
 	pass_blanks(p, d);
 	return true;
-}
-
-/* Returns the coordinate that is field k, or NO_COORDINATE. */
-INLINE int coordinate_in_column(const struct walk *w, int n, int k)
-{
-	for (int i = 0; i < n; i++)
-		if (w->field[i] == k)
-			return i;
-	return NO_COORDINATE;
-}
-
-/* Returns false if the separator after the n coordinates of a line in the format text
- * shows that a comma may be decimal: "1 2 3,5" may be 1, 2, 3.5; if n is 2, "1,5 2" may
- * be 1.5, 2. The parameter comma says whether commas are between the coordinates. */
-INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
-    bool comma)
-{
-	if (*p->stop != p->at || stop_is(p, '\n'))
-		return *p->stop == p->at;
-	if (n != 2)
-		return comma || !stop_is(p, ',');
-	pass_separator(p, d);
-	return stop_is(p, '\n') || p->comma == comma;
-}
-
-static bool is_added_name(const char (*added)[NAME_ROOM], struct span name)
-{
-	size_t n = (size_t)(name.end - name.s);
-
-	for (int k = 0; k <= COORDINATES_MAX; k++)
-		if (added[k][0] == *name.s && n < NAME_ROOM &&
-		    memcmp(added[k], name.s, n) == 0 && added[k][n] == '\0')
-			return true;
-	return false;
 }
 
 /* The fields of a line, an array or an object. */

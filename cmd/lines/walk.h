@@ -6,29 +6,9 @@
 #ifndef WALK_H
 #define WALK_H
 
-#include "../number/vector/loops.h"
 #include "line.h"
-
-/* The most bytes of a stretch. A stretch of this size stays in the first-level cache
- * until its numbers are read, and the place of a stop fits into 16 bits. */
-enum { STRETCH_MAX = 1 << 14 };
-
-/* A stretch of text with its index. Places are counted in bytes from text. */
-struct stretch {
-	const char *readable; /* vector code may read from here on */
-	const char *text;     /* the beginning of the stretch */
-	uint32_t at;          /* the place of the next line */
-	uint32_t end;         /* the place after the last line */
-	const uint16_t *next; /* the first stop at or after `at` */
-	uint16_t stop[STRETCH_MAX + 128]; /* the places of the stops */
-};
-
-/* path[i] leads from a JSON value to coordinate i, by names and indexes with / between.
- * The first name or index has size[i] bytes; SIZE_MAX: coordinate i is elsewhere. */
-struct walk_paths {
-	const char *path[4];
-	size_t size[4];
-};
+#include "stretch.h"
+#include "walk_paths.h"
 
 /* The properties of simple lines, and the way to their n coordinates. */
 struct walk {
@@ -48,10 +28,6 @@ struct walk {
 
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
-
-/* Begins a stretch at text and makes its index. Returns false if it has no newline. */
-bool stretch_open(struct stretch *, const struct walk *, const char *text,
-    const char *end);
 
 /* Walks up to n <= PLAIN_BATCH lines. Stores the places of coordinate k of all lines in
  * element k of the plain_places. Sets bit i of *left if line i is left to line_read.

@@ -91,14 +91,9 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 		done = line->size - (*format_of(l->out)->close != '\0');
 		out = put_gap(line->s, done, out);
 	}
-	for (int k = written; k < l->writes; k++) {
-		*out++ = added_separator(l, line);
-		out = put_coordinate(l, n, k, out);
-	}
-	if (flags != NULL) {
-		*out++ = added_separator(l, line);
-		out = put_flags_word(l, flags, out);
-	}
+	if (written < l->writes || flags != NULL)
+		out = put_added(l, n, written, added_separator(l, line), flags,
+		    out);
 	out = put_gap(line->s + done, line->size - done, out);
 	*out = '\n';
 	return out + line->newline;

@@ -91,7 +91,7 @@ static void block_read(struct job *j, struct chunk *c)
 		}
 		if (c->can_walk &&
 		    (s->at < s->end ||
-			stretch_open(s, &c->walk, c->text, c->end))) {
+			stretch_open(s, &c->walk.stops, c->text, c->end))) {
 			more = block_walk(j, c);
 			continue;
 		}

@@ -179,7 +179,7 @@ static const char *numbers_found(const struct layout *l, const char *line,
 
 	assert_true(walk_plan(l, &walk));
 	s.readable = all;
-	assert_true(stretch_open(&s, &walk, all, all + n));
+	assert_true(stretch_open(&s, &walk.stops, all, all + n));
 	assert_int_equal(walk_lines(&s, &walk, PLAIN_BATCH, lines, places,
 			     &left),
 	    BEFORE + 2);
@@ -254,7 +254,7 @@ static void numbers_with_exponents_are_read(void **state)
 		skip();
 	assert_true(walk_plan(&l, &walk));
 	s.readable = all;
-	assert_true(stretch_open(&s, &walk, all, end));
+	assert_true(stretch_open(&s, &walk.stops, all, end));
 	size_t n = walk_lines(&s, &walk, PLAIN_BATCH, lines, places, &left);
 
 	assert_int_equal(n, 13);

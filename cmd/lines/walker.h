@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: MIT */
+/* A walker is a position in a stretch. A function pass_x moves the position behind x, or
+ * returns false if the line has to be left to line_read. */
+#ifndef WALKER_H
+#define WALKER_H
+
+#include "../json/text.h"
+#include "stretch.h"
+
+/* INLINE functions are compiled once for each format, so that the compiler removes the
+ * branches of other formats. */
+#define INLINE static inline __attribute__((always_inline))
+
+/* A position in a stretch of text. */
+struct walker {
+	const char *text;
+	uint32_t at;          /* the position, in bytes from text */
+	const uint16_t *stop; /* the first stop at or after `at` */
+	bool comma;           /* the separator passed last has a comma */
+	int found;            /* the number of coordinates passed */
+};
+
+/* Returns whether the byte at the position is a stop, and is c. */
+INLINE bool stop_is(const struct walker *p, char c)
+{
+	return *p->stop == p->at && p->text[p->at] == c;
+}
+
+INLINE void pass_stop(struct walker *p)
+{
+	p->at++;
+	p->stop++;
+}
+
+INLINE void pass_blanks(struct walker *p, struct dialect d)
+{
+	while (*p->stop == p->at && is_blank_of(d, p->text[p->at]))
+		pass_stop(p);
+}
+
+/* Passes a separator, in the format text as skip_text_separator does. Returns false if
+ * there is none. Tries a single byte first, because most separators are a single byte.
+ * */
+INLINE bool pass_separator(struct walker *p, struct dialect d)
+{
+	bool text = d.format == FORMAT_TEXT;
+	char comma = text ? ',' : d.separator, c = p->text[p->at];
+
+	if (*p->stop == p->at &&
+	    (text ? c != '\n' && p->stop[1] > p->at + 1 : c == comma)) {
+		p->comma = c == comma;
+		pass_stop(p);
+		if (!text)
+			pass_blanks(p, d);
+		return true;
+	}
+	pass_blanks(p, d);
+	p->comma = stop_is(p, comma);
+	if (p->comma) {
+		pass_stop(p);
+		pass_blanks(p, d);
+	}
+	return p->comma || (text && !stop_is(p, '\n'));
+}
+
+/* Returns how many stops the escape at s has after its backslash; -1: no escape. */
+static inline int stops_in_escape(const char *s)
+{
+	unsigned code;
+
+	if (s[1] == 'u')
+		return json_hex4(s + 2, s + 6, &code) == s + 6 ? 0 : -1;
+	if (s[1] == '"' || s[1] == '\\')
+		return 1;
+	return s[1] != '\0' && strchr("/bfnrt", s[1]) != NULL ? 0 : -1;
+}
+
+/* Passes a string of JSON. Returns false if the string has an escape, unless
+ * may_have_escapes is set: an escaped name could be the name of a coordinate. */
+INLINE bool pass_string(struct walker *p, bool may_have_escapes)
+{
+	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
+		const char *s = &p->text[*p->stop];
+		int stops = -1;
+
+		if (__builtin_expect(*s == '\\', 0) && may_have_escapes)
+			stops = stops_in_escape(s);
+		if (stops < 0 && (*s == '\\' || (unsigned char)*s < ' '))
+			return false;
+		p->stop += stops > 0;
+	}
+	p->at = *p->stop++ + 1u;
+	return true;
+}
+
+/* Returns whether a plain number (loops.h) is legal JSON: 01, .5 and "1." are not. */
+INLINE bool is_json_number(const char *s, const char *end)
+{
+	s += *s == '-';
+	/* no branches, because the first digits can't be predicted */
+	return !(((*s == '0') & (s[1] >= '0') & (s[1] <= '9')) | (*s == '.') |
+	    (end[-1] == '.'));
+}
+
+/* Passes a field, in the formats text and csv, that is not a coordinate. A quote inside
+ * of a quoted field ends it here: as no separator follows, line_read reads the line. */
+INLINE bool pass_other_field(struct walker *p, struct dialect d)
+{
+	bool csv = d.format == FORMAT_CSV, quoted = csv && stop_is(p, '"');
+
+	if (quoted)
+		for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
+			if (p->text[*p->stop] == '\n')
+				return false;
+	while (csv && !quoted && is_blank_of(d, p->text[*p->stop]))
+		p->stop++;
+	p->at = *p->stop;
+	if (quoted)
+		pass_stop(p);
+	return true;
+}
+
+/* Returns false if the separator after the n coordinates of a line in the format text
+ * shows that a comma may be decimal: "1 2 3,5" may be 1, 2, 3.5; if n is 2, "1,5 2" may
+ * be 1.5, 2. The parameter comma says whether commas are between the coordinates. */
+INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
+    bool comma)
+{
+	if (*p->stop != p->at || stop_is(p, '\n'))
+		return *p->stop == p->at;
+	if (n != 2)
+		return comma || !stop_is(p, ',');
+	pass_separator(p, d);
+	return stop_is(p, '\n') || p->comma == comma;
+}
+
+#endif
