@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 # Checks that the program and its manual pages agree: the commands and options are those
 # of the synopsis; the members of a scene, their defaults and words are those of
-# projcalc-scene(5). The examples of the help work, README has the figures of the last
-# measurement, and mandoc finds no fault in the pages.
+# projcalc-scene(5). Each option has a call in the transcripts that succeeds. The
+# examples of the help work, README has the figures of the last measurement, and mandoc
+# finds no fault in the pages.
 use strict;
 use warnings;
 use FindBin;
@@ -68,6 +69,15 @@ for my $c (@{$all->{commands}}) {
 	isnt($said[1], '', 'and prints');
 	like(`$program help $c->{name}`, qr/^example: \Q$c->{example}\E$/m,
 	    "the help shows it");
+}
+
+my @calls = map { $_->{command} =~ /^.*$/mg } grep { ($_->{status} // 0) == 0 }
+    map { transcript($_) } glob 'testdata/transcripts/*.txt';
+for my $o (@{$all->{options}}) {
+	my $commands = join '|', map { quotemeta } @{$o->{commands}};
+	my $letter = $o->{letter} ? "|-\\w*$o->{letter}" : '';
+	ok((grep { /projcalc (?:$commands|\$\w+) (?:.* )?(?:--$o->{name}\b$letter)/ }
+	    @calls) > 0, "a transcript calls --$o->{name}");
 }
 
 # Returns the rows of an object's members; those of the scene if $in is undef.
