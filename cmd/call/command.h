@@ -22,6 +22,7 @@ enum command_kind {
 	COMMAND_MATRIX_2D =
 	    64, /* prints a 2D matrix, or the images of 2D points */
 	COMMAND_HELP = 128,
+	COMMAND_ALL = 2 * COMMAND_HELP - 1,
 };
 
 struct command {

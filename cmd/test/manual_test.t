@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 # Checks that the program and its manual pages agree: the commands and options are those
 # of the synopsis; the members of a scene, their defaults and words are those of
-# projcalc-scene(5). Each option has a call in the transcripts that succeeds. The
-# examples of the help work, README has the figures of the last measurement, and mandoc
-# finds no fault in the pages.
+# projcalc-scene(5). Each command and option has a call in the transcripts that
+# succeeds. The examples of the help work, README has the figures of the last
+# measurement, and mandoc finds no fault in the pages.
 use strict;
 use warnings;
 use FindBin;
@@ -71,8 +71,13 @@ for my $c (@{$all->{commands}}) {
 	    "the help shows it");
 }
 
+my ($about) = $manual =~ /^\.Sh COMMANDS\n(.*?)^\.Sh/ms;
 my @calls = map { $_->{command} =~ /^.*$/mg } grep { ($_->{status} // 0) == 0 }
     map { transcript($_) } glob 'testdata/transcripts/*.txt';
+for my $command (@commands) {
+	like($about, qr/^\.It Cm .*\b$command\b/m, "$command is explained");
+	ok((grep { /projcalc $command\b/ } @calls) > 0, "a transcript calls $command");
+}
 for my $o (@{$all->{options}}) {
 	my $commands = join '|', map { quotemeta } @{$o->{commands}};
 	my $letter = $o->{letter} ? "|-\\w*$o->{letter}" : '';
