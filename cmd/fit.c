@@ -51,7 +51,8 @@ static void fit_read_points(const struct options *o, struct document *d)
 
 	memset(&fit.extremes, 0, sizeof fit.extremes);
 	if (d->flat) {
-		flat_transform(&d->scene, FLAT_NDC, FLAT_NDC, &j.transform);
+		transform_of_window(&d->scene, FLAT_NDC, FLAT_NDC,
+		    &j.transform);
 		fit_window_directions(&fit.directions);
 	} else {
 		map_identity(&j.transform.map);

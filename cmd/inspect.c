@@ -8,7 +8,7 @@
 #include "call/option_row.h"
 #include "message/message.h"
 
-/* Names in the order of enum taxon, enum taxon_kind and enum buffer. */
+/* Names in the order of enum taxon, enum taxon_kind and enum depth_buffer. */
 static const char *const taxon_names[] = { "orthographic", "oblique",
 	"perspective", "reverse perspective" };
 static const char *const kind_names[] = { "multiview", "isometric", "dimetric",
@@ -147,7 +147,7 @@ static void put_depth_steps(struct printer *p, const struct options *o,
 		put_vector(put_name(p, "distances"), o->distances.v,
 		    o->distances.n);
 	put_open(put_name(p, "depth_step"), "{");
-	for (enum buffer b = 0; b < BUFFERS; b++) {
+	for (enum depth_buffer b = 0; b < DEPTH_BUFFERS; b++) {
 		put_open(put_name(p, buffer_names[b]), "[");
 		put_number(p, depth_step(z, b, false));
 		put_number(p, depth_step(z, b, true));

@@ -59,8 +59,9 @@ static struct elements elements_of(const struct document *d,
 
 	for (int i = 0; i < n[0]; i++)
 		for (int j = 0; j < n[1]; j++) {
-			double v = map_nearest(&t->map, kept_axes[n[0] - 3][i],
-			    kept_axes[n[1] - 3][j], floats);
+			double v = map_element_nearest(&t->map,
+			    kept_axes[n[0] - 3][i], kept_axes[n[1] - 3][j],
+			    floats);
 
 			if (floats && !isfinite((float)v))
 				document_refuse(d,
@@ -77,7 +78,7 @@ void matrix_print(const struct options *o, const struct document *d,
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	bool single = o->precision == PRECISION_SINGLE;
 	bool floats = single || o->out == FORMAT_F32;
-	bool column = answer_convention(&d->scene)->column_vectors;
+	bool column = scene_answer_convention(&d->scene)->column_vectors;
 	struct printer p = { .at = text,
 		.style = options_matrix_style(o),
 		.floats = single,
@@ -105,13 +106,14 @@ static void matrix_prepare(const struct options *o, const struct document *d,
 
 	document_refuse_if(d,
 	    c->kind == COMMAND_MATRIX_2D ?
-		flat_transform(s, (enum flat_space)c->from, (enum flat_space)to,
-		    &j->transform) :
-		scene_transform(s, (enum space)c->from, (enum space)to, false,
-		    &j->transform));
+		transform_of_window(s, (enum flat_space)c->from,
+		    (enum flat_space)to, &j->transform) :
+		transform_of_scene(s, (enum space)c->from, (enum space)to,
+		    false, &j->transform));
 	if (planes)
 		document_refuse_if(d,
-		    flat_frustum_of(s, (enum flat_space)c->from, &j->frustum));
+		    frustum_of_window(s, (enum flat_space)c->from,
+			&j->frustum));
 	j->count_imageless = !planes;
 }
 

@@ -248,7 +248,7 @@ void run_pick(const struct options *o)
 	params_read_document(o, &d);
 	hits_set_circle(&d, o, &hits);
 	document_refuse_if(&d,
-	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
+	    transform_of_scene(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
 		&j.transform));
 	document_refuse_if(&d,
 	    frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));

@@ -42,7 +42,7 @@ static const char *project_prepare(const struct scene *s,
 		    &j->transform);
 	if (o->ray)
 		return ray_maker_of(s, &j->ray);
-	const char *why = scene_transform(s, from, to, o->homogeneous,
+	const char *why = transform_of_scene(s, from, to, o->homogeneous,
 	    &j->transform);
 
 	return why == NULL && needs_frustum ?

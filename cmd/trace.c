@@ -157,7 +157,7 @@ void run_trace(const struct options *o)
 		trace.n_spaces--;
 	for (int s = 0; s < trace.n_spaces; s++)
 		document_refuse_if(&d,
-		    scene_transform(&d.scene, o->from, (enum space)s, false,
+		    transform_of_scene(&d.scene, o->from, (enum space)s, false,
 			&trace.to[s]));
 	document_refuse_if(&d,
 	    frustum_of(&d.scene, o->from, false, &j.frustum));

@@ -74,7 +74,7 @@ static void option_read_format(struct options *o, const struct option_row *r,
 	option_read_word(o, r, word);
 }
 
-/* Sets the option's member to a number from SIZE_MIN to MAGNITUDE_MAX. */
+/* Sets the option's member to a number from SCENE_SIZE_MIN to SCENE_MAGNITUDE_MAX. */
 static void option_read_size(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -82,7 +82,7 @@ static void option_read_size(struct options *o, const struct option_row *r,
 	double *v = (void *)((char *)o + r->offset);
 
 	if (number_read(word, end, v) != end ||
-	    !(*v >= SIZE_MIN && *v <= MAGNITUDE_MAX))
+	    !(*v >= SCENE_SIZE_MIN && *v <= SCENE_MAGNITUDE_MAX))
 		die(EXIT_USAGE,
 		    "--%s: '%s' is not a number from 1e-150 to 1e150", r->name,
 		    word);
@@ -97,7 +97,7 @@ static void option_read_numbers(struct options *o, const struct option_row *r,
 
 	for (int n = 0; n < r->max; n++) {
 		at = number_read(at, end, &list->v[n]);
-		if (at == NULL || !(fabs(list->v[n]) <= MAGNITUDE_MAX))
+		if (at == NULL || !(fabs(list->v[n]) <= SCENE_MAGNITUDE_MAX))
 			break;
 		list->n = n + 1;
 		if (at == end && list->n >= r->min)

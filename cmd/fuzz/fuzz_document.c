@@ -99,8 +99,8 @@ static void check_point_lines(const char *points, size_t size)
 static void check_camera(const struct camera *c)
 {
 	for (int i = 0; i < 3; i++)
-		if (!(fabs(c->eye[i]) <= MAGNITUDE_MAX &&
-			fabs(c->at[i]) <= MAGNITUDE_MAX))
+		if (!(fabs(c->eye[i]) <= SCENE_MAGNITUDE_MAX &&
+			fabs(c->at[i]) <= SCENE_MAGNITUDE_MAX))
 			abort();
 }
 

@@ -187,12 +187,12 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 
 	j->rays = j->layout.writes == 6;
 	if (j->layout.reads == 2)
-		flat_transform(s, FLAT_WINDOW, FLAT_DEVICE, &j->transform);
+		transform_of_window(s, FLAT_WINDOW, FLAT_DEVICE, &j->transform);
 	else
-		scene_transform(s, from, to, false, &j->transform);
+		transform_of_scene(s, from, to, false, &j->transform);
 	ray_maker_of(s, &j->ray);
 	if (j->layout.reads == 2)
-		flat_frustum_of(s, FLAT_WINDOW, &j->frustum);
+		frustum_of_window(s, FLAT_WINDOW, &j->frustum);
 	else
 		frustum_of(s, from, false, &j->frustum);
 	if (b & 64)

@@ -13,9 +13,9 @@
 #include "check.h"
 #include "text.h"
 
-const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.wanted = "numbers go up to 1e150" };
-const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
+const struct value_range range_any = { -SCENE_MAGNITUDE_MAX,
+	SCENE_MAGNITUDE_MAX, .wanted = "numbers go up to 1e150" };
+const struct value_range range_positive = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted" };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
@@ -47,8 +47,8 @@ struct place json_source_place(const struct json_source *source,
 	return p;
 }
 
-/* Replaces each number of a JSON text that is too long for cJSON by the shortest text of
- * the same double, and blanks. */
+/* Replaces each number of a JSON text that is too long for cJSON by the shortest text
+ * of the same double, and blanks. */
 static void shorten_numbers(char *s, const char *end)
 {
 	char text[NUMBER_MAX], *text_end;
@@ -68,8 +68,8 @@ static void shorten_numbers(char *s, const char *end)
 	}
 }
 
-/* Returns the tree of a checked text without the elements of an array, if array.s is not
- * NULL: cJSON would need 64 bytes for each number. */
+/* Returns the tree of a checked text without the elements of an array, if array.s is
+ * not NULL: cJSON would need 64 bytes for each number. */
 static cJSON *parse_without(const struct json_check *c, struct span array)
 {
 	const char *rest = array.s != NULL ? array.end - 1 : c->end;
@@ -259,7 +259,7 @@ static bool is_within(double x, const struct value_range *r, bool radians)
 	double min = r->min, max = r->max;
 
 	if (radians) {
-		min = min == SIZE_MIN ? min : min / 180 * PI;
+		min = min == SCENE_SIZE_MIN ? min : min / 180 * PI;
 		max = max / 180 * PI;
 	}
 	return (x > min || (x == min && (radians || !r->min_excluded))) &&
@@ -269,7 +269,7 @@ static bool is_within(double x, const struct value_range *r, bool radians)
 double value_number(const struct value *v, const struct value_range *range)
 {
 	bool radians = range->wanted_radians != NULL &&
-	    v->source->unit == RADIANS;
+	    v->source->unit == ANGLE_RADIANS;
 	const char *wanted = radians ? range->wanted_radians : range->wanted;
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];

@@ -12,7 +12,7 @@
 static bool in_range(const struct layout *l, int i, double v,
     char reason[REASON_MAX])
 {
-	if (!(fabs(v) > MAGNITUDE_MAX))
+	if (!(fabs(v) > SCENE_MAGNITUDE_MAX))
 		return true;
 	snprintf(reason, REASON_MAX,
 	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :

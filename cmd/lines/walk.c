@@ -404,7 +404,7 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
 			if ((unread[k] >> i & 1) != 0 &&
 			    (format_read(walk->in, f.s, f.end, &v[k][i]) !=
 				    f.end ||
-				fabs(v[k][i]) > MAGNITUDE_MAX))
+				fabs(v[k][i]) > SCENE_MAGNITUDE_MAX))
 				left |= (uint64_t)1 << i;
 		}
 	}

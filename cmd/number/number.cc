@@ -80,7 +80,7 @@ static inline uint64_t shift_right(uint64_t high, uint64_t low, int k)
 static inline void write_17_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
-	uint64_t high = 0, low = multiply_add(x, reciprocal, 0, &high);
+	uint64_t high = 0, low = wide_multiply_add(x, reciprocal, 0, &high);
 	uint64_t p = shift_right(high, low, 59) + 1;
 
 	memcpy(d, triple.text[p >> 54] + 1, 2);
@@ -182,8 +182,8 @@ static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 {
 	uint64_t carry = 0;
 
-	*low = multiply_add(*low, ten_to[n], 0, &carry);
-	*high = multiply_add(*high, ten_to[n], 0, &carry);
+	*low = wide_multiply_add(*low, ten_to[n], 0, &carry);
+	*high = wide_multiply_add(*high, ten_to[n], 0, &carry);
 	return carry;
 }
 

@@ -71,7 +71,8 @@ static const struct rule camera_rules[] = {
 	ROW(object, label, type_numbers, field, .range = &range_positive, \
 	    __VA_ARGS__)
 
-static const struct value_range height_range = { SIZE_MIN, MAGNITUDE_MAX,
+static const struct value_range height_range = { SCENE_SIZE_MIN,
+	SCENE_MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted; for a flipped "
 		  "viewport of Vulkan write \"webgpu\", y + height for y, and "
 		  "-height for height" };

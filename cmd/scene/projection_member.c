@@ -14,16 +14,16 @@
 		.wanted_radians = "an angle " radians " radians is wanted", \
 		__VA_ARGS__ }
 
-ANGLE_RANGE(fov_range, SIZE_MIN, 180, "above 0 and below 180",
+ANGLE_RANGE(fov_range, SCENE_SIZE_MIN, 180, "above 0 and below 180",
     "above 0 and below pi", .max_excluded = true);
 ANGLE_RANGE(volume_angle_range, 0, 180, "from 0 to below 180",
     "from 0 to below pi", .max_excluded = true);
-ANGLE_RANGE(projector_angle_range, SIZE_MIN, 90, "above 0 and up to 90",
+ANGLE_RANGE(projector_angle_range, SCENE_SIZE_MIN, 90, "above 0 and up to 90",
     "above 0 and up to pi/2", .max_excluded = false);
 ANGLE_RANGE(edge_angle_range, -90, 90, "above -90 and below 90",
     "above -pi/2 and below pi/2", .min_excluded = true, .max_excluded = true);
 
-static const struct value_range near_ratio_range = { .min = SIZE_MIN,
+static const struct value_range near_ratio_range = { .min = SCENE_SIZE_MIN,
 	.max = 1,
 	.wanted = "a number above 0 and below 1 is wanted",
 	.max_excluded = true };
@@ -361,7 +361,8 @@ static void print_projection(struct printer *printer, const struct member *row,
 		const char *names;
 	} groups[] = {
 		{ p.aspect[1] != 1, "aspect" },
-		{ p.shear.direction == 45 && p.shear.direction_unit == DEGREES,
+		{ p.shear.direction == 45 &&
+			p.shear.direction_unit == ANGLE_DEGREES,
 		    "direction" },
 		{ projection_is_open(&p), "near far reverse_z" },
 		{ true, p.shear.kind == OBLIQUE_ANGLE ? "kind" : "angle" },

@@ -88,8 +88,9 @@ static bool binary_refuse(const struct job *j, struct chunk *c,
 	return chunk_complain(j, c, reason);
 }
 
-/* Refuses each of n points that has a coordinate beyond MAGNITUDE_MAX, and removes it
- * from the columns c->in. If such a point ends the chunk, the block ends before it. */
+/* Refuses each of n points that has a coordinate beyond SCENE_MAGNITUDE_MAX, and
+ * removes it from the columns c->in. If such a point ends the chunk, the block ends
+ * before it. */
 static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 {
 	size_t *kept = &c->block_points;
@@ -101,7 +102,7 @@ static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 			double v = c->in[k][c->block_lines];
 
 			c->in[k][*kept] = v;
-			within &= !(fabs(v) > MAGNITUDE_MAX);
+			within &= !(fabs(v) > SCENE_MAGNITUDE_MAX);
 			infinite |= isinf(v) != 0;
 		}
 		*kept += within;
@@ -137,7 +138,7 @@ void binary_read_block(const struct job *j, struct chunk *c)
 	}
 	bool within = kernels_chosen()->to_columns[wide][l->reads](next_rows(l,
 								       c, n),
-	    c->in, n, MAGNITUDE_MAX);
+	    c->in, n, SCENE_MAGNITUDE_MAX);
 
 	c->text += n * size;
 	if (!within || !binary_is_rows(j))

@@ -19,8 +19,8 @@ void binary_read_block(const struct job *, struct chunk *);
 bool binary_map_floats(const struct job *, struct chunk *);
 
 /* Appends the images of the block to out. The block's binary points begin at `text`. If
- * an image is not finite, or if point_single has to round a float, only sets the lines
- * of the block, and returns false. */
+ * an image is not finite, or if point_exact_float has to round a float, only sets the
+ * lines of the block, and returns false. */
 bool binary_write_rows(const struct job *, struct chunk *, const char *text);
 
 /* Appends a binary point for each point and bad line of the block: the point's image,

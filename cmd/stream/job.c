@@ -121,7 +121,7 @@ static bool block_transform(const struct job *j, struct chunk *c)
 }
 
 /* Replaces each coordinate of the image of point p by nan if it is not finite in the
- * output's format. Returns whether any is nan. In precision exact, point_single
+ * output's format. Returns whether any is nan. In precision exact, point_exact_float
  * computes floats: the nearest double may round to a float that is not the nearest. */
 static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 {
@@ -135,7 +135,8 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 
 		if (narrow && !isnan(*v) && !j->rays &&
 		    j->precision == PRECISION_EXACT)
-			*v = (double)point_single(&j->transform, in, k, *v);
+			*v = (double)point_exact_float(&j->transform, in, k,
+			    *v);
 		if (!isfinite(narrow ? (double)(float)*v : *v)) {
 			*v = (double)NAN;
 			nan = true;

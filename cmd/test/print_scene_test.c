@@ -38,7 +38,7 @@ static void sample_fitted(struct document *d)
 		s->has_viewport = true;
 	d->unit = s->camera.unit = p->shear.direction_unit = p->unit;
 	if (p->section.way == SECTION_FIELD ||
-	    !(p->section.angle < (p->unit == RADIANS ? PI : 180)))
+	    !(p->section.angle < (p->unit == ANGLE_RADIANS ? PI : 180)))
 		p->section.angle = 1;
 	p->near = sample_size(3);
 	p->far = p->near * 3;

@@ -433,17 +433,17 @@ static void test_angle_unit(void **state)
 	    "{" LENS ",\"angle_unit\":\"radians\"}");
 
 	(void)state;
-	assert_number(d.scene.projection.unit, RADIANS);
+	assert_number(d.scene.projection.unit, ANGLE_RADIANS);
 	assert_number(d.scene.projection.section.angle, 3);
-	assert_number(d.unit, RADIANS);
+	assert_number(d.unit, ANGLE_RADIANS);
 	d = read_as(&project,
 	    "{\"projection\":{\"type\":\"persp\"," LENS "},\"angle_unit\":"
 	    "\"radians\",\"camera\":{\"eye\":[0,0,0],\"at\":[0,0,1],\"roll\":2}"
 	    "}");
-	assert_number(d.scene.projection.unit, RADIANS);
-	assert_number(d.scene.camera.unit, RADIANS);
+	assert_number(d.scene.projection.unit, ANGLE_RADIANS);
+	assert_number(d.scene.camera.unit, ANGLE_RADIANS);
 	d = read_as(&persp, "{" LENS ",\"angle_unit\":\"degrees\"}");
-	assert_number(d.scene.projection.unit, DEGREES);
+	assert_number(d.scene.projection.unit, ANGLE_DEGREES);
 	/* the default direction is in degrees */
 	struct projection p = scene_of(
 	    "{\"angle_unit\":\"radians\","
@@ -452,13 +452,13 @@ static void test_angle_unit(void **state)
 				  .projection;
 
 	assert_number(p.shear.direction, 45);
-	assert_number(p.shear.direction_unit, DEGREES);
+	assert_number(p.shear.direction_unit, ANGLE_DEGREES);
 	p = scene_of("{\"projection\":{\"type\":\"oblique\",\"direction\":1,"
 		     "\"kind\":\"cabinet\"," PLANES
 		     ",\"width\":1,\"height\":1},\"angle_unit\":\"radians\"}")
 		.projection;
 	assert_number(p.shear.direction, 1);
-	assert_number(p.shear.direction_unit, RADIANS);
+	assert_number(p.shear.direction_unit, ANGLE_RADIANS);
 }
 
 static void test_volume(void **state)
@@ -491,7 +491,7 @@ static void test_volume(void **state)
 		.projection;
 	assert_number(p.volume.eye_given_by, EYE_BY_ANGLE);
 	assert_number(p.volume.view_angle, 3);
-	assert_number(p.unit, RADIANS);
+	assert_number(p.unit, ANGLE_RADIANS);
 	assert_numbers(&p.volume.half_width, 4, 1.5, 1.5, 1.0, 0.0);
 	assert_number(p.aspect[0], 4);
 	assert_number(p.aspect[1], 2);

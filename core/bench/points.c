@@ -60,13 +60,13 @@ static const char *make_cases(void)
 	const double low[3] = { -2, -2, -2 }, high[3] = { 2, 2, 2 };
 	const double corner[3] = { 0, 0, 0 }, other[3] = { 640, 480, 1 };
 	const char *why[CASES] = {
-		scene_transform(&scene, SPACE_WORLD, SPACE_DEVICE, false,
+		transform_of_scene(&scene, SPACE_WORLD, SPACE_DEVICE, false,
 		    &cases[0].transform),
-		scene_transform(&scene, SPACE_DEVICE, SPACE_WORLD, false,
+		transform_of_scene(&scene, SPACE_DEVICE, SPACE_WORLD, false,
 		    &cases[1].transform),
-		scene_transform(&scene, SPACE_WORLD, SPACE_VIEW, false,
+		transform_of_scene(&scene, SPACE_WORLD, SPACE_VIEW, false,
 		    &cases[2].transform),
-		flat_transform(&scene, FLAT_WINDOW, FLAT_DEVICE,
+		transform_of_window(&scene, FLAT_WINDOW, FLAT_DEVICE,
 		    &cases[3].transform),
 	};
 

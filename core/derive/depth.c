@@ -31,7 +31,7 @@ void depth_of(const struct lens *l, struct depth *d)
 		.reversed = l->reversed,
 		.open = projection_is_open(&s->projection),
 		.constant = s->has_viewport && !has_range };
-	viewport_map(&range, answer_convention(s), false, &to_range);
+	viewport_map(&range, scene_answer_convention(s), false, &to_range);
 	map_copy(&m, &l->volume.to_clip);
 	map_multiply(&m, &to_range, false);
 	for (int i = 0; i < 4; i++) {
@@ -45,7 +45,7 @@ void depth_of(const struct lens *l, struct depth *d)
 	} else if (s->projection.type == PROJECTION_MATRIX) {
 		against_n = l->reversed != negative_w;
 	} else {
-		against_n = convention_looks_back(answer_convention(s)) !=
+		against_n = convention_looks_back(scene_answer_convention(s)) !=
 		    (sum_sign(l->clip[2][2]) < 0);
 	}
 	against_n ^= l->parallel && d->high < d->low;
@@ -97,7 +97,7 @@ static int compare_depths(const struct sum a[2], const struct sum b[2])
  * false if this float is infinite. */
 static bool next_float(const struct sum z[2], int up, struct sum next[2])
 {
-	float f = (float)sum_nearest(&z[0], &z[1], true),
+	float f = (float)sum_ratio_nearest(&z[0], &z[1], true),
 	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
 
 	next[1] = sum_of_double(1);
@@ -110,12 +110,12 @@ static bool next_float(const struct sum z[2], int up, struct sum next[2])
 
 /* Finds the depth that is one step of the buffer above z or, if up is -1, below z.
  * Returns false if the next float is infinite. */
-static bool next_depth(const struct sum z[2], enum buffer b, int up,
+static bool next_depth(const struct sum z[2], enum depth_buffer b, int up,
     struct sum next[2])
 {
-	double steps = b == BUFFER_UNORM16 ? 0xffff : 0xffffff;
+	double steps = b == DEPTH_UNORM16 ? 0xffff : 0xffffff;
 
-	if (b == BUFFER_FLOAT32)
+	if (b == DEPTH_FLOAT32)
 		return next_float(z, up, next);
 	sum_dot(2, z, (struct sum[]){ sum_of_double(steps), sum_of_double(up) },
 	    1, next);
@@ -151,7 +151,7 @@ static double distance_between(const struct depth *d, const struct sum a[2],
 
 /* Returns the distance between depth z and the next depth of the buffer above z or, if
  * up is -1, below z. Returns nan if the next depth is beyond `limit`. */
-static double step_length(const struct depth *d, enum buffer b,
+static double step_length(const struct depth *d, enum depth_buffer b,
     const struct sum z[2], int up, const struct sum limit[2])
 {
 	struct sum to[2];
@@ -162,7 +162,7 @@ static double step_length(const struct depth *d, enum buffer b,
 	return distance_between(d, z, to);
 }
 
-double depth_step(const struct depth *d, enum buffer b, bool far)
+double depth_step(const struct depth *d, enum depth_buffer b, bool far)
 {
 	struct sum from[2], to[2];
 
@@ -171,7 +171,8 @@ double depth_step(const struct depth *d, enum buffer b, bool far)
 	return step_length(d, b, from, compare_depths(to, from), to);
 }
 
-double depth_step_at(const struct depth *d, enum buffer b, double distance)
+double depth_step_at(const struct depth *d, enum depth_buffer b,
+    double distance)
 {
 	const struct sum z[2] = { sum_sub(d->num[1],
 				      sum_scale(d->den[1], distance)),

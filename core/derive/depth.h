@@ -7,7 +7,12 @@
 #include "lens.h"
 
 /* The formats of depth buffers. */
-enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
+enum depth_buffer {
+	DEPTH_UNORM16,
+	DEPTH_UNORM24,
+	DEPTH_FLOAT32,
+	DEPTH_BUFFERS
+};
 
 /* A point of depth z has the distance D = (num[0] z + num[1]) / (den[0] z + den[1]). z
  * is device depth; without a viewport, z is 0 to 1. D is measured on the normal of the
@@ -33,13 +38,13 @@ void depth_quotient(const struct depth *, bool far, struct sum *num,
 double depth_distance(const struct depth *, bool far);
 
 /* Returns the length in space of one step of the buffer's depth, from the near or far
- * plane toward the other plane. A step of BUFFER_FLOAT32 ends at the next float.
+ * plane toward the other plane. A step of DEPTH_FLOAT32 ends at the next float.
  * Returns nan if the plane is at infinity or does not exist, or if the whole range of
  * depth is less than a step. */
-double depth_step(const struct depth *, enum buffer, bool far);
+double depth_step(const struct depth *, enum depth_buffer, bool far);
 
 /* Returns the length in space of one step of the buffer's depth, from points at the
  * given distance toward the eye. */
-double depth_step_at(const struct depth *, enum buffer, double distance);
+double depth_step_at(const struct depth *, enum depth_buffer, double distance);
 
 #endif

@@ -89,12 +89,12 @@ static double precision_bound(const struct error_analysis *v,
 
 		w = fmax(w, s_w);
 		inverse_w = fmax(inverse_w, c->inverse_w);
-		for (int j = 0; j < (t->kind == KERNEL_DEPTH ? 2 : 3); j++)
+		for (int j = 0; j < (t->kernel == KERNEL_DEPTH ? 2 : 3); j++)
 			worst = fmax(worst,
 			    column_bound(k, c, j, a->tiny) +
 				(t->divide ? v->max[j] * s_w : 0));
 	}
-	if (t->kind == KERNEL_DEPTH)
+	if (t->kernel == KERNEL_DEPTH)
 		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse_w * w);
 	if (!(inverse_w <= a->limit) || !(v->largest <= a->limit) ||
 	    !(fabs(k->a) <= a->limit) || !(fabs(k->b) <= a->limit) ||
@@ -103,14 +103,14 @@ static double precision_bound(const struct error_analysis *v,
 	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bounds(const struct scene *s, const struct volume *v,
+const char *error_bound_of(const struct scene *s, const struct volume *v,
     double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
 	struct map to_model;
 	struct error_analysis a = { .transform = &t };
-	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
+	const char *why = transform_of_scene(s, SPACE_MODEL, to, false, &t);
 	int e;
 
 	for (int i = 0; i < 3; i++)

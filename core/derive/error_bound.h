@@ -11,7 +11,7 @@
  * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if a
  * point's w could be at most 16 times its error, or if 1/w is beyond the range of the
  * precision. Returns NULL, or the member at fault and why. */
-const char *error_bounds(const struct scene *, const struct volume *,
+const char *error_bound_of(const struct scene *, const struct volume *,
     double bound[3]);
 
 #endif

@@ -19,7 +19,7 @@ static const char *gaze_from_axes(struct camera *c,
 	struct camera turned = *c;
 
 	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION; k++)
-		c->eye[k] = map_nearest(to_world, 3, k, false);
+		c->eye[k] = map_element_nearest(to_world, 3, k, false);
 	if (c->way >= CAMERA_POSE)
 		c->roll = 0;
 	turned.roll = 0;
@@ -27,14 +27,14 @@ static const char *gaze_from_axes(struct camera *c,
 	const char *why = camera_map(&turned, convention, true, to_world);
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = along * map_nearest(to_world, 2, k, false);
-		c->up[k] = upward * map_nearest(to_world, 1, k, false);
+		c->at[k] = along * map_element_nearest(to_world, 2, k, false);
+		c->up[k] = upward * map_element_nearest(to_world, 1, k, false);
 	}
 	return why;
 }
 
 /* Replaces the position c->at by the gaze at - eye, rounded. A gaze with an element
- * above MAGNITUDE_MAX is halved. */
+ * above SCENE_MAGNITUDE_MAX is halved. */
 static void gaze_from_at(struct camera *c)
 {
 	double largest = 0;
@@ -43,7 +43,7 @@ static void gaze_from_at(struct camera *c)
 		c->at[k] -= c->eye[k];
 		largest = fmax(largest, fabs(c->at[k]));
 	}
-	for (int k = 0; k < 3 && largest > MAGNITUDE_MAX; k++)
+	for (int k = 0; k < 3 && largest > SCENE_MAGNITUDE_MAX; k++)
 		c->at[k] /= 2;
 }
 
@@ -139,13 +139,14 @@ static void widen_sides(double *width, double *height, const double shape[2])
 		*height = fmax(*height, high);
 }
 
-/* Finds the functions of the side planes (view_planes) in view space, and the slope of
- * each: how much it falls at a fixed point while the eye moves by 1 along the gaze. */
+/* Finds the functions of the side planes (frustum_planes) in view space, and the slope
+ * of each: how much it falls at a fixed point while the eye moves by 1 along the
+ * gaze. */
 static const char *find_plane_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
 	struct map ends;
-	const char *why = view_planes(s, SPACE_VIEW, sides, &ends);
+	const char *why = frustum_planes(s, SPACE_VIEW, sides, &ends);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
 		slope[k] = sum_negated_if(convention_looks_back(&s->convention),
@@ -196,7 +197,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	if (why == NULL)
 		why = find_plane_slopes(s, &view, slope);
 	if (why == NULL)
-		why = view_planes(s, SPACE_MODEL, &model, &ends);
+		why = frustum_planes(s, SPACE_MODEL, &model, &ends);
 	if (why != NULL)
 		return why;
 	/* t is the largest step of the eye along the gaze after which near is at least
@@ -204,7 +205,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	 * from low to high */
 	const double ratio = s->projection.near_ratio;
 	struct sum far = sum_scale(r.high[2], ratio);
-	struct sum t = sum_quotient(sum_sub(r.low[2], far), sum_diff(1, ratio));
+	struct sum t = sum_quotient(sum_sub(r.low[2], far), sum_difference(1, ratio));
 
 	for (int k = 0; k < 4; k++)
 		lowest[k] = hull_lowest(h, &model, k, false);
@@ -224,7 +225,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	step[2] = sum_negated_if(convention_looks_back(&s->convention), t);
 	if (center)
 		center_between_planes(&view, lowest, step);
-	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
+	return fabs(sum_double(t)) <= SCENE_MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
 }
 
 /* Scales sizes on the near plane from old_near to p->near, so that the side planes do
@@ -340,7 +341,7 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 	if (why != NULL)
 		return why;
 	depth_range(&r, &p->near, &p->far);
-	view_limits(s, half, scale);
+	frustum_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum most = larger(sum_neg(r.low[j]), r.high[j]);
 
@@ -514,7 +515,7 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	if (why == NULL)
 		why = fit_maps(&s, &xy, &depth);
 	if (why == NULL && persp)
-		why = view_planes(&s, SPACE_MODEL, &sides, &ends);
+		why = frustum_planes(&s, SPACE_MODEL, &sides, &ends);
 	if (why == NULL && to_middle)
 		why = scene_map(&s, SPACE_MODEL, SPACE_WORLD, &world);
 	if (why != NULL)
@@ -539,7 +540,7 @@ static void enclose_axis(const struct extents *r, int j, double margin,
 	struct sum c = sum_of_double(*center);
 	struct sum most = larger(sum_sub(c, r->low[j]), sum_sub(r->high[j], c));
 
-	*side = ratio_up(sum_scale(most, 2), sum_diff(1, 2 * margin));
+	*side = ratio_up(sum_scale(most, 2), sum_difference(1, 2 * margin));
 }
 
 const char *fit_window(struct scene *s, const struct bounds *b)

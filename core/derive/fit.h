@@ -18,7 +18,7 @@
  * near_ratio times far. If the bounds are points and has_eye is false, the eye also
  * moves across the gaze. Both planes of the tighter pair then touch the bounds, and the
  * bounds are centred between the other two planes: the functions of these planes
- * (view_planes in frustum.h) have the same least value on the bounds.
+ * (frustum_planes in frustum.h) have the same least value on the bounds.
  *
  * ortho and oblique are centred on the bounds. Width and height become the least that
  * hold the bounds; then one of them is enlarged to the aspect, unless aspect[1] is 0.

@@ -44,7 +44,8 @@ static struct sum lowest_offset(const struct hull *h, const struct map *m,
 		slope[i] = sum_negated_if(minus, m->m[i][j]);
 	for (int k = 1; k < h->n; k++) {
 		for (int i = 0; i < 3; i++)
-			step[i] = sum_diff(h->point[k][i], h->point[0][i]);
+			step[i] = sum_difference(h->point[k][i],
+			    h->point[0][i]);
 		struct sum value = vec3_dot(slope, step);
 
 		if (sum_compare(value, lowest) < 0)
@@ -144,7 +145,7 @@ unsigned hull_outside(const struct hull *h, const struct scene *s)
 	struct map sides, ends;
 	unsigned out = 0;
 
-	if (view_planes(s, SPACE_MODEL, &sides, &ends) != NULL)
+	if (frustum_planes(s, SPACE_MODEL, &sides, &ends) != NULL)
 		return ~0u;
 	for (int k = 0; k < 7; k++) {
 		int low = sum_sign(

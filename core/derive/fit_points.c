@@ -51,7 +51,7 @@ static bool is_farther(const struct directions *all, int j, const double p[3],
 	for (int i = 0; i < 3; i++)
 		same &= all->scaled[j][i] == 0 || p[i] == q[i];
 	for (int i = 0; i < 3 && !same; i++)
-		step[i] = sum_diff(p[i], q[i]);
+		step[i] = sum_difference(p[i], q[i]);
 	if (!same)
 		order = sum_sign(vec3_dot(all->exact[j], step));
 	for (int i = 0; i < 3 && order == 0; i++)

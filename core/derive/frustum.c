@@ -6,14 +6,15 @@
 
 #include "../points/point.h"
 
-void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
+void frustum_limits(const struct scene *s, struct sum half[2],
+    struct sum scale[2])
 {
 	double h[2] = { 1, 1 }, pixels[2] = { 1, 1 };
 
 	if (s->has_viewport)
 		viewport_limits(&s->viewport, h, pixels);
 	for (int k = 0; k < 2; k++) {
-		half[k] = sum_scale(sum_diff(1, 2 * s->margin), h[k]);
+		half[k] = sum_scale(sum_difference(1, 2 * s->margin), h[k]);
 		scale[k] = sum_of_double(pixels[k]);
 	}
 }
@@ -29,7 +30,7 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 		sum_dot(2, factor, &m->m[i][k], 3 - k, &r->m[i][j]);
 }
 
-/* Makes the planes from the map m to clip space. With half and scale of view_limits,
+/* Makes the planes from the map m to clip space. With half and scale of frustum_limits,
  * left is half w + scale x, and right is half w - scale x; bottom and top are the same
  * in y. Bottom and top are exchanged if ndc y points down, near and far if depth is
  * reversed. If there are no near and far planes, their functions are 1, so that every
@@ -37,14 +38,14 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
-	const struct convention *c = answer_convention(s);
+	const struct convention *c = scene_answer_convention(s);
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum half[2], scale[2], one = sum_of_double(1);
 	struct sum low = sum_of_double(c->depth_minus_one);
 
 	map_copy(sides, m);
 	map_copy(ends, m);
-	view_limits(s, half, scale);
+	frustum_limits(s, half, scale);
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
@@ -59,7 +60,7 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 		ends->m[i][2] = m->m[i][3];
 }
 
-const char *view_planes(const struct scene *s, enum space from,
+const char *frustum_planes(const struct scene *s, enum space from,
     struct map *sides, struct map *ends)
 {
 	struct map m;
@@ -80,7 +81,7 @@ const char *view_planes(const struct scene *s, enum space from,
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f)
 {
-	const char *why = view_planes(s, from, &f->sides.map, &f->ends.map);
+	const char *why = frustum_planes(s, from, &f->sides.map, &f->ends.map);
 
 	if (why != NULL)
 		return why;
@@ -89,7 +90,7 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 	return NULL;
 }
 
-const char *flat_frustum_of(const struct scene *s, enum flat_space from,
+const char *frustum_of_window(const struct scene *s, enum flat_space from,
     struct frustum *f)
 {
 	struct map m;

@@ -26,20 +26,22 @@ struct frustum {
 
 /* Finds the limits of ndc x and y: a point is between the side planes if |x| scale[0]
  * <= half[0] and |y| scale[1] <= half[1]. The scene's margin makes half smaller. */
-void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
+void frustum_limits(const struct scene *, struct sum half[2],
+    struct sum scale[2]);
 
-/* view_planes and frustum_of make the planes of the view volume, as linear functions of
- * a point in the space `from`; inside no function is negative. `sides` has the columns
- * left, right, bottom and top, `ends` near, far and w. If `homogeneous` is set, points
- * of device space are x y z 1/w. Both return NULL, or the member at fault and why. */
-const char *view_planes(const struct scene *, enum space from,
+/* frustum_planes and frustum_of make the planes of the view volume, as linear functions
+ * of a point in the space `from`; inside no function is negative. `sides` has the
+ * columns left, right, bottom and top, `ends` near, far and w. If `homogeneous` is set,
+ * points of device space are x y z 1/w. Both return NULL, or the member at fault and
+ * why. */
+const char *frustum_planes(const struct scene *, enum space from,
     struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
 /* Makes the edges of the ndc square, which fills the device, as functions of a point in
  * the 2D space `from`. Returns NULL, or the member at fault and why. */
-const char *flat_frustum_of(const struct scene *, enum flat_space from,
+const char *frustum_of_window(const struct scene *, enum flat_space from,
     struct frustum *);
 
 /* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A
@@ -50,7 +52,7 @@ unsigned frustum_outside(const struct frustum *, const double in[4]);
 void frustum_outside_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* The view volume in view space. sides and ends have the columns of view_planes. The
+/* The view volume in view space. sides and ends have the columns of frustum_planes. The
  * corners and the eye are homogeneous points, each computed as the point where three
  * planes meet. (The inverse of to_clip has errors relative to the whole volume; they
  * could exceed the size of a small near plane.) The corners of near are 0 to 3, those

@@ -13,18 +13,19 @@ const char *lens_of(const struct scene *s, struct lens *l)
 		return why;
 	for (int i = 0; i < 16; i++)
 		l->clip[i % 4][i / 4] = sum_negated_if(i % 4 == 1 &&
-			answer_convention(s)->ndc_y_down,
+			scene_answer_convention(s)->ndc_y_down,
 		    l->volume.to_clip.m[i / 4][i % 4]);
-	view_limits(s, l->half, l->scale);
+	frustum_limits(s, l->half, l->scale);
 	l->scene = s;
 	l->mirrors = s->convention.right_handed !=
-	    answer_convention(s)->right_handed;
+	    scene_answer_convention(s)->right_handed;
 	l->parallel = vec3_is_zero(l->clip[3]);
 	l->reversed = projection_is_reversed(&s->projection, &s->convention);
 	return NULL;
 }
 
-void lens_axis(const struct lens *l, const struct sum axis[3], double unit[3])
+void lens_world_axis(const struct lens *l, const struct sum axis[3],
+    double unit[3])
 {
 	struct sum a[3];
 

@@ -14,10 +14,10 @@ struct lens {
 	struct volume volume;
 	struct map to_view, to_world; /* from world to view space and back */
 	struct sum clip[4][4]; /* columns of volume.to_clip; y points upward */
-	struct sum half[2], scale[2]; /* set by view_limits */
+	struct sum half[2], scale[2]; /* set by frustum_limits */
 	bool parallel, reversed; /* reversed: near has the larger ndc depth */
 	/* The map from world to view space mirrors, as the handedness of
-	 * answer_convention is not the document's. */
+	 * scene_answer_convention is not the document's. */
 	bool mirrors;
 };
 
@@ -25,6 +25,7 @@ struct lens {
 const char *lens_of(const struct scene *, struct lens *);
 
 /* Writes the unit vector in world space along an axis given in view space. */
-void lens_axis(const struct lens *, const struct sum axis[3], double unit[3]);
+void lens_world_axis(const struct lens *, const struct sum axis[3],
+    double unit[3]);
 
 #endif

@@ -19,13 +19,13 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, m);
 
 	if (why == NULL)
-		why = view_planes(s, SPACE_VIEW, &sides, m);
+		why = frustum_planes(s, SPACE_VIEW, &sides, m);
 	if (why != NULL)
 		return why;
 	for (int i = 0; i < 3; i++)
 		gradient[i] = m->m[i][plane];
 	divisor = m->divisor;
-	if ((why = view_planes(s, SPACE_MODEL, &sides, m)) != NULL)
+	if ((why = frustum_planes(s, SPACE_MODEL, &sides, m)) != NULL)
 		return why;
 	k->to_device = to_device;
 	for (int i = 0; i < 5; i++)

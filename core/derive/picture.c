@@ -17,11 +17,11 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 	for (int k = 0; k < 4 && u->uses_view_axes && !isnan(r->near); k++) {
 		const struct sum *h = l->volume.corner[k % 2 == 0 ? 0 : 2];
 
-		if (k >= 2 || sum_sign(u->xy[0][1]) == 0)
+		if (k >= 2 || sum_sign(u->clip_xy[0][1]) == 0)
 			r->near_edge[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
-	struct sum wide = sum_mul(sum_mul(u->xy[1][1], half[0]), scale[1]);
-	struct sum high = sum_mul(sum_mul(u->xy[0][0], half[1]), scale[0]);
+	struct sum wide = sum_mul(sum_mul(u->clip_xy[1][1], half[0]), scale[1]);
+	struct sum high = sum_mul(sum_mul(u->clip_xy[0][0], half[1]), scale[0]);
 
 	/* if high is 0, the picture is a line */
 	if (sum_sign(high) != 0)
@@ -71,10 +71,10 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	r->scene.has_camera = true;
 	for (int k = 0; k < 3; k++)
 		c->eye[k] = l->parallel ?
-		    map_nearest(&l->to_world, 3, k, false) :
+		    map_element_nearest(&l->to_world, 3, k, false) :
 		    r->taxonomy.eye[k];
-	lens_axis(l, u->axis[2], c->at);
-	lens_axis(l, u->axis[1], c->up);
+	lens_world_axis(l, u->axis[2], c->at);
+	lens_world_axis(l, u->axis[1], c->up);
 }
 
 /* Computes K of struct picture from half and scale (the margin is 0 here). In pixels
@@ -86,17 +86,17 @@ static void set_intrinsics(const struct lens *l, const struct upright *u,
     double k[3][3])
 {
 	const struct scene *s = l->scene;
-	bool down = !answer_convention(s)->origin_bottom_left;
+	bool down = !scene_answer_convention(s)->origin_bottom_left;
 	const bool minus[3] = { l->mirrors, down, false };
 
 	for (int i = 0; i < 6; i++) {
 		int row = i / 3, j = i % 3;
-		struct sum n = sum_mul(u->xy[row][j], l->scale[row]);
+		struct sum n = sum_mul(u->clip_xy[row][j], l->scale[row]);
 
 		n = sum_negated_if(minus[j] != (row == 1 && down), n);
 		if (j == 2)
-			n = sum_add(n, sum_mul(u->w[0], l->half[row]));
-		k[row][j] = sum_ratio_or_nan(n, u->w[0]);
+			n = sum_add(n, sum_mul(u->clip_w[0], l->half[row]));
+		k[row][j] = sum_ratio_or_nan(n, u->clip_w[0]);
 	}
 	k[2][0] = k[2][1] = 0;
 	k[2][2] = 1;
@@ -114,10 +114,12 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	if (p->type == PROJECTION_PERSP)
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
-		const struct sum *x = u->xy[k / 2];
+		const struct sum *x = u->clip_xy[k / 2];
 		bool low = k % 2 == 0;
-		struct sum slope = sum_sub(sum_negated_if(low, u->w[0]), x[2]);
-		struct sum offset = sum_sub(sum_negated_if(low, u->w[1]), x[3]);
+		struct sum slope = sum_sub(sum_negated_if(low, u->clip_w[0]),
+		    x[2]);
+		struct sum offset = sum_sub(sum_negated_if(low, u->clip_w[1]),
+		    x[3]);
 
 		p->section.edges[k] = sum_ratio_or_nan(
 		    sum_add(sum_mul(slope, n), sum_mul(offset, d)),
@@ -126,13 +128,16 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 }
 
 /* Makes the projection oblique, with cot(projector) cos(direction) = xy[0][2] /
- * xy[0][0] and cot(projector) sin(direction) = xy[1][2] / xy[1][1]. */
+ * clip_xy[0][0] and cot(projector) sin(direction) = clip_xy[1][2] / clip_xy[1][1]. */
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
-	bool minus = sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0;
-	struct sum x = sum_negated_if(minus, sum_mul(u->xy[0][2], u->xy[1][1]));
-	struct sum y = sum_negated_if(minus, sum_mul(u->xy[1][2], u->xy[0][0]));
+	bool minus = sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) <
+	    0;
+	struct sum x = sum_negated_if(minus,
+	    sum_mul(u->clip_xy[0][2], u->clip_xy[1][1]));
+	struct sum y = sum_negated_if(minus,
+	    sum_mul(u->clip_xy[1][2], u->clip_xy[0][0]));
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
@@ -141,7 +146,8 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->shear.kind = given->shear.kind;
 	}
 	p->shear.projector_angle = trig_atan2_degrees(
-	    sum_abs(sum_mul(u->xy[0][0], u->xy[1][1])), vec3_length(both));
+	    sum_abs(sum_mul(u->clip_xy[0][0], u->clip_xy[1][1])),
+	    vec3_length(both));
 	p->shear.direction = trig_atan2_degrees(sum_abs(y), x);
 	if (sum_sign(y) < 0)
 		p->shear.direction = -p->shear.direction;
@@ -169,7 +175,8 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		.shear.direction = 45 };
 	if (!l->parallel)
 		p->type = PROJECTION_PERSP;
-	else if (sum_sign(u->xy[0][2]) != 0 || sum_sign(u->xy[1][2]) != 0)
+	else if (sum_sign(u->clip_xy[0][2]) != 0 ||
+	    sum_sign(u->clip_xy[1][2]) != 0)
 		set_shear(u, given, p);
 	if (open) {
 		p->near = 0;
@@ -180,7 +187,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		    r->intrinsics[i / 3][i % 3];
 	/* if l->mirrors, X of K and x of r->scene's view space are opposite */
 	p->section.intrinsics[0][0] = fabs(p->section.intrinsics[0][0]);
-	if (!open && sum_sign(u->xy[0][1]) == 0)
+	if (!open && sum_sign(u->clip_xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
 }
 
@@ -212,10 +219,11 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
 	bool parallel = l->parallel, behind = true;
-	bool by_intrinsics = sum_sign(u->xy[0][1]) != 0 ||
+	bool by_intrinsics = sum_sign(u->clip_xy[0][1]) != 0 ||
 	    projection_is_open(p);
-	bool mirrored = (sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0) !=
-	    l->mirrors;
+	bool mirrored = (sum_sign(u->clip_xy[0][0]) *
+				sum_sign(u->clip_xy[1][1]) <
+			    0) != l->mirrors;
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
@@ -240,7 +248,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
 		    u->uses_view_axes && parallel && r->reverse_z,
 		[NOTE_RADIANS] = projection_family(p) == FAMILY_PERSP &&
-		    p->unit == DEGREES &&
+		    p->unit == ANGLE_DEGREES &&
 		    fmin(r->taxonomy.fov[0], r->taxonomy.fov[1]) < 3.2 &&
 		    (p->section.way <= SECTION_VIEW_ANGLE ||
 			p->section.way == SECTION_ANGLES),
@@ -249,9 +257,10 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 			is_central(r->intrinsics[1][2], p->section.height)),
 		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
-		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->w[1]) < 0),
+		[NOTE_MINUS_W] = negated ||
+		    (parallel && sum_sign(u->clip_w[1]) < 0),
 		[NOTE_NO_INTRINSICS] = by_intrinsics &&
-		    (parallel || !fills || sum_sign(u->xy[0][0]) < 0),
+		    (parallel || !fills || sum_sign(u->clip_xy[0][0]) < 0),
 	};
 	unsigned notes = 0;
 
@@ -279,7 +288,7 @@ static void set_parameters(const struct lens *l, struct picture *r)
 	r->notes = notes_of(l, &u, r);
 	r->scene = *s;
 	r->scene.answer = NULL;
-	r->scene.convention = *answer_convention(s);
+	r->scene.convention = *scene_answer_convention(s);
 	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
 	if (!r->has_scene)
 		return;
@@ -304,5 +313,5 @@ const char *picture_of(const struct scene *s, struct picture *p)
 	known.known[SPACE_WORLD][false] = &l.to_view;
 	known.known[SPACE_WORLD][true] = &l.to_world;
 	known.known[SPACE_VIEW][false] = &l.volume.to_clip;
-	return error_bounds(&known, &l.volume, p->error_bound);
+	return error_bound_of(&known, &l.volume, p->error_bound);
 }

@@ -67,8 +67,8 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	const struct viewport *v = &s->viewport;
 	/* device depth falls from near to far */
 	bool depth_falls = (v->max_z > v->min_z) == reversed;
-	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
-	    &r->to_world);
+	const char *why = transform_of_scene(s, SPACE_DEVICE, SPACE_WORLD,
+	    false, &r->to_world);
 
 	if (why == NULL)
 		why = set_direction_map(s, depth_falls, &r->direction.map);
@@ -96,7 +96,7 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	struct sum length = vec3_length(to);
 
 	for (int j = 0; j < 3; j++) {
-		double q = sum_nearest(&to[j], &length, single);
+		double q = sum_ratio_nearest(&to[j], &length, single);
 
 		direction[j] = isfinite(q) ? q : (double)NAN;
 	}
@@ -117,7 +117,7 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
     double point[3], double direction[3])
 {
 	for (int j = 0; j < 3; j++) {
-		float p = point_single(&r->to_world, in, j, point[j]);
+		float p = point_exact_float(&r->to_world, in, j, point[j]);
 
 		point[j] = isfinite(p) ? (double)p : (double)NAN;
 	}
@@ -239,7 +239,7 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	t->out = 3;
 	t->divide = t->front = true;
 	t->reciprocal = false;
-	t->kind = KERNEL_PROJECTIVE;
+	t->kernel = KERNEL_PROJECTIVE;
 	transform_prepare(t);
 	return ex_has_overflowed() ? SCENE_TOO_WIDE :
 	    map_is_finite(r)       ? NULL :

@@ -2,11 +2,11 @@
 #include "taxonomy.h"
 
 /* The relative tolerance of the tests for equal or zero lengths and parallel axes. */
-#define KIND_TOLERANCE 0x1p-40
+#define TAXON_TOLERANCE 0x1p-40
 
 static bool nearly_equal(double a, double b)
 {
-	return fabs(a - b) <= KIND_TOLERANCE * fmax(fabs(a), fabs(b));
+	return fabs(a - b) <= TAXON_TOLERANCE * fmax(fabs(a), fabs(b));
 }
 
 static enum taxon_kind axonometric_kind(const double f[3])
@@ -15,13 +15,13 @@ static enum taxon_kind axonometric_kind(const double f[3])
 	int same = 0;
 
 	for (int i = 0; i < 3; i++) {
-		if (f[i] <= KIND_TOLERANCE * most)
-			return KIND_MULTIVIEW;
+		if (f[i] <= TAXON_TOLERANCE * most)
+			return TAXON_MULTIVIEW;
 		same += nearly_equal(f[i], f[(i + 1) % 3]);
 	}
 	if (same == 3)
-		return KIND_ISOMETRIC;
-	return same > 0 ? KIND_DIMETRIC : KIND_TRIMETRIC;
+		return TAXON_ISOMETRIC;
+	return same > 0 ? TAXON_DIMETRIC : TAXON_TRIMETRIC;
 }
 
 /* Sets taxon, kind and foreshortening of a parallel projection. The projection of a
@@ -49,11 +49,11 @@ static void classify_parallel(const struct lens *l, struct taxonomy *t)
 	/* the cotangent of the angle between projectors and projection plane */
 	double cot = sum_ratio_or_nan(vec3_length(across), size);
 
-	t->taxon = cot <= KIND_TOLERANCE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
-	t->kind = cot <= KIND_TOLERANCE ? axonometric_kind(t->foreshortening) :
-	    nearly_equal(cot, 1)        ? KIND_CAVALIER :
-	    nearly_equal(cot, 0.5)      ? KIND_CABINET :
-					  KIND_GENERAL;
+	t->taxon = cot <= TAXON_TOLERANCE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
+	t->kind = cot <= TAXON_TOLERANCE ? axonometric_kind(t->foreshortening) :
+	    nearly_equal(cot, 1)         ? TAXON_CAVALIER :
+	    nearly_equal(cot, 0.5)       ? TAXON_CABINET :
+					   TAXON_GENERAL;
 }
 
 /* Returns the kind by the number of vanishing points: one for each world axis that is
@@ -69,11 +69,12 @@ static enum taxon_kind perspective_kind(const struct lens *l)
 		struct sum most = sum_mul(vec3_dot(a, a), vec3_dot(g, g));
 
 		n += sum_compare(sum_mul(dot, dot),
-			 sum_scale(most, KIND_TOLERANCE * KIND_TOLERANCE)) > 0;
+			 sum_scale(most, TAXON_TOLERANCE * TAXON_TOLERANCE)) >
+		    0;
 	}
 	if (n < 2)
-		return KIND_ONE_POINT;
-	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
+		return TAXON_ONE_POINT;
+	return n < 3 ? TAXON_TWO_POINT : TAXON_THREE_POINT;
 }
 
 /* Sets fov[0], the angle between the planes scale x = -half w and scale x = half w, and
@@ -104,7 +105,7 @@ static void classify_perspective(const struct lens *l, struct taxonomy *t)
 
 	map_copy(&screen, &l->volume.to_clip);
 	if (s->has_viewport) {
-		viewport_map(&s->viewport, answer_convention(s), false,
+		viewport_map(&s->viewport, scene_answer_convention(s), false,
 		    &to_device);
 		map_multiply(&screen, &to_device, false);
 	}
@@ -150,7 +151,7 @@ void taxonomy_of(const struct lens *l, struct taxonomy *t)
 		classify_parallel(l, t);
 		against = l->reversed != (sum_sign(l->clip[3][3]) < 0);
 	}
-	lens_axis(l, l->clip[l->parallel ? 2 : 3], t->gaze);
+	lens_world_axis(l, l->clip[l->parallel ? 2 : 3], t->gaze);
 	for (int k = 0; k < 3 && against; k++)
 		t->gaze[k] = 0 - t->gaze[k]; /* 0 does not become -0 */
 	for (int i = 0; i < 8; i++)

@@ -10,7 +10,7 @@
  * if the axes do not make the map upright. */
 static bool set_view_axes(const struct lens *l, struct upright *u)
 {
-	const struct convention *c = answer_convention(l->scene);
+	const struct convention *c = scene_answer_convention(l->scene);
 	const struct sum(*g)[4] = l->clip;
 	bool upright = sum_sign(g[1][0]) == 0;
 
@@ -43,13 +43,13 @@ static bool is_negligible(struct sum a, struct sum b)
 /* Finds the axes by the method of Gram and Schmidt from the gradients of clip x, y, z
  * and w: an RQ decomposition. D is along the gradient of w or, if w is constant, from
  * near to far. Y is the part of the gradient of y that is perpendicular to D. The sign
- * of X gives the camera the handedness of answer_convention. */
+ * of X gives the camera the handedness of scene_answer_convention. */
 static void find_rq_axes(const struct lens *l, struct upright *u)
 {
 	const struct scene *s = l->scene;
 	const struct sum(*g)[4] = l->clip, *n = g[l->parallel ? 2 : 3];
 	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
-	bool negates_x = answer_convention(s)->right_handed != l->mirrors;
+	bool negates_x = scene_answer_convention(s)->right_handed != l->mirrors;
 
 	for (int i = 0; i < 3; i++) {
 		u->axis[2][i] = sum_negated_if(l->parallel &&
@@ -70,8 +70,9 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 static void set_elements(const struct lens *l, struct upright *u)
 {
 	for (int i = 0; i < 6; i++)
-		u->xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3], u->axis[i % 3]);
-	u->w[0] = vec3_dot(l->clip[3], u->axis[2]);
+		u->clip_xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3],
+		    u->axis[i % 3]);
+	u->clip_w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 
 /* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far is
@@ -83,19 +84,19 @@ static bool has_turned_camera(const struct lens *l, const struct upright *u)
 
 	if (p->type != PROJECTION_MATRIX)
 		return false;
-	if (l->parallel && (deeper * sum_sign(u->w[1]) < 0) != l->reversed)
+	if (l->parallel && (deeper * sum_sign(u->clip_w[1]) < 0) != l->reversed)
 		return true;
-	return p->without_camera && sum_sign(u->xy[0][0]) < 0 &&
-	    sum_sign(u->xy[1][1]) < 0;
+	return p->without_camera && sum_sign(u->clip_xy[0][0]) < 0 &&
+	    sum_sign(u->clip_xy[1][1]) < 0;
 }
 
 void upright_of(const struct lens *l, struct upright *u)
 {
 	*u = (struct upright){ 0 };
 	if (l->parallel) {
-		u->xy[0][3] = l->clip[0][3];
-		u->xy[1][3] = l->clip[1][3];
-		u->w[1] = l->clip[3][3];
+		u->clip_xy[0][3] = l->clip[0][3];
+		u->clip_xy[1][3] = l->clip[1][3];
+		u->clip_w[1] = l->clip[3][3];
 	}
 	u->uses_view_axes = set_view_axes(l, u);
 	set_elements(l, u);
@@ -106,6 +107,6 @@ void upright_of(const struct lens *l, struct upright *u)
 	set_elements(l, u);
 	for (int i = 0; i < 2; i++)
 		for (int j = i + 1; j < (l->parallel ? 3 : 2); j++)
-			if (is_negligible(u->xy[i][j], u->xy[i][i]))
-				u->xy[i][j] = sum_of_double(0);
+			if (is_negligible(u->clip_xy[i][j], u->clip_xy[i][i]))
+				u->clip_xy[i][j] = sum_of_double(0);
 }

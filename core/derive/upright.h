@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The axes of the picture: X to the right, Y upward and D along the gaze. A camera, edges
- * and intrinsics are read off the map to clip space in these axes. */
+/* The axes of the picture: X to the right, Y upward and D along the gaze. A camera,
+ * edges and intrinsics are read off the map to clip space in these axes. */
 #ifndef UPRIGHT_H
 #define UPRIGHT_H
 
@@ -10,18 +10,18 @@
  * w do not depend on X, nor w on Y. X is to the right, Y upward, and D along the gaze.
  * Clip coordinates are
  *
- *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
- *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = w[0] D + w[1],
+ *	x = clip_xy[0][0] X + clip_xy[0][1] Y + clip_xy[0][2] D + clip_xy[0][3],
+ *	y = clip_xy[1][1] Y + clip_xy[1][2] D + clip_xy[1][3],
+ *	w = clip_w[0] D + clip_w[1],
  *
  * all times the map's divisor, which cancels. In a perspective w grows along D, and D
- * is 0 at the eye, so xy[0][3], xy[1][3] and w[1] are 0. */
+ * is 0 at the eye, so clip_xy[0][3], clip_xy[1][3] and clip_w[1] are 0. */
 struct upright {
-	struct sum xy[2][4], w[2];
+	struct sum clip_xy[2][4], clip_w[2];
 	struct sum axis[3][3]; /* X, Y and D in view space */
-	bool
-	    uses_view_axes; /* if not, the axes are found by an RQ decomposition */
-	bool turned;        /* w grows against the convention's gaze */
-	bool tilted;        /* z depends on X or Y */
+	bool uses_view_axes;   /* if not, an RQ decomposition finds the axes */
+	bool turned;           /* w grows against the convention's gaze */
+	bool tilted;           /* z depends on X or Y */
 };
 
 void upright_of(const struct lens *, struct upright *);

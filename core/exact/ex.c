@@ -97,8 +97,8 @@ static void add_product(uint64_t *sum, int size, int at, const ex *a,
 		int j = at < 0 ? -at : 0;
 
 		for (; j < longer->n; j++)
-			sum[at + j] = multiply_add(q, longer->word[j] ^ flip,
-			    sum[at + j], &carry);
+			sum[at + j] = wide_multiply_add(q,
+			    longer->word[j] ^ flip, sum[at + j], &carry);
 		for (carry -= q & flip; carry != 0 && at + j < size; j++) {
 			sum[at + j] += carry;
 			carry = (sum[at + j] < carry) + flip;
@@ -137,7 +137,7 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	uint64_t carry = minus;
 
 	for (int i = 0; i < high - low && minus; i++)
-		sum[i] = multiply_add(~sum[i], 1, 0, &carry);
+		sum[i] = wide_multiply_add(~sum[i], 1, 0, &carry);
 	while (high > low && sum[high - low - 1] == 0)
 		high--;
 	int lowest = least < high - EX_MIN_WORDS ? least : high - EX_MIN_WORDS;
@@ -165,15 +165,16 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 	uint64_t q = UINT64_MAX;
 
 	if (u[n] < d[n - 1])
-		q = divide_two_words(u[n], u[n - 1], d[n - 1]);
+		q = wide_divide(u[n], u[n - 1], d[n - 1]);
 	uint64_t carry = q;
 
 	for (int i = 0; i < n; i++)
-		u[i] = multiply_add(q, ~d[i], u[i], &carry);
+		u[i] = wide_multiply_add(q, ~d[i], u[i], &carry);
 	for (u[n] += carry - q; u[n] != 0; q--) {
 		carry = 0;
 		for (int i = 0; i <= n; i++)
-			u[i] = multiply_add(u[i], 1, i < n ? d[i] : 0, &carry);
+			u[i] = wide_multiply_add(u[i], 1, i < n ? d[i] : 0,
+			    &carry);
 	}
 	return q;
 }
@@ -204,9 +205,10 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 		 carry = 0;
 
 	for (int i = 0; i < b->n; i++)
-		d[i] = multiply_add(b->word[i], factor, 0, &carry);
+		d[i] = wide_multiply_add(b->word[i], factor, 0, &carry);
 	for (int i = 0, k = a->n - n; i < n; i++, k++)
-		u[i] = multiply_add(k < 0 ? 0 : a->word[k], factor, 0, &carry);
+		u[i] = wide_multiply_add(k < 0 ? 0 : a->word[k], factor, 0,
+		    &carry);
 	u[n] = carry;
 	for (int i = count; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);

@@ -141,7 +141,7 @@ bool map_is_finite(const struct map *a)
 		const ex *m = &a->m[i / 4][i % 4].value;
 
 		if (m->e + m->n > most &&
-		    !isfinite(map_nearest(a, i / 4, i % 4, false)))
+		    !isfinite(map_element_nearest(a, i / 4, i % 4, false)))
 			return false;
 	}
 	return true;
@@ -190,9 +190,9 @@ struct sum map_element(const struct map *a, int i, int j)
 	return e;
 }
 
-double map_nearest(const struct map *a, int i, int j, bool single)
+double map_element_nearest(const struct map *a, int i, int j, bool single)
 {
-	return sum_nearest(&a->m[i][j], &a->divisor, single);
+	return sum_ratio_nearest(&a->m[i][j], &a->divisor, single);
 }
 
 struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,

@@ -58,9 +58,10 @@ bool map_inverse(const double m[4][4], struct map *inverse);
 struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
     unsigned skipped_columns);
 
-/* Return m[i][j] / divisor; map_nearest rounds it to double or, if single, to float. */
+/* Return m[i][j] / divisor; map_element_nearest rounds it to double or, if single, to
+ * float. */
 struct sum map_element(const struct map *, int i, int j);
-double map_nearest(const struct map *, int i, int j, bool single);
+double map_element_nearest(const struct map *, int i, int j, bool single);
 
 /* Computes coordinate j of a homogeneous point's image, not divided by the divisor. */
 void map_image(const struct map *, int j, const struct sum p[4], struct sum *);
@@ -69,7 +70,7 @@ void map_image(const struct map *, int j, const struct sum p[4], struct sum *);
 bool map_is_affine(const struct map *);
 
 /* Says in messages why a matrix that must be affine is refused. */
-#define WHY_NOT_AFFINE                                                         \
+#define MAP_NOT_AFFINE                                                         \
 	"its last column, as column vectors its last row, is not exactly 0 0 " \
 	"0 1; of 16 numbers the translation is 13, 14 and 15; write rows as "  \
 	"[[...], [...], [...], [...]]"

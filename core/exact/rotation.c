@@ -126,7 +126,7 @@ bool rotation_about(const double vector[3], struct sum r[3][3])
 		v[i] = sum_of_double(vector[i]);
 		square[i] = sum_mul(v[i], v[i]);
 	}
-	if (!trig_sinc(vec3_dot(v, v), &a, &b))
+	if (!trig_rodrigues(vec3_dot(v, v), &a, &b))
 		return false;
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;

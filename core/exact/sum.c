@@ -59,7 +59,7 @@ struct sum sum_of_double(double exact)
 	return r;
 }
 
-struct sum sum_diff(double a, double b)
+struct sum sum_difference(double a, double b)
 {
 	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
@@ -329,7 +329,7 @@ static double round_inexact(const struct sum *n, const struct sum *d,
 	return beyond == (side > 0) ? other : near;
 }
 
-double sum_nearest(const struct sum *n, const struct sum *d, bool single)
+double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single)
 {
 	ex quotient;
 	const ex *q = &quotient;
@@ -347,19 +347,19 @@ double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 
 double(sum_ratio)(const struct sum *n, const struct sum *d)
 {
-	return sum_nearest(n, d, false);
+	return sum_ratio_nearest(n, d, false);
 }
 
 double(sum_ratio_or_nan)(const struct sum *n, const struct sum *d)
 {
-	double q = sum_nearest(n, d, false);
+	double q = sum_ratio_nearest(n, d, false);
 
 	return isfinite(q) ? q : (double)NAN;
 }
 
 double(sum_double)(const struct sum *a)
 {
-	return sum_nearest(a, &one, false);
+	return sum_ratio_nearest(a, &one, false);
 }
 
 dd(sum_dd)(const struct sum *a)

@@ -44,8 +44,8 @@ void sum_set(struct sum *, double exact);
 void sum_copy(struct sum *, const struct sum *);
 
 struct sum sum_of_double(double exact);
-struct sum sum_diff(double a, double b); /* a - b */
-struct sum sum_of_power(int e);          /* 2^e */
+struct sum sum_difference(double a, double b); /* a - b */
+struct sum sum_of_power(int e);                /* 2^e */
 
 /* Returns the value of a sum with another error, SUM_*_ERROR relative to the value. */
 struct sum sum_with_error(const struct sum *, int relative_error);
@@ -90,11 +90,11 @@ bool sum_is_power_of_two(const struct sum *);
 /* Returns the sum, or exact 0 if the sign of the sum is 0. */
 struct sum sum_snap_zero(const struct sum *);
 
-/* Return the double nearest to a sum or to n / d; sum_nearest, if single, the nearest
- * float. Ties go to even; a number beyond the range becomes infinite. */
+/* Return the double nearest to a sum or to n / d; sum_ratio_nearest, if single, the
+ * nearest float. Ties go to even; a number beyond the range becomes infinite. */
 double sum_double(const struct sum *);
 double sum_ratio(const struct sum *n, const struct sum *d);
-double sum_nearest(const struct sum *n, const struct sum *d, bool single);
+double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single);
 
 /* Returns sum_ratio, or nan if d is 0 or the ratio is beyond the range. */
 double sum_ratio_or_nan(const struct sum *n, const struct sum *d);

@@ -45,17 +45,16 @@ enum { SINE_POWER = 62 };
 
 /* The last power of x in the series for x^2 <= 4 pi^2, and the words of its terms, for
  * an absolute error of 2^-670: the first term left out, x^192/192!, is below 2^-675.
- * versinc is 0 at 2 pi. Near 2 pi it can be as small as 2^-332, as the sum of the
- * squares of three doubles can be as near to 4 pi^2 as 2^-159. */
+ * (1 - cos x) / x^2 is 0 at 2 pi. Near 2 pi it can be as small as 2^-332, as the sum
+ * of the squares of three doubles can be as near to 4 pi^2 as 2^-159. */
 enum { SINC_POWER = 190, SINC_WORDS = 12 };
 
-bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
+bool trig_rodrigues(struct sum square, struct sum *a, struct sum *b)
 {
 	if (sum_compare(square, sum_scale(sum_mul(HALF_PI, HALF_PI), 16)) > 0)
 		return false;
-	*sinc = trig_series(&square.value, 1, SINC_POWER, SINC_WORDS);
-	*versinc = sum_scale(trig_series(&square.value, 2, SINC_POWER,
-				 SINC_WORDS),
+	*a = trig_series(&square.value, 1, SINC_POWER, SINC_WORDS);
+	*b = sum_scale(trig_series(&square.value, 2, SINC_POWER, SINC_WORDS),
 	    0.5);
 	return true;
 }
@@ -118,7 +117,7 @@ static struct sum sine(double angle, enum angle_unit unit, unsigned quarters)
 {
 	struct reduced_angle r;
 
-	if (unit == RADIANS)
+	if (unit == ANGLE_RADIANS)
 		reduce_radians(angle, &r);
 	else
 		reduce_degrees(angle, &r);
@@ -138,7 +137,7 @@ struct sum trig_cos(double angle, enum angle_unit unit)
 
 struct sum trig_cot(double angle, enum angle_unit unit)
 {
-	if (unit == DEGREES && angle == 45)
+	if (unit == ANGLE_DEGREES && angle == 45)
 		return sum_of_double(1);
 	return sum_quotient(trig_cos(angle, unit), trig_sin(angle, unit));
 }
@@ -158,7 +157,8 @@ double trig_atan2_degrees(struct sum y, struct sum x)
 		return (double)NAN;
 	double a = atan2(sum_ratio(y, larger), sum_ratio(x, larger)) *
 	    DEGREES_PER_RADIAN;
-	struct sum s = trig_sin(a, DEGREES), c = trig_cos(a, DEGREES);
+	struct sum s = trig_sin(a, ANGLE_DEGREES),
+		   c = trig_cos(a, ANGLE_DEGREES);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
 	struct sum square = sum_mul(tan, tan), cube = sum_mul(square, tan);

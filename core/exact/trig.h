@@ -7,12 +7,12 @@
 #include "sum.h"
 
 /* The bound of the relative error of a sine, cosine or cotangent that is not exact. */
-#define TRIG_BOUND 0x1p-313
+#define TRIG_ERROR 0x1p-313
 
 /* The double nearest to pi; it is below pi. */
 #define PI 0x1.921fb54442d18p+1
 
-enum angle_unit { DEGREES, RADIANS };
+enum angle_unit { ANGLE_DEGREES, ANGLE_RADIANS };
 
 /* Return the sine or cosine of any angle in degrees, or of up to 2^500 radians. */
 struct sum trig_sin(double angle, enum angle_unit);
@@ -21,9 +21,9 @@ struct sum trig_cos(double angle, enum angle_unit);
 /* Returns the cotangent of an angle above 0 and up to 90 degrees. */
 struct sum trig_cot(double angle, enum angle_unit);
 
-/* Computes sinc = sin x / x and versinc = (1 - cos x) / x^2 of x radians from square,
- * which is exactly x^2. Returns false if x is above 2 pi. */
-bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc);
+/* Computes the factors of Rodrigues' formula, a = sin x / x and b = (1 - cos x) / x^2,
+ * of x radians from square, which is exactly x^2. Returns false if x is above 2 pi. */
+bool trig_rodrigues(struct sum square, struct sum *a, struct sum *b);
 
 /* Returns the double nearest to atan2(y, x) in degrees, from 0 to 180; y must be >= 0.
  * Returns nan if x and y are 0. */

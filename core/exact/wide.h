@@ -9,7 +9,7 @@
 /* Returns the low word of a b + c + *carry, and sets *carry to the high word. Two words
  * hold the sum: with B = 2^64 it is at most (B - 1)^2 + 2 (B - 1) = B^2 - 1. With B =
  * 2^32 the same bound holds for p, q and r below. */
-static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
+static inline uint64_t wide_multiply_add(uint64_t a, uint64_t b, uint64_t c,
     uint64_t *carry)
 {
 #ifdef __SIZEOF_INT128__
@@ -29,7 +29,7 @@ static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
 }
 
 /* Returns the quotient, rounded down, of high 2^64 + low by d > high. */
-static inline uint64_t divide_two_words(uint64_t high, uint64_t low, uint64_t d)
+static inline uint64_t wide_divide(uint64_t high, uint64_t low, uint64_t d)
 {
 #ifdef __SIZEOF_INT128__
 	return (uint64_t)(((unsigned __int128)high << 64 | low) / d);

@@ -11,7 +11,7 @@ static void set_relative(const struct transform *t, const double in[4],
     struct sum p[4])
 {
 	for (int i = 0; i < 3; i++)
-		p[i] = sum_diff(i < t->in ? in[i] : 0, t->origin[i]);
+		p[i] = sum_difference(i < t->in ? in[i] : 0, t->origin[i]);
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
@@ -54,7 +54,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 		return;
 	for (int j = 0; j < t->out; j++) {
 		sum_dot(4, p, &t->relative[0][j], 4, &q);
-		double v = sum_nearest(&q, &d, false);
+		double v = sum_ratio_nearest(&q, &d, false);
 
 		if (isfinite(v))
 			out[j] = v;
@@ -63,7 +63,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 
 /* A double that is not midway between two floats is on the same side of each midpoint
  * as the exact image, so that both round to the same float. */
-float point_single(const struct transform *t, const double in[4], int j,
+float point_exact_float(const struct transform *t, const double in[4], int j,
     double image)
 {
 	struct sum p[4], q, d;
@@ -73,5 +73,5 @@ float point_single(const struct transform *t, const double in[4], int j,
 	set_relative(t, in, p);
 	find_divisor(t, in, p, &d);
 	sum_dot(4, p, &t->relative[0][j], 4, &q);
-	return (float)sum_nearest(&q, &d, true);
+	return (float)sum_ratio_nearest(&q, &d, true);
 }

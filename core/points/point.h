@@ -11,7 +11,7 @@
 void point_exact(const struct transform *, const double in[4], double out[4]);
 
 /* Returns the float nearest to exact coordinate j; `image` is the nearest double. */
-float point_single(const struct transform *, const double in[4], int j,
+float point_exact_float(const struct transform *, const double in[4], int j,
     double image);
 
 /* Returns coordinate j of the undivided image of the point, times the map's divisor. */

@@ -113,7 +113,7 @@ static bool map_each(const struct transform *t, enum precision precision,
 static bool map_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
-	exact_kernel kernel = kernels_chosen()->exact[t->kind];
+	exact_kernel kernel = kernels_chosen()->exact[t->kernel];
 	const double *x = out[0];
 	bool finite = true;
 
@@ -154,7 +154,7 @@ bool points_map(const struct transform *t, enum precision precision,
 	/* map_alone reads three columns; in 2D any column serves as z */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
-	approx_kernel kernel = kernels_chosen()->approx[precision][t->kind];
+	approx_kernel kernel = kernels_chosen()->approx[precision][t->kernel];
 
 	if (precision == PRECISION_EXACT)
 		return map_exact(t, in, out, n);
@@ -167,8 +167,8 @@ bool points_map(const struct transform *t, enum precision precision,
 bool points_map_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
-	float_rows_kernel kernel = kernels_chosen()->float_rows[t->kind];
+	float_rows_kernel kernel = kernels_chosen()->float_rows[t->kernel];
 
-	return kernel != NULL && t->in == kernel_inputs(t->kind) &&
+	return kernel != NULL && t->in == kernel_inputs(t->kernel) &&
 	    kernel(&t->for_kernel, in, out, n);
 }

@@ -15,7 +15,7 @@ static void set_column(const struct transform *t, int j, struct kernel_map *k)
 		/* an element that underflows becomes 2^-1074 or -2^-1074 */
 		if (e.hi == 0)
 			e = (dd){ sum_sign(a) * 0x1p-1074, 0 };
-		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
+		k->hi_is_exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
 		k->hi[i][j] = e.hi;
 		k->lo[i][j] = e.lo;
@@ -51,7 +51,7 @@ void transform_prepare(struct transform *t)
  * doubles. `room` is the number of words that the column or the divisor may have. */
 static const char *transform_check(const struct transform *t)
 {
-	double most = MAGNITUDE_MAX;
+	double most = SCENE_MAGNITUDE_MAX;
 	int e;
 
 	for (int k = 0; k < 3; k++)
@@ -74,7 +74,7 @@ static const char *transform_check(const struct transform *t)
 		fits &= low > high || high - low <= room;
 	}
 	return fits && !ex_has_overflowed() ? NULL :
-	    t->kind == KERNEL_FLAT          ? "/window: " SCENE_TOO_WIDE :
+	    t->kernel == KERNEL_FLAT        ? "/window: " SCENE_TOO_WIDE :
 					      "/projection: " SCENE_TOO_WIDE;
 }
 
@@ -90,10 +90,10 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
 	t->front = !t->reciprocal &&
 	    (from != SPACE_CLIP || to == SPACE_NDC || to == SPACE_DEVICE);
-	t->kind = t->in != 3 ? KERNEL_NONE :
-	    t->divide        ? KERNEL_PROJECTIVE :
-	    t->out == 4      ? KERNEL_XYZW :
-			       KERNEL_AFFINE;
+	t->kernel = t->in != 3 ? KERNEL_NONE :
+	    t->divide          ? KERNEL_PROJECTIVE :
+	    t->out == 4        ? KERNEL_XYZW :
+				 KERNEL_AFFINE;
 	transform_prepare(t);
 }
 
@@ -112,10 +112,10 @@ static void choose_depth_kernel(const struct map *projection,
 			return;
 	k->a = sum_dd(sum_quotient(m[2][2], m[2][3])).hi;
 	k->b = sum_dd(map_element(projection, 3, 2)).hi;
-	t->kind = KERNEL_DEPTH;
+	t->kernel = KERNEL_DEPTH;
 }
 
-const char *scene_transform(const struct scene *s, enum space from,
+const char *transform_of_scene(const struct scene *s, enum space from,
     enum space to, bool homogeneous, struct transform *t)
 {
 	struct map projection;
@@ -127,20 +127,20 @@ const char *scene_transform(const struct scene *s, enum space from,
 	if (why != NULL)
 		return why;
 	transform_init(t, from, to, homogeneous);
-	if (t->kind == KERNEL_PROJECTIVE && by_view &&
+	if (t->kernel == KERNEL_PROJECTIVE && by_view &&
 	    map_is_finite(&projection))
 		choose_depth_kernel(&projection, t);
 	return transform_check(t);
 }
 
-const char *flat_transform(const struct scene *s, enum flat_space from,
+const char *transform_of_window(const struct scene *s, enum flat_space from,
     enum flat_space to, struct transform *t)
 {
 	const char *why = scene_flat_map(s, from, to, &t->map);
 
 	t->in = t->out = 2;
 	t->divide = t->front = t->reciprocal = false;
-	t->kind = KERNEL_FLAT;
+	t->kernel = KERNEL_FLAT;
 	if (why != NULL)
 		return why;
 	transform_prepare(t);

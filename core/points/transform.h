@@ -21,16 +21,16 @@ struct transform {
 	 * of the eye. If not, a point has an image if its w is not 0. */
 	bool front;
 	bool reciprocal; /* points are device positions x y z 1/w */
-	enum kernel_kind kind;
+	enum kernel_kind kernel;
 	struct kernel_map for_kernel;
 };
 
-/* scene_transform and flat_transform compute the transform from one space to another.
- * If `homogeneous`, images are x y z w, not divided, and points of device space are
- * x y z 1/w. Return NULL, or the member of the scene at fault and why. */
-const char *scene_transform(const struct scene *, enum space from,
+/* transform_of_scene and transform_of_window compute the transform from one space to
+ * another. If `homogeneous`, images are x y z w, not divided, and points of device
+ * space are x y z 1/w. Return NULL, or the member of the scene at fault and why. */
+const char *transform_of_scene(const struct scene *, enum space from,
     enum space to, bool homogeneous, struct transform *);
-const char *flat_transform(const struct scene *, enum flat_space from,
+const char *transform_of_window(const struct scene *, enum flat_space from,
     enum flat_space to, struct transform *);
 
 /* Sets all members of the transform except map, which the caller has set. But if `from`

@@ -66,7 +66,7 @@ sub off {
 	return $off / $true;
 }
 
-# Proves TRIG_BOUND, with numbers of 350 digits.
+# Proves TRIG_ERROR, with numbers of 350 digits.
 sub trigonometry {
 	my $text = slurp("$core/exact/trig.c");
 	my ($top) = $text =~ /enum \{ SINE_POWER = (\d+) \}/;
@@ -83,11 +83,11 @@ sub trigonometry {
 	my $cut = $two**(-64 * ($words - 1));
 	my $all = $given + 2 * $cut + $rest + $cut * ($top / 2 + 1) / 0.7 +
 	    $two**-319;
-	my ($bound) = macro("$core/exact/trig.h", 'TRIG_BOUND') =~ /0x1p(-\d+)/;
+	my ($bound) = macro("$core/exact/trig.h", 'TRIG_ERROR') =~ /0x1p(-\d+)/;
 	verdict('pi / 2', -963, log2($given));
 	verdict('what a series leaves out', -317, log2($rest));
 	# a cotangent is the quotient of two series
-	verdict('cotangent: TRIG_BOUND', $bound,
+	verdict('cotangent: TRIG_ERROR', $bound,
 	    log2(2 * $all + $two**-319));
 	Math::BigFloat->accuracy(undef);
 }

@@ -73,7 +73,7 @@ static void any_map(void)
 
 			map.hi[i][j] = m.hi;
 			map.lo[i][j] = m.lo;
-			map.exact[i][j] = at(map.lo[i][j]) == 0;
+			map.hi_is_exact[i][j] = at(map.lo[i][j]) == 0;
 		}
 	}
 	if (flat && ends) /* except an element that underflows when scaled */
@@ -107,7 +107,7 @@ static void any_point(void)
 		    ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
 	map.hi[3][j] = rounded(-s);
 	map.lo[3][j] = below(2) ? rounded(-s - at(map.hi[3][j])) : 0;
-	map.exact[3][j] = at(map.lo[3][j]) == 0;
+	map.hi_is_exact[3][j] = at(map.lo[3][j]) == 0;
 }
 
 /* Returns a column. An infinite element stands for a finite one beyond doubles, so that
@@ -268,7 +268,7 @@ static int ties()
 	int count[2] = { 0, 0 };
 
 	map = kernel_map();
-	for (auto &row : map.exact)
+	for (auto &row : map.hi_is_exact)
 		for (auto &exact : row)
 			exact = true;
 	for (int k = 0; k < HEADS * HEADS; k++)

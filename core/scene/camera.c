@@ -27,7 +27,7 @@ static const char *axes_of_gaze(const struct camera *c,
 
 	for (int i = 0; i < 3; i++) {
 		z[i] = sum_negated_if(convention->right_handed,
-		    sum_diff(c->at[i], at ? c->eye[i] : 0));
+		    sum_difference(c->at[i], at ? c->eye[i] : 0));
 		up[i] = sum_of_double(c->up[i]);
 	}
 	if (vec3_is_zero(z))
@@ -212,7 +212,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 
 	map_of_doubles(c->matrix, r);
 	if (!map_is_affine(r))
-		return REFUSAL(pose, WHY_NOT_AFFINE);
+		return REFUSAL(pose, MAP_NOT_AFFINE);
 	if (!c->orthonormalize) {
 		if ((pose || inverse) && !map_inverse(c->matrix, r))
 			return REFUSAL(pose, "singular; it can't be inverted");

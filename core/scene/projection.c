@@ -89,10 +89,10 @@ static const char *cross_section(const struct projection *p, double d,
 		sums[1] = f->dy;
 		break;
 	case SECTION_EDGES:
-		f->dx = sum_diff(s->right, s->left);
-		f->dy = sum_diff(s->top, s->bottom);
-		sums[0] = sum_diff(s->left, -s->right);
-		sums[1] = sum_diff(s->bottom, -s->top);
+		f->dx = sum_difference(s->right, s->left);
+		f->dy = sum_difference(s->top, s->bottom);
+		sums[0] = sum_difference(s->left, -s->right);
+		sums[1] = sum_difference(s->bottom, -s->top);
 		if (sum_sign(f->dx) == 0)
 			return "/projection/right: equal to left; "
 			       "the edges must differ";
@@ -119,7 +119,7 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
 
-		f->dz = sum_diff(b, a);
+		f->dz = sum_difference(b, a);
 		f->zz = sum_of_double(b);
 		f->tz = sum_scale(sum_of_double(-a), b);
 	}
@@ -161,7 +161,7 @@ static const char *ortho_matrix(const struct projection *p,
 	if (why != NULL)
 		return why;
 	f->d = sum_of_double(1);
-	f->dz = sum_diff(b, a);
+	f->dz = sum_difference(b, a);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/far: equal to near; the planes must differ";
 	f->zz = sum_of_double(1);

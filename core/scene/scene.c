@@ -5,7 +5,7 @@
 
 bool scene_is_size(double v)
 {
-	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
+	return v >= SCENE_SIZE_MIN && v <= SCENE_MAGNITUDE_MAX;
 }
 
 static bool are_in_range(int n, const double *v)
@@ -13,7 +13,7 @@ static bool are_in_range(int n, const double *v)
 	bool are = true;
 
 	for (int i = 0; i < n; i++)
-		are &= fabs(v[i]) <= MAGNITUDE_MAX;
+		are &= fabs(v[i]) <= SCENE_MAGNITUDE_MAX;
 	return are;
 }
 
@@ -65,7 +65,7 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 		return NULL;
 	map_of_doubles(s->world, r);
 	if (!map_is_affine(r))
-		return "/world: " WHY_NOT_AFFINE;
+		return "/world: " MAP_NOT_AFFINE;
 	if (inverse && !map_inverse(s->world, r))
 		return "/world: singular; it can't be inverted";
 	return NULL;
@@ -75,7 +75,8 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 static const char *map_to_next(const struct scene *s, int first, bool inverse,
     struct map *r)
 {
-	const struct convention *c = &s->convention, *to = answer_convention(s);
+	const struct convention *c = &s->convention,
+				*to = scene_answer_convention(s);
 	const char *why = NULL;
 
 	if (s->known[first][inverse] != NULL) {
@@ -202,7 +203,8 @@ const char *scene_window_extent(const struct scene *s, struct window_extent *w)
 		    k & 1 ? half : sum_neg(half));
 
 		w->edge[k] = sum_ratio(edge, back.divisor);
-		w->scale[k / 2] = map_nearest(&out, k / 2, k / 2, false);
+		w->scale[k / 2] = map_element_nearest(&out, k / 2, k / 2,
+		    false);
 	}
 	return why;
 }

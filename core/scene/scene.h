@@ -7,10 +7,11 @@
 #include "projection.h"
 #include "window.h"
 
-/* Numbers of scene documents and points are at most MAGNITUDE_MAX in magnitude. Sizes
- * are at least SIZE_MIN. Products of two sizes are in the range of doubles. */
-#define MAGNITUDE_MAX 1e150
-#define SIZE_MIN 1e-150
+/* Numbers of scene documents and points are at most SCENE_MAGNITUDE_MAX in magnitude.
+ * Sizes are at least SCENE_SIZE_MIN. Products of two sizes are in the range of
+ * doubles. */
+#define SCENE_MAGNITUDE_MAX 1e150
+#define SCENE_SIZE_MIN 1e-150
 
 #define SCENE_TOO_WIDE                                                       \
 	"the scene's numbers lie too far from one another to be multiplied " \
@@ -48,12 +49,13 @@ struct scene {
 	const struct map *known[SPACE_DEVICE][2];
 };
 
-static inline const struct convention *answer_convention(const struct scene *s)
+static inline const struct convention *scene_answer_convention(
+    const struct scene *s)
 {
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
-/* Returns whether a number is from SIZE_MIN to MAGNITUDE_MAX. */
+/* Returns whether a number is from SCENE_SIZE_MIN to SCENE_MAGNITUDE_MAX. */
 bool scene_is_size(double);
 
 /* Returns whether the scene's eye and projection, which were computed, are allowed in a

@@ -36,8 +36,9 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 	for (int i = 0; i < 2; i++) {
 		center[i] = sum_of_double(w->center[i]);
 		if (w->by_edges) {
-			size[i] = sum_diff(high[i], low[i]);
-			center[i] = sum_scale(sum_diff(low[i], -high[i]), 0.5);
+			size[i] = sum_difference(high[i], low[i]);
+			center[i] = sum_scale(sum_difference(low[i], -high[i]),
+			    0.5);
 		}
 		center[i] = sum_add(center[i], sum_of_double(w->pan[i]));
 	}
@@ -102,7 +103,7 @@ void viewport_limits(const struct viewport *v, double half[2], double scale[2])
 const char *viewport_map(const struct viewport *v, const struct convention *c,
     bool inverse, struct map *r)
 {
-	struct sum depth = sum_diff(v->max_z, v->min_z),
+	struct sum depth = sum_difference(v->max_z, v->min_z),
 		   min = sum_of_double(v->min_z);
 	double half[2], scale[2];
 
@@ -113,12 +114,12 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	if (c->ndc_y_down == c->origin_bottom_left)
 		scale[1] = -scale[1];
 	if (c->depth_minus_one)
-		min = sum_scale(sum_diff(v->min_z, -v->max_z), 0.5);
+		min = sum_scale(sum_difference(v->min_z, -v->max_z), 0.5);
 	map_identity(r);
-	ndc_axis(r, 0, sum_of_double(scale[0]), 1, sum_diff(v->x, -half[0]),
-	    inverse);
-	ndc_axis(r, 1, sum_of_double(scale[1]), 1, sum_diff(v->y, -half[1]),
-	    inverse);
+	ndc_axis(r, 0, sum_of_double(scale[0]), 1,
+	    sum_difference(v->x, -half[0]), inverse);
+	ndc_axis(r, 1, sum_of_double(scale[1]), 1,
+	    sum_difference(v->y, -half[1]), inverse);
 	ndc_axis(r, 2, depth, c->depth_minus_one ? 2 : 1, min, inverse);
 	map_set_origin(r, r->origin);
 	return NULL;

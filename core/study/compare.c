@@ -31,10 +31,11 @@ static const char *task_of(const struct regime *r, double severity,
 	t->n = s->has_window ? 2 : 3;
 	if (s->has_window) {
 		truth_flat(s, FLAT_WINDOW, FLAT_DEVICE, &t->truth);
-		return flat_transform(s, FLAT_WINDOW, FLAT_DEVICE, &t->exact);
+		return transform_of_window(s, FLAT_WINDOW, FLAT_DEVICE,
+		    &t->exact);
 	}
 	truth_scene(s, from, to, &t->truth);
-	return scene_transform(s, from, to, false, &t->exact);
+	return transform_of_scene(s, from, to, false, &t->exact);
 }
 
 static void fill(struct block *b, double (*in)[3])
@@ -71,7 +72,7 @@ static double left_over(const struct transform *t, double (*in)[3])
 	int n = 0;
 
 	fill(&b, in);
-	kernels_chosen()->exact[t->kind](&t->for_kernel, from, to, MANY);
+	kernels_chosen()->exact[t->kernel](&t->for_kernel, from, to, MANY);
 	for (int i = 0; i < MANY; i++)
 		n += isnan(b.out[0][i]) != 0;
 	return n / (double)MANY;
@@ -95,8 +96,8 @@ static const char *place(const struct task *t, double (*in)[3])
 	struct transform to;
 	struct map clip;
 	const char *why = s->has_window ?
-	    flat_transform(s, FLAT_NDC, FLAT_WINDOW, &to) :
-	    scene_transform(s, SPACE_VIEW,
+	    transform_of_window(s, FLAT_NDC, FLAT_WINDOW, &to) :
+	    transform_of_scene(s, SPACE_VIEW,
 		t->regime->back ? SPACE_DEVICE : SPACE_MODEL, false, &to);
 
 	if (why == NULL)

@@ -61,7 +61,7 @@ static bool sample_flat_transform(struct scene *s, struct transform *t,
 {
 	enum flat_space from = sample_below(3), to = sample_below(3);
 
-	if (flat_transform(s, from, to, t) != NULL)
+	if (transform_of_window(s, from, to, t) != NULL)
 		return false;
 	truth_flat(s, from, to, truth);
 	return true;
@@ -81,7 +81,7 @@ bool sample_transform(int e, struct scene *s, enum space *from,
 	sample_answer(s);
 	if (sample_below(8) == 0)
 		return sample_flat_transform(s, t, truth);
-	if (scene_transform(s, *from, to, homogeneous, t) != NULL)
+	if (transform_of_scene(s, *from, to, homogeneous, t) != NULL)
 		return false;
 	truth_scene(s, *from, to, truth);
 	return true;
@@ -150,7 +150,7 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 	if (here.n[WRONG] > 0 ||
 	    (here.n[WITHIN_TOLERANCE] > 0 && !truth->irrational)) {
 		fprintf(stderr, "point %a %a %a %a, kernel %d:\n", p[0], p[1],
-		    p[2], p[3], (int)t->kind);
+		    p[2], p[3], (int)t->kernel);
 		for (int j = 0; j < t->out; j++)
 			fprintf(stderr, "  expected %a, came %a\n",
 			    image.exists ? true_coordinate(&image, j, single) :
@@ -174,7 +174,8 @@ void judge_block(const struct truth *truth, const struct transform *t,
 		for (int j = 0; j < t->out; j++) {
 			got[j] = b->out[j][i];
 			if (single && !isnan(got[j]))
-				got[j] = (double)point_single(t, p, j, got[j]);
+				got[j] = (double)point_exact_float(t, p, j,
+				    got[j]);
 		}
 		judge_point(truth, t, p, got, single, tally);
 		real_release(mark);

@@ -392,16 +392,16 @@ static void refused_cameras(void **state)
 	assert_camera_refused(c, false, "/camera/pose: singular");
 	assert_camera_refused(c, true, "/camera/pose: singular");
 	c.matrix[0][3] = 1;
-	assert_camera_refused(c, true, "/camera/pose: " WHY_NOT_AFFINE);
+	assert_camera_refused(c, true, "/camera/pose: " MAP_NOT_AFFINE);
 	c.matrix[0][3] = 0;
 	c.way = CAMERA_MATRIX;
 	c.orthonormalize = false;
 	assert_camera_refused(c, true, "/camera/matrix");
 	c.matrix[2][2] = 1;
 	c.matrix[0][3] = 1e-9;
-	assert_camera_refused(c, false, "/camera/matrix: " WHY_NOT_AFFINE);
+	assert_camera_refused(c, false, "/camera/matrix: " MAP_NOT_AFFINE);
 	c.matrix[3][0] = 1e-9;
-	assert_camera_refused(c, false, "/camera/matrix: " WHY_NOT_AFFINE);
+	assert_camera_refused(c, false, "/camera/matrix: " MAP_NOT_AFFINE);
 	set_diagonal(&c, 1, 1e-140, 1e-150);
 	assert_camera_refused(c, false, "/camera/matrix");
 }

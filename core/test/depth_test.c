@@ -4,7 +4,7 @@
 #include "../derive/picture.h"
 #include "claims.h"
 
-static const double most[BUFFERS] = { 65535, 16777215, 0 };
+static const double most[DEPTH_BUFFERS] = { 65535, 16777215, 0 };
 
 /* The normal of the projection plane from the near or far plane toward the other plane,
  * and the device depth along it. In a perspective the normal goes through the eye. */
@@ -17,11 +17,11 @@ struct projector {
 
 /* Returns the depth that is one step of the buffer above z or, if up is false, below
  * z. */
-static real next_step_depth(double z, enum buffer b, bool up)
+static real next_step_depth(double z, enum depth_buffer b, bool up)
 {
 	float f = (float)z;
 
-	if (b < BUFFER_FLOAT32)
+	if (b < DEPTH_FLOAT32)
 		return add(real_of(z),
 		    divide(real_of(up ? 1 : -1), real_of(most[b])));
 	if (isinf(f) || (up ? (double)f <= z : (double)f >= z))
@@ -32,7 +32,7 @@ static real next_step_depth(double z, enum buffer b, bool up)
 /* Returns whether the depth at a distance from the plane is at or beyond the next step
  * of the buffer. */
 static bool reaches_step(const struct projector *p, double distance,
-    enum buffer b)
+    enum depth_buffer b)
 {
 	int mark = real_mark();
 	real z = p->m[3][2], w = p->m[3][3];
@@ -122,7 +122,7 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 
 /* Returns the least double up to end at which the next step is reached, by bisection of
  * the doubles' bits. */
-static double first_distance(const struct projector *p, enum buffer b,
+static double first_distance(const struct projector *p, enum depth_buffer b,
     double end)
 {
 	uint64_t low = 0, high;
@@ -142,7 +142,7 @@ static double first_distance(const struct projector *p, enum buffer b,
 	return end;
 }
 
-static double plane_step(const struct scene *s, enum buffer b, bool far)
+static double plane_step(const struct scene *s, enum depth_buffer b, bool far)
 {
 	struct picture p;
 
@@ -165,7 +165,7 @@ static void steps_are_nearest(void **state)
 		if (picture_of(&s, &t) != NULL)
 			continue;
 		for (int i = 0; i < 6; i++) {
-			enum buffer b = (enum buffer)(i / 2);
+			enum depth_buffer b = (enum depth_buffer)(i / 2);
 			double d = depth_step(&t.depth, b, i % 2), least;
 			int mark = real_mark();
 			struct projector p;
@@ -211,23 +211,23 @@ static void infinite_far_has_steps(void **state)
 	(void)state;
 	/* depth 1 - 1/z is 1/65535 at z = 65535/65534 */
 	assert_null(picture_of(&s, &p));
-	assert_number(plane_step(&s, BUFFER_UNORM16, false), 1.0 / 65534);
-	assert_number(plane_step(&s, BUFFER_FLOAT32, false), 0x1p-149);
-	for (enum buffer b = 0; b < BUFFERS; b++)
+	assert_number(plane_step(&s, DEPTH_UNORM16, false), 1.0 / 65534);
+	assert_number(plane_step(&s, DEPTH_FLOAT32, false), 0x1p-149);
+	for (enum depth_buffer b = 0; b < DEPTH_BUFFERS; b++)
 		assert_true(isnan(plane_step(&s, b, true)) != 0);
 	/* steps from depth 1/2 at z = 2 to 1/2 - 1/65535 and 1/2 - 2^-25 */
-	assert_number(depth_step_at(&p.depth, BUFFER_UNORM16, 2), 4.0 / 65537);
-	assert_number(depth_step_at(&p.depth, BUFFER_FLOAT32, 2),
+	assert_number(depth_step_at(&p.depth, DEPTH_UNORM16, 2), 4.0 / 65537);
+	assert_number(depth_step_at(&p.depth, DEPTH_FLOAT32, 2),
 	    0x1p-23 / (1 + 0x1p-24));
 	/* reversed depth 1/z is 1 - 2^-24 at z = 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
 	assert_null(picture_of(&s, &p));
-	assert_number(plane_step(&s, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
+	assert_number(plane_step(&s, DEPTH_FLOAT32, false), 1 / 0xffffffp0);
 	/* 1/3 is between two floats */
 	float up = (float)(1.0 / 3);
 
 	assert_true((double)up > 1.0 / 3);
-	double step = depth_step_at(&p.depth, BUFFER_FLOAT32, 3);
+	double step = depth_step_at(&p.depth, DEPTH_FLOAT32, 3);
 
 	/* 3 - 1/up = (3 up - 1) / up, where fma is exact */
 	assert_number(step, fma(3, (double)up, -1) / (double)up);
@@ -239,25 +239,25 @@ static void a_range_below_a_step_has_none(void **state)
 
 	(void)state;
 	for (int i = 0; i < 6; i++) {
-		enum buffer b = (enum buffer)(i / 2);
+		enum depth_buffer b = (enum depth_buffer)(i / 2);
 
 		s.viewport.min_z = 1;
 		assert_true(isnan(plane_step(&s, b, i % 2)) != 0);
 		s.viewport.min_z = 1 - 0x1p-24;
 		assert_true(
-		    isnan(plane_step(&s, b, i % 2)) == (b != BUFFER_FLOAT32));
+		    isnan(plane_step(&s, b, i % 2)) == (b != DEPTH_FLOAT32));
 		s.viewport.min_z = 1 - 0x1p-23;
 		assert_true(
-		    isnan(plane_step(&s, b, i % 2)) == (b == BUFFER_UNORM16));
+		    isnan(plane_step(&s, b, i % 2)) == (b == DEPTH_UNORM16));
 	}
 	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;
 	s.viewport.max_z = -1;
-	assert_true(plane_step(&s, BUFFER_FLOAT32, false) > 0);
+	assert_true(plane_step(&s, DEPTH_FLOAT32, false) > 0);
 	s.viewport.min_z = 1e38;
 	s.viewport.max_z = nextafter(1e38, 2e38);
-	assert_true(isnan(plane_step(&s, BUFFER_FLOAT32, false)) != 0);
-	assert_true(isnan(plane_step(&s, BUFFER_FLOAT32, true)) != 0);
+	assert_true(isnan(plane_step(&s, DEPTH_FLOAT32, false)) != 0);
+	assert_true(isnan(plane_step(&s, DEPTH_FLOAT32, true)) != 0);
 }
 
 int main(void)

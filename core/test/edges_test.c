@@ -19,7 +19,7 @@ static void sample_edges(const struct scene *s, enum flat_space from,
 			image.in[j][i] = sample_between(-1.5, 1.5);
 		image.in[sample_below(2)][i] = sample_below(2) ? 1 : -1;
 	}
-	assert_null(flat_transform(s, FLAT_NDC, from, &t));
+	assert_null(transform_of_window(s, FLAT_NDC, from, &t));
 	map_block_exactly(&t, &image, POINTS);
 	for (size_t i = 0; i < POINTS; i++)
 		for (int j = 0; j < 2; j++) {
@@ -102,7 +102,7 @@ static void edges_agree_with_mpfr(void **state)
 		/* the last choice stays if the processor lacks this one */
 		kernels_choose(copies[k % COPIES]);
 		sample_flat(&s.window, &s.device, e[k % 4]);
-		if (flat_frustum_of(&s, from, &f) == NULL) {
+		if (frustum_of_window(&s, from, &f) == NULL) {
 			sample_edges(&s, from, &b);
 			check_block(&s, from, &f, &b, &c);
 		}
@@ -130,7 +130,7 @@ static void tiny_windows_are_exact(void **state)
 	double left = nextafter(1e150, 0);
 
 	(void)state;
-	assert_null(flat_frustum_of(&s, FLAT_WINDOW, &f));
+	assert_null(frustum_of_window(&s, FLAT_WINDOW, &f));
 	assert_int_equal(out_at(&f, 1e150, -1e150), 0);
 	assert_int_equal(out_at(&f, right, -1e150), OUT_RIGHT);
 	assert_int_equal(out_at(&f, left, -1e150), OUT_LEFT);
@@ -149,13 +149,13 @@ static void top_is_up(void **state)
 	struct frustum f;
 
 	(void)state;
-	assert_null(flat_frustum_of(&s, FLAT_DEVICE, &f));
+	assert_null(frustum_of_window(&s, FLAT_DEVICE, &f));
 	assert_int_equal(out_at(&f, 0, 0), 0);
 	assert_int_equal(out_at(&f, 40, 20), 0);
 	assert_int_equal(out_at(&f, 20, -0x1p-1074), OUT_TOP);
 	assert_int_equal(out_at(&f, 41, 21), OUT_RIGHT | OUT_BOTTOM);
 	s.device.top_left = false;
-	assert_null(flat_frustum_of(&s, FLAT_DEVICE, &f));
+	assert_null(frustum_of_window(&s, FLAT_DEVICE, &f));
 	assert_int_equal(out_at(&f, -1, 21), OUT_LEFT | OUT_TOP);
 }
 
@@ -165,7 +165,7 @@ static void refusals(void **state)
 	struct frustum f;
 
 	(void)state;
-	assert_reason(flat_frustum_of(&s, FLAT_WINDOW, &f), "/window/right");
+	assert_reason(frustum_of_window(&s, FLAT_WINDOW, &f), "/window/right");
 }
 
 int main(void)

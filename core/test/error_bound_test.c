@@ -45,8 +45,8 @@ static void sample_inside(const struct scene *s, struct block *b)
 		for (int j = 0; j < 3; j++) {
 			double x = mpfr_get_d(divide(h[j], h[3]), MPFR_RNDN);
 
-			/* coordinates of points are at most MAGNITUDE_MAX */
-			b->in[j][i] = fabs(x) <= MAGNITUDE_MAX ? x : 0;
+			/* coordinates of points are at most SCENE_MAGNITUDE_MAX */
+			b->in[j][i] = fabs(x) <= SCENE_MAGNITUDE_MAX ? x : 0;
 		}
 		real_release(mark);
 	}
@@ -62,7 +62,7 @@ static bool is_inside(const struct scene *s, const struct truth *to_clip,
 
 	corners_of(s, low, high);
 	for (int j = 0; j < 3; j++)
-		if (!(fabs(p[j]) <= MAGNITUDE_MAX))
+		if (!(fabs(p[j]) <= SCENE_MAGNITUDE_MAX))
 			return false;
 	w = truth_column(to_clip, 3, p);
 	if (truth_sign(w, NULL) <= 0)
@@ -112,7 +112,7 @@ static const char *bounds_of(const struct scene *s, double bound[3])
 	static struct volume v;
 	const char *why = volume_of(s, &v);
 
-	return why != NULL ? why : error_bounds(s, &v, bound);
+	return why != NULL ? why : error_bound_of(s, &v, bound);
 }
 
 static void bounds_hold(void **state)
@@ -137,7 +137,8 @@ static void bounds_hold(void **state)
 		s.has_viewport = k % 3 != 0;
 		enum space to = s.has_viewport ? SPACE_DEVICE : SPACE_NDC;
 
-		if (scene_transform(&s, SPACE_MODEL, to, false, &t) != NULL ||
+		if (transform_of_scene(&s, SPACE_MODEL, to, false, &t) !=
+			NULL ||
 		    bounds_of(&s, bound) != NULL || isnan(bound[0]))
 			continue;
 		truth_scene(&s, SPACE_MODEL, to, &truth);

@@ -430,7 +430,7 @@ static void sample_fit(struct scene *s, int e)
 	p->near = sample_size(1);
 	p->shear.projector_angle = sample_between(20, 90);
 	if (p->section.way == SECTION_ANGLES) {
-		p->unit = DEGREES;
+		p->unit = ANGLE_DEGREES;
 		for (int i = 0; i < 4; i++)
 			p->section.angles[i] = i % 2 ? sample_between(10, 60) :
 						       sample_between(-60, -10);
@@ -548,7 +548,8 @@ static void test_farthest(void **state)
 	assert_in_range(fitted, 300, 1500);
 }
 
-/* Each type of projection can be fitted, or is refused as one that has no parameters. */
+/* Each type of projection can be fitted, or is refused as one that has no
+ * parameters. */
 static void every_type_is_fitted_or_refused(void **state)
 {
 	(void)state;

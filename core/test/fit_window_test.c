@@ -88,7 +88,7 @@ static bool window_holds(const struct scene *s, const struct bounds *b)
 	struct frustum f;
 	unsigned out = 0;
 
-	assert_null(flat_frustum_of(s, FLAT_WINDOW, &f));
+	assert_null(frustum_of_window(s, FLAT_WINDOW, &f));
 	for (int k = 0; k < 4 && !b->sphere; k++)
 		out |= frustum_outside(&f,
 		    (double[4]){ k & 1 ? b->max[0] : b->min[0],

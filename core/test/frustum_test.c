@@ -12,7 +12,7 @@ static void onto_planes(const struct scene *s, enum space from, struct block *b)
 	struct transform t;
 	static struct block image;
 
-	if (scene_transform(s, SPACE_NDC, from, false, &t) != NULL)
+	if (transform_of_scene(s, SPACE_NDC, from, false, &t) != NULL)
 		return;
 	for (size_t i = 0; i < POINTS; i++) {
 		for (int j = 0; j < 3; j++)

@@ -162,7 +162,7 @@ static void judge_copies(const struct search *h, struct block *b, size_t n,
 	for (int k = 0; k < COPIES; k++) {
 		if (!kernels_choose(copies[k]))
 			continue;
-		exact_kernel fast = kernels_chosen()->exact[h->t.kind];
+		exact_kernel fast = kernels_chosen()->exact[h->t.kernel];
 
 		if (fast != NULL) {
 			fast(&h->t.for_kernel, in, out, n);

@@ -20,7 +20,7 @@ static void count_undecided(const struct transform *t, struct block *b,
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
-	exact_kernel fast = kernels_chosen()->exact[t->kind];
+	exact_kernel fast = kernels_chosen()->exact[t->kernel];
 
 	if (fast == NULL)
 		return;

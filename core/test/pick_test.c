@@ -61,7 +61,8 @@ static bool sample_picker(int e, struct scene *s, struct transform *t,
 	sample_scene(s, e);
 	sample_answer(s);
 	if (s->projection.type == PROJECTION_MATRIX ||
-	    scene_transform(s, SPACE_MODEL, SPACE_DEVICE, false, t) != NULL ||
+	    transform_of_scene(s, SPACE_MODEL, SPACE_DEVICE, false, t) !=
+		NULL ||
 	    picker_of(s, t, k) != NULL)
 		return false;
 	return true;
@@ -115,7 +116,7 @@ static void check_radius(struct picker *k, const struct truth *truth,
 		k->radius = nextafter(k->radius, 0);
 	if (sample_below(4) == 0)
 		k->radius = 0;
-	if (!(k->radius <= MAGNITUDE_MAX) || !isfinite(k->at[0]))
+	if (!(k->radius <= SCENE_MAGNITUDE_MAX) || !isfinite(k->at[0]))
 		return;
 	for (size_t i = 0; i < POINTS; i++) {
 		int mark = real_mark();
@@ -188,7 +189,8 @@ static void tiny_distances_are_exact(void **state)
 	struct picker k;
 
 	(void)state;
-	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
+	assert_null(
+	    transform_of_scene(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
 	assert_null(picker_of(&s, &t, &k));
 	k.at[0] = k.at[1] = 0;
 	for (int e = 1; e < 1000; e++) {
@@ -231,7 +233,8 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 	double device[4];
 
 	(void)state;
-	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
+	assert_null(
+	    transform_of_scene(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
 	assert_null(picker_of(&s, &t, &k));
 	point_exact(&t, p, device);
 	assert_number(device[0], 1);

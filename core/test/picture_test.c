@@ -14,8 +14,9 @@ static double most_off(const struct scene *s, const struct scene *r,
 	struct transform a, b;
 	double worst = 0;
 
-	assert_null(scene_transform(s, SPACE_WORLD, SPACE_NDC, false, &a));
-	const char *why = scene_transform(r, SPACE_WORLD, SPACE_NDC, false, &b);
+	assert_null(transform_of_scene(s, SPACE_WORLD, SPACE_NDC, false, &a));
+	const char *why = transform_of_scene(r, SPACE_WORLD, SPACE_NDC, false,
+	    &b);
 
 	if (why != NULL)
 		print_message("%s\n", why);

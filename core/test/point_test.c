@@ -18,7 +18,7 @@ static void check_point(const struct truth *truth, const struct transform *t,
 	judge_image(&image, t->out, q, false, tally);
 	for (int j = 0; j < t->out; j++)
 		if (!isnan(q[j]))
-			q[j] = (double)point_single(t, p, j, q[j]);
+			q[j] = (double)point_exact_float(t, p, j, q[j]);
 	judge_image(&image, t->out, q, true, tally);
 	real_release(mark);
 }
@@ -213,7 +213,8 @@ static void ties_of_irrational_parts(void **state)
 	struct transform t;
 
 	(void)state;
-	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	assert_null(
+	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
 	for (int k = -99; k < 100; k++) {
 		double y = 0.5 + k * 0x1p-53, z = 0.5 - k * 0x1p-53, q[4];
 		int mark = real_mark();
@@ -250,7 +251,8 @@ static void ties_of_different_irrational_parts(void **state)
 	static struct transform t;
 
 	(void)state;
-	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	assert_null(
+	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
 	for (int c = 0; c < COPIES; c++) {
 		if (!kernels_choose(copies[c]))
 			continue;
@@ -286,7 +288,7 @@ static void no_image(void **state)
 	struct transform t;
 
 	(void)state;
-	assert_null(scene_transform(&s, SPACE_VIEW, SPACE_NDC, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_VIEW, SPACE_NDC, false, &t));
 	for (size_t i = 0; i < 8; i++) {
 		static struct block b;
 

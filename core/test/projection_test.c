@@ -103,7 +103,7 @@ static void volumes_by_angle(void **state)
 
 	(void)state;
 	for (int i = 0; i < 120; i++) {
-		p.unit = i % 3 == 0 ? RADIANS : DEGREES;
+		p.unit = i % 3 == 0 ? ANGLE_RADIANS : ANGLE_DEGREES;
 		p.volume.view_angle = ldexp(i % 3 == 0 ? 1.5 : 170, -(i / 4));
 		p.volume.z_near = i & 1 ? -0.09 : 0.09;
 		p.volume.z_far = i & 1 ? 11 : -11;

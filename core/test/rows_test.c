@@ -34,7 +34,7 @@ static double number_back(bool wide, size_t i)
 static bool rows_to_columns(bool wide, int numbers, size_t n)
 {
 	return kernels_chosen()->to_columns[wide][numbers](rows + 1, columns, n,
-	    MAGNITUDE_MAX);
+	    SCENE_MAGNITUDE_MAX);
 }
 
 static bool columns_to_rows(bool wide, int numbers, size_t n)
@@ -82,7 +82,7 @@ static void numbers_keep_their_places(void **state)
 }
 
 /* Copies rows to columns with v at each place among ones. Asserts whether the kernel
- * reports that all magnitudes are within MAGNITUDE_MAX. */
+ * reports that all magnitudes are within SCENE_MAGNITUDE_MAX. */
 static void check_range_of_rows(bool wide, double v, bool within)
 {
 	for (int numbers = 2; numbers <= 4; numbers++)
@@ -172,7 +172,7 @@ static void floats_as_by_doubles(void **state)
 		if (!points_map_floats(&t, rows + 1, back + 1, n))
 			continue;
 		assert_true(kernels_chosen()->to_columns[false][t.in](rows + 1,
-		    b.in, n, MAGNITUDE_MAX));
+		    b.in, n, SCENE_MAGNITUDE_MAX));
 		map_block(&t, PRECISION_SINGLE, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.out; i++)
 			assert_true(number_back(false, i) ==

@@ -200,7 +200,7 @@ void sample_camera(struct camera *c, int e)
 		place_far(c);
 	if (e > 0 && c->way < CAMERA_ORIENTATION && sample_below(2))
 		put_up_near_gaze(c);
-	c->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
+	c->unit = sample_below(4) == 0 ? ANGLE_RADIANS : ANGLE_DEGREES;
 	if (sample_below(3) == 0)
 		c->roll = 15 * whole_number(24);
 	else if (sample_below(2))
@@ -335,9 +335,9 @@ static void sample_angle_unit(struct projection *p)
 		&p->shear.projector_angle, &p->shear.direction };
 	const double most[] = { PI, PI, PI / 2, HUGE_VAL };
 
-	p->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
+	p->unit = sample_below(4) == 0 ? ANGLE_RADIANS : ANGLE_DEGREES;
 	p->shear.direction_unit = p->unit;
-	for (int i = 0; i < 4 && p->unit == RADIANS; i++)
+	for (int i = 0; i < 4 && p->unit == ANGLE_RADIANS; i++)
 		*angles[i] = fmin(*angles[i] * (PI / 180), most[i]);
 }
 
@@ -345,7 +345,7 @@ static void sample_angle_unit(struct projection *p)
  * Hostile angles are next to each other, next to a right angle, or nearly 0. */
 static void sample_four_angles(struct projection *p, int e)
 {
-	double right = p->unit == RADIANS ? PI / 2 : 0x1.67fffffffffffp+6;
+	double right = p->unit == ANGLE_RADIANS ? PI / 2 : 0x1.67fffffffffffp+6;
 
 	for (int i = 0; i < 4; i += 2) {
 		double a = right * sample_between(-0.95, 0);
@@ -353,7 +353,7 @@ static void sample_four_angles(struct projection *p, int e)
 
 		if (e == 0 && sample_below(3) == 0)
 			b = a + 0.01 + sample_unit() * (right - a - 0.02);
-		if (e == 0 && p->unit == DEGREES && sample_below(3) == 0)
+		if (e == 0 && p->unit == ANGLE_DEGREES && sample_below(3) == 0)
 			a = -45;
 		switch (e > 0 ? sample_below(4) : 4) {
 		case 0:

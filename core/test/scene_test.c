@@ -202,10 +202,10 @@ static void refusals(void **state)
 	s.world[0][3] = 1e-9;
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world");
 	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL,
-	    "/world: " WHY_NOT_AFFINE);
+	    "/world: " MAP_NOT_AFFINE);
 	s.world[3][0] = 1;
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD,
-	    "/world: " WHY_NOT_AFFINE);
+	    "/world: " MAP_NOT_AFFINE);
 	s.world[0][3] = s.world[3][0] = 0;
 	s.world[0][0] = 0;
 	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");

@@ -136,7 +136,7 @@ static unsigned count_undecided(exact_kernel kernel, const struct kernel_map *m,
 static unsigned count_transform(const struct transform *t,
     enum kernel_kind kind, struct block *b)
 {
-	assert_int_equal(t->kind, kind);
+	assert_int_equal(t->kernel, kind);
 	return count_undecided(kernels_chosen()->exact[kind], &t->for_kernel,
 	    b);
 }
@@ -151,18 +151,21 @@ static void count_block(const struct regime *r, struct block *b,
 
 	sample_regime_scene(r, &s);
 	sample_regime_points(r, origin, b);
-	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_WORLD, false, &t));
+	assert_null(
+	    transform_of_scene(&s, SPACE_MODEL, SPACE_WORLD, false, &t));
 	n[RATIONAL] += count_transform(&t, KERNEL_AFFINE, b);
 	sample_regime_points(r, s.camera.eye, b);
-	assert_null(flat_transform(&s, FLAT_WINDOW, FLAT_DEVICE, &t));
+	assert_null(transform_of_window(&s, FLAT_WINDOW, FLAT_DEVICE, &t));
 	n[FLAT] += count_transform(&t, KERNEL_FLAT, b);
 	sample_regime_points(r, s.camera.eye, b);
-	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_VIEW, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_WORLD, SPACE_VIEW, false, &t));
 	n[AFFINE] += count_transform(&t, KERNEL_AFFINE, b);
-	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	assert_null(
+	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
 	n[DEPTH] += count_transform(&t, KERNEL_DEPTH, b);
 	sample_pixels(r, b);
-	assert_null(scene_transform(&s, SPACE_DEVICE, SPACE_WORLD, false, &t));
+	assert_null(
+	    transform_of_scene(&s, SPACE_DEVICE, SPACE_WORLD, false, &t));
 	n[PROJECTIVE] += count_transform(&t, KERNEL_PROJECTIVE, b);
 	assert_null(ray_maker_of(&s, &ray));
 	n[RAY] += count_undecided(kernels_chosen()->exact[KERNEL_DIRECTION],

@@ -9,11 +9,12 @@ static void kinds_have_their_names(void **state)
 {
 	static const double along[5][3] = { { 0, 0, 1 }, { 1, 1, 1 },
 		{ 1, 1, 3 }, { 1, 2, 3 }, { 1, 0, 3 } };
-	static const enum taxon_kind orthographic[] = { KIND_MULTIVIEW,
-		KIND_ISOMETRIC, KIND_DIMETRIC, KIND_TRIMETRIC, KIND_TRIMETRIC };
-	static const enum taxon_kind perspective[] = { KIND_ONE_POINT,
-		KIND_THREE_POINT, KIND_THREE_POINT, KIND_THREE_POINT,
-		KIND_TWO_POINT };
+	static const enum taxon_kind orthographic[] = { TAXON_MULTIVIEW,
+		TAXON_ISOMETRIC, TAXON_DIMETRIC, TAXON_TRIMETRIC,
+		TAXON_TRIMETRIC };
+	static const enum taxon_kind perspective[] = { TAXON_ONE_POINT,
+		TAXON_THREE_POINT, TAXON_THREE_POINT, TAXON_THREE_POINT,
+		TAXON_TWO_POINT };
 	struct scene s = { .has_camera = true };
 	struct picture t;
 
@@ -65,10 +66,10 @@ static void obliques_have_their_names(void **state)
 		assert_int_equal(t.taxonomy.taxon,
 		    angle == 90 ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE);
 		assert_int_equal(t.taxonomy.kind,
-		    angle == 0      ? KIND_CABINET :
-			angle == 45 ? KIND_CAVALIER :
-			angle == 90 ? KIND_MULTIVIEW :
-				      KIND_GENERAL);
+		    angle == 0      ? TAXON_CABINET :
+			angle == 45 ? TAXON_CAVALIER :
+			angle == 90 ? TAXON_MULTIVIEW :
+				      TAXON_GENERAL);
 		assert_number(t.taxonomy.foreshortening[0], 1);
 		assert_true(angle > 0 || t.taxonomy.foreshortening[2] == 0.5);
 	}

@@ -177,7 +177,7 @@ enum verdict truth_verdict(double printed, struct sized n, struct sized d,
 
 double element(const struct map *m, int i, int j)
 {
-	return map_nearest(m, i, j, false);
+	return map_element_nearest(m, i, j, false);
 }
 
 /* Keeps the value a of element i j if it is the largest so far. */
@@ -188,7 +188,7 @@ static void keep_largest(struct largest *l, double a, const struct map *m,
 		return;
 	l->value = a;
 	snprintf(l->where, sizeof l->where, "%s; element %d %d is %.17g",
-	    sample_name(), i, j, map_nearest(m, i, j, false));
+	    sample_name(), i, j, map_element_nearest(m, i, j, false));
 }
 
 static void compare_element(const struct map *m, int i, int j,
@@ -201,7 +201,8 @@ static void compare_element(const struct map *m, int i, int j,
 	real off = magnitude(sub(real_of_ex(got.value), exact.value));
 
 	for (int single = 0; single < 2; single++) {
-		enum verdict v = truth_verdict(map_nearest(m, i, j, single),
+		enum verdict v = truth_verdict(map_element_nearest(m, i, j,
+						   single),
 		    exact, one, single);
 
 		w->verdicts[v == WITHIN_TOLERANCE && !t->irrational ? WRONG :

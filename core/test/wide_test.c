@@ -37,7 +37,7 @@ static void products(void **state)
 	SAMPLES(i, TRIES) {
 		uint64_t a = any_word(), b = any_word(), c = any_word();
 		uint64_t before = any_word(), carry = before;
-		uint64_t p = multiply_add(a, b, c, &carry);
+		uint64_t p = wide_multiply_add(a, b, c, &carry);
 
 		assert_true(
 		    wide_of_words(carry, p) == (wide)a * b + c + before);
@@ -49,7 +49,7 @@ static void quotients(void **state)
 	(void)state;
 	SAMPLES(i, TRIES) {
 		uint64_t d = any_word() | 1, high = any_word() % d;
-		uint64_t low = any_word(), q = divide_two_words(high, low, d);
+		uint64_t low = any_word(), q = wide_divide(high, low, d);
 
 		assert_true(q == wide_of_words(high, low) / d);
 	}

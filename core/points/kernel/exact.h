@@ -148,7 +148,7 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
 struct column_cut {
 	double high[4], rest[4], element[4];
 	double bound;       /* of the column's error */
-	bool exact;         /* `rest` has no error beyond the noise */
+	bool noise_only;    /* `rest` has no error beyond the noise */
 	double noisy_below; /* 2^56 times the noise */
 };
 
@@ -159,7 +159,7 @@ static bool low_parts_are_noise(const struct kernel_map *m, int j, int terms,
 	double all = 0;
 
 	for (int i = 0; i < 4; i++)
-		if ((i == 3 || i < terms) && !m->exact[i][j])
+		if ((i == 3 || i < terms) && !m->hi_is_exact[i][j])
 			all += fabs(m->lo[i][j]) *
 				(i == 3 ? 1 : range[i].largest) +
 			    TINY;
@@ -180,7 +180,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	frexp(most, &exponent);
 	const double power = ldexp(1, exponent);
 
-	c->exact = low_parts_are_noise(m, j, terms, range);
+	c->noise_only = low_parts_are_noise(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
 		bool used = i == 3 || (i < terms && range[i].largest > 0);
 		double unit = i == 3 ? ldexp(1, -POINT_CUT) :
@@ -191,14 +191,15 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 		c->high[i] = cut_to(c->element[i],
 		    unit * power * ldexp(1, -ELEMENT_CUT));
 		c->rest[i] = c->element[i] - c->high[i];
-		if (used && !c->exact)
+		if (used && !c->noise_only)
 			c->rest[i] += m->lo[i][j];
 	}
 	for (int i = 0; i < terms; i++) {
 		double shift = range[i].rest * c->element[i], old = c->rest[3];
 
 		c->rest[3] = old - shift;
-		c->exact &= is_product(range[i].rest, c->element[i], shift) &&
+		c->noise_only &= is_product(range[i].rest, c->element[i],
+				     shift) &&
 		    old - c->rest[3] == shift && c->rest[3] + shift == old;
 	}
 	double noise = largest_noise(m, j, terms, range);
@@ -308,7 +309,7 @@ static inline V inexact_if_noisy(V a, double noisy_below)
 static inline V column_inexactness(const struct column_cut *c, vdd sum,
     const V cut[3], const V rest[3], int terms)
 {
-	V lo = ALL(c->rest[3]), inexact = ALL(c->exact ? 0 : 1);
+	V lo = ALL(c->rest[3]), inexact = ALL(c->noise_only ? 0 : 1);
 
 	for (int k = 0; k < 2 * terms; k++) {
 		V a = k < terms ? rest[k] : cut[k - terms];

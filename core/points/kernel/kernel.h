@@ -20,8 +20,8 @@ enum kernel_kind {
 	KERNEL_AFFINE, /* x, y and z, not divided */
 	KERNEL_XYZW,   /* x, y, z and w, not divided; PRECISION_EXACT only */
 	KERNEL_PROJECTIVE, /* x, y and z divided by w */
-	KERNEL_DEPTH,      /* z is a + b / w; in PRECISION_EXACT as PROJECTIVE */
-	KERNEL_DIRECTION,  /* from x and y to x, y and z of a unit vector */
+	KERNEL_DEPTH,     /* z is a + b / w; in PRECISION_EXACT as PROJECTIVE */
+	KERNEL_DIRECTION, /* from x and y to x, y and z of a unit vector */
 	KERNELS,
 };
 
@@ -49,8 +49,8 @@ enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 struct kernel_map {
 	double origin[3];
 	double hi[4][4], lo[4][4];
-	bool exact[4][4]; /* the element is exactly hi */
-	double a, b;      /* of KERNEL_DEPTH: z = a + b / w */
+	bool hi_is_exact[4][4]; /* the element is exactly hi */
+	double a, b;            /* of KERNEL_DEPTH: z = a + b / w */
 	/* The sum of the magnitudes of the products in column j is at most slope[j]
 	 * (|x|+|y|+|z|) + offset[j], for x, y, z relative to the origin. */
 	double slope[4], offset[4];

@@ -28,7 +28,7 @@ to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 /* Returns true only if each double of a column rounds to a finite float, and this float
  * is surely the nearest to the exact value from which the double was rounded. */
 static inline __attribute__((always_inline)) int
-floats_are_sure(const double *restrict column, size_t n)
+column_rounds_to_floats(const double *restrict column, size_t n)
 {
 	int64_t unsure = 0;
 
@@ -46,7 +46,7 @@ to_rows(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 	int64_t unsure = 0;
 
 	for (size_t k = 0; k < numbers && !is_double; k++)
-		unsure |= !floats_are_sure(columns[k], n);
+		unsure |= !column_rounds_to_floats(columns[k], n);
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
 			double v = columns[k][i];
