@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them:
  * the processor overlaps the turns of a short loop, but in a long loop it waits for the
- * results of each turn. write_find.h finds the digits. They are stored at a fixed place
- * of a number_text, from which number_text_put copies them with a point between them.
+ * results of each turn. write_find.h and write_shortest.h find the digits. They are
+ * stored at a fixed place of a number_text, from which number_text_put copies them with
+ * a point between them.
  *
  * A file that includes this file has the vectors of doubles that
  * core/points/kernel/copy.h describes, and defines:
@@ -30,7 +31,7 @@
  *			nonzero[k] if digit i of number k is not 0
  *
  * In each lane every operation on doubles rounds once, by IEEE 754. */
-#include "write_find.h"
+#include "write_shortest.h"
 
 /* The number of zeros that are stored before the WHOLE_DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
