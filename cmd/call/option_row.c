@@ -204,8 +204,7 @@ enum {
 	READ_POINTS = PRINT_POINTS | COMMAND_FIT,
 	PRINT_NUMBERS = PRINT_POINTS |
 	    COMMAND_INSPECT, /* take -d and --digits */
-	ALL_BUT_HELP = READ_POINTS | COMMAND_INSPECT,
-	ALL_COMMANDS = ALL_BUT_HELP | COMMAND_HELP,
+	ALL_BUT_HELP = COMMAND_ALL - COMMAND_HELP,
 };
 
 #define FLAG(member) .flag = offsetof(struct options, member)
@@ -289,14 +288,14 @@ const struct option_row option_rows[] = {
 	    FLAG(scenes) },
 	{ "json", 0, COMMAND_HELP, "print all that the program knows of itself as JSON",
 	    FLAG(json) },
-	{ "errors", 0, ALL_COMMANDS, "print messages as text (default) or json",
+	{ "errors", 0, COMMAND_ALL, "print messages as text (default) or json",
 	    "FORM", option_read_word, .words = message_forms,
 	    .global = &message_state.json },
-	{ "color", 0, ALL_COMMANDS, "colour messages and help: auto (default), always or never",
+	{ "color", 0, COMMAND_ALL, "colour messages and help: auto (default), always or never",
 	    "WHEN", option_read_word, .words = color_names,
 	    .global = &message_state.color },
-	{ "help", 'h', ALL_COMMANDS, "print the help of the command", FLAG(help) },
-	{ "version", 'V', ALL_COMMANDS, "print the version", FLAG(version) },
+	{ "help", 'h', COMMAND_ALL, "print the help of the command", FLAG(help) },
+	{ "version", 'V', COMMAND_ALL, "print the version", FLAG(version) },
 	{ .name = NULL },
 };
 /* clang-format on */

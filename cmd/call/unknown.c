@@ -45,27 +45,30 @@ const struct member *unknown_find_member(const char *name,
 	return find_member(SCENE_ALL, 0, name, "nNaA", object);
 }
 
-/* Offers m. `object` is a member of the scene, and m is `object` or one of its members.
- * Shows object->example if it has m or m is `object`, else the topic of help about it.
- * `reads` has, as bits, the members of the scene that the command reads. */
-static void offer_member(struct word_guess *g, unsigned reads,
-    const struct member *m, const struct member *object)
+/* Offers the member that find_member finds. Shows the example of its object if that has
+ * the member, else the topic of help about it. `reads` has, as bits, the members of the
+ * scene that the command reads. */
+static void offer_member(struct word_guess *g, unsigned objects, int variant,
+    const char *passes, unsigned reads)
 {
-	const char *where = reads >> (object - scene_members) & 1 ?
-	    "in PARAMS" :
-	    "for other commands";
+	const struct member *s,
+	    *m = find_member(objects, variant, g->word, passes, &s);
 	char says[128], quoted[64];
 
+	if (m == NULL)
+		return;
 	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
 	snprintf(says, sizeof says, "%s is a member of the %s %s", quoted,
-	    m == object ? "scene" : object->name, where);
-	if (object->example != NULL &&
-	    (m == object || strstr(object->example, quoted) != NULL))
-		word_offer(g, WORD_KNOWN, "%s: '{\"%s\": %s}'", says,
-		    object->name, object->example);
+	    m == s ? "scene" : s->name,
+	    reads >> (s - scene_members) & 1 ? "in PARAMS" :
+					       "for other commands");
+	if (s->example != NULL &&
+	    (m == s || strstr(s->example, quoted) != NULL))
+		word_offer(g, WORD_KNOWN, "%s: '{\"%s\": %s}'", says, s->name,
+		    s->example);
 	else
 		word_offer(g, WORD_KNOWN, "%s; 'projcalc help %s' describes it",
-		    says, object->name);
+		    says, s->name);
 }
 
 /* Writes to `list` which commands take an option: "fit and trace". Returns `list`. */
@@ -76,10 +79,12 @@ static const char *option_takers(const struct option_row *r,
 	static const char *const names[] = { "the 3D matrix commands",
 		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
 		"help" };
-	const char *takers[sizeof names / sizeof *names + 1] = { NULL };
+	enum { KINDS = sizeof names / sizeof *names };
+	const char *takers[KINDS + 1] = { NULL };
 	int n = 0;
 
-	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
+	_Static_assert(1 << KINDS == COMMAND_ALL + 1, "each kind has a name");
+	for (unsigned i = 0; i < KINDS; i++)
 		if (r->kinds >> i & 1)
 			takers[n++] = names[i];
 	return words_join(list, takers, " and ", "");
@@ -119,33 +124,26 @@ static void offer_known(struct word_guess *g, const struct command *c)
 	const struct option_row *r = option_find(g->word);
 	const char *option = word_hint(g->word, place, '-');
 	const char *hint = word_hint(g->word, place, '\0');
-	/* skips SCENE_SPATIAL if an option has the name: in a call of project, --at is
-	 * more likely meant as the option of pick than as camera.at */
-	const unsigned objects[] = { w->lone_member,
-		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
+	/* if an option has the name, searches no aliases, and not SCENE_SPATIAL: in a
+	 * call of project, --at is more likely the option of pick than camera.at */
+	const char *passes = r == NULL ? "na" : "n";
+	const unsigned other = r == NULL ? reads :
+					   reads & ~(unsigned)SCENE_SPATIAL;
 	/* searches the members of persp if the command implies no type of projection */
 	const int type = (int)w->source.implied_type,
-		  variant = type > 0 ? type - 1 : 0;
-	const struct member *m, *object;
+		  variant = type - (type > 0);
 
 	if (option_is_for(r, c))
 		offer_hint(g, c, "--*");
 	if (option != NULL && option_is_for(option_find(option + 2), c))
 		offer_hint(g, c, option);
-	/* searches aliases, too, unless an option has the name */
-	for (int i = 0; i < 2; i++) {
-		m = find_member(objects[i], variant, g->word,
-		    r == NULL ? "na" : "n", &object);
-		if (m != NULL)
-			offer_member(g, reads, m, object);
-	}
+	offer_member(g, w->lone_member, variant, passes, reads);
+	offer_member(g, other, variant, passes, reads);
 	if (hint != NULL)
 		offer_hint(g, c, hint);
 	if (r != NULL)
 		offer_hint(g, c, "--*");
-	m = unknown_find_member(g->word, &object);
-	if (m != NULL)
-		offer_member(g, c != NULL ? reads : SCENE_ALL, m, object);
+	offer_member(g, SCENE_ALL, 0, "nNaA", c != NULL ? reads : SCENE_ALL);
 }
 
 void unknown_check_option(const struct command *c, const char *word,
