@@ -29,26 +29,41 @@ const struct member *member_named(const struct member *row, int variant,
 	return NULL;
 }
 
-uint64_t member_bits(const struct member *table, int variant, const char *names,
-    char mark)
+/* The members that a list of names has, as bits: all, and those with each mark. */
+enum mark { MARK_OPTIONAL, MARK_FITTED, MARK_LEFT, MARK_NEVER, MARKS };
+struct way_bits {
+	uint64_t all, marked[MARKS];
+};
+
+/* Returns those members of a list of names that objects of the variant have. */
+static struct way_bits way_find(const struct member *table, int variant,
+    const char *names)
 {
-	uint64_t bits = 0;
+	static const char marks[] = "?~|!"; /* in the order of enum mark */
+	struct way_bits way = { 0 };
 	char name[ESCAPED_MAX];
 
 	for (; *names != '\0'; names += *names == ' ') {
-		size_t n = strcspn(names, " ?~|!"), size = strcspn(names, " ");
+		size_t n = strcspn(names, " ?~|!");
 
 		memcpy(name, names, n);
 		name[n] = '\0';
 		const struct member *row = member_named(table, variant, name,
 		    false);
+		uint64_t bit = row != NULL ? UINT64_C(1) << (row - table) : 0;
 
-		if (row != NULL &&
-		    (mark == '\0' || memchr(names + n, mark, size - n) != NULL))
-			bits |= UINT64_C(1) << (row - table);
-		names += size;
+		way.all |= bit;
+		for (names += n; *names > ' '; names++)
+			if (strchr(marks, *names) != NULL)
+				way.marked[strchr(marks, *names) - marks] |=
+				    bit;
 	}
-	return bits;
+	return way;
+}
+
+uint64_t member_bits(const struct member *table, int variant, const char *names)
+{
+	return way_find(table, variant, names).all;
 }
 
 const char *member_type_name(const struct member *row, char out[LIST_ROOM])
@@ -145,19 +160,14 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->flag - 1) = true;
 }
 
-/* The members of a way: all, and those with the mark ?, ~ or |. */
-struct way_bits {
-	uint64_t all, optional, fitted, left;
-};
-
 /* A rule for one variant of object. In a set of members, bit i is row i of the table. */
 struct rule_bits {
 	struct rule_bits *next;
 	const struct rule *rule;
 	const struct member *table;
 	int variant;
-	uint64_t all, with,
-	    without; /* members of all ways, and of rule->with */
+	uint64_t all;         /* members of all ways */
+	struct way_bits with; /* of rule->with */
 	size_t n;
 	struct way_bits way[];
 };
@@ -179,18 +189,10 @@ static const struct rule_bits *rule_find(const struct rule *rule,
 	b = xrealloc(NULL, sizeof *b + n * sizeof *b->way);
 	*b = (struct rule_bits){ kept, rule, table, variant, .n = n };
 	kept = b;
-	if (rule->with != NULL) {
-		b->without = member_bits(table, variant, rule->with, '!');
-		b->with = member_bits(table, variant, rule->with, 0) &
-		    ~b->without;
-	}
+	if (rule->with != NULL)
+		b->with = way_find(table, variant, rule->with);
 	for (size_t i = 0; i < n; i++) {
-		const char *way = rule->ways[i];
-
-		b->way[i].all = member_bits(table, variant, way, 0);
-		b->way[i].optional = member_bits(table, variant, way, '?');
-		b->way[i].fitted = member_bits(table, variant, way, '~');
-		b->way[i].left = member_bits(table, variant, way, '|');
+		b->way[i] = way_find(table, variant, rule->ways[i]);
 		b->all |= b->way[i].all;
 	}
 	return b;
@@ -200,7 +202,8 @@ static const struct rule_bits *rule_find(const struct rule *rule,
 static uint64_t way_required(const struct way_bits *way, bool fit)
 {
 	return way->all &
-	    ~(way->optional | way->left | (fit ? way->fitted : 0));
+	    ~(way->marked[MARK_OPTIONAL] | way->marked[MARK_LEFT] |
+		(fit ? way->marked[MARK_FITTED] : 0));
 }
 
 /* Writes all ways: "give A and B, or C". Omits optional members that are not given. */
@@ -287,15 +290,18 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
 		return 0;
 	const struct rule_bits *b = rule_find(rule, table, variant);
 
-	if ((b->with != 0 && (b->with & given) == 0) ||
-	    (b->without & given) != 0)
+	const uint64_t with = b->with.all & ~b->with.marked[MARK_NEVER];
+
+	if ((with != 0 && (with & given) == 0) ||
+	    (b->with.marked[MARK_NEVER] & given) != 0)
 		return 0;
 	const size_t way = find_way(v, b, fit, given);
 
 	if (base != NULL && rule->field != 0)
 		*(unsigned *)(void *)((char *)base + rule->field -
 		    1) = rule->way_0 + (unsigned)way;
-	return b->way[way].left & ~given & ~(fit ? b->way[way].fitted : 0);
+	return b->way[way].marked[MARK_LEFT] &
+	    ~(given | (fit ? b->way[way].marked[MARK_FITTED] : 0));
 }
 
 struct found object_read(const struct value *v, const struct member *row,

@@ -133,10 +133,8 @@ const struct member *member_named(const struct member *, int variant,
  * or right". The words may be written to `out`. */
 const char *member_type_name(const struct member *, char out[LIST_ROOM]);
 
-/* Returns, as bits, the rows for `names`, which are names of members as in struct rule,
- * of those that objects of the variant have. If `mark` is not NUL, returns only those
- * whose names are followed by this mark. */
-uint64_t member_bits(const struct member *, int variant, const char *names,
-    char mark);
+/* Returns, as bits, the rows for those of `names`, with blanks between them, that objects
+ * of the variant have. */
+uint64_t member_bits(const struct member *, int variant, const char *names);
 
 #endif

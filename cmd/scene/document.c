@@ -35,21 +35,17 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 		value_peek(v, s, end);
 		value_refuse_type(v, "an array of coordinates");
 	}
-	*(*out)++ = '[';
 	for (s = json_skip_blanks(s + 1, end); *s != ']'; e.index++) {
 		const char *stop = value_peek(&e, s, end);
 
+		*(*out)++ = n == 0 ? '[' : ',';
 		if (n++ < coordinates && *s != 'n')
 			value_number(&e, &range_any);
 		else if (*s == '[' || *s == '{')
 			value_refuse_type(&e, "a number, a string or null");
 		memmove(*out, s, (size_t)(stop - s));
 		*out += stop - s;
-		s = json_skip_blanks(stop, end);
-		if (*s == ',') {
-			*(*out)++ = ',';
-			s = json_skip_blanks(s + 1, end);
-		}
+		s = json_next_item(stop, end);
 	}
 	if (n < coordinates)
 		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
@@ -80,11 +76,9 @@ static size_t write_points(const struct value *v, const struct span *array,
 		e = *v;
 		s = array->s;
 	}
-	for (; s < end && *s != ']'; e.index++) {
-		s = write_point(&e, s, end, coordinates, &out);
-		s = json_skip_blanks(s, end);
-		s = s < end && *s == ',' ? json_skip_blanks(s + 1, end) : s;
-	}
+	for (; s < end && *s != ']'; e.index++)
+		s = json_next_item(write_point(&e, s, end, coordinates, &out),
+		    end);
 	return (size_t)(out - array->s);
 }
 
@@ -192,7 +186,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_device && answer == NULL &&
 	    (given_by_convention(&m[ROW_OF(CONVENTION)]) &
-		member_bits(convention_members, 0, "origin", '\0')) != 0)
+		member_bits(convention_members, 0, "origin")) != 0)
 		answer = &s->convention;
 	if (s->has_device && answer != NULL &&
 	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))

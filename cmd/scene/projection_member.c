@@ -211,8 +211,8 @@ static bool is_given(const struct projection *p, uint64_t given,
     const char *name)
 {
 	return (given &
-		   member_bits(projection_members, (int)p->type - 1, name,
-		       '\0')) != 0;
+		   member_bits(projection_members, (int)p->type - 1, name)) !=
+	    0;
 }
 
 /* Refuses a projection without a type; lists the types that fit its members best. */
@@ -372,7 +372,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 	for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
 		if (groups[i].is_hidden)
 			bits &= ~member_bits(row->members, variant,
-			    groups[i].names, '\0');
+			    groups[i].names);
 	if (sized)
 		p.volume.half_width *= 2; /* "size" is twice half_width */
 	object_print(printer, row, variant, bits, &p);
