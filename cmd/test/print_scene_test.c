@@ -24,6 +24,7 @@ static void sample_fitted(struct document *d)
 	s->has_camera = true;
 	while (projection_family(p) == FAMILY_FIXED)
 		p->type = 1 + sample_below(PROJECTION_TYPES - 1);
+	sample_remember(p);
 	bool persp = projection_family(p) == FAMILY_PERSP;
 	enum section_way sampled = p->section.way;
 

@@ -141,10 +141,10 @@ static void set_shear(const struct upright *u, const struct projection *given,
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
-	if (projection_family(given) == FAMILY_PARALLEL) {
+	if (projection_family(given) == FAMILY_PARALLEL)
 		p->shear.plane = given->shear.plane;
+	if (given->type == PROJECTION_OBLIQUE)
 		p->shear.kind = given->shear.kind;
-	}
 	p->shear.projector_angle = trig_atan2_degrees(
 	    sum_abs(sum_mul(u->clip_xy[0][0], u->clip_xy[1][1])),
 	    vec3_length(both));
