@@ -11,26 +11,14 @@
 #include "input.h"
 #include "option_row.h"
 
-/* Refuses `word`, an operand that is no file, for the reason `why`. The message ends
- * with `hint` or, if `word` is the name of an option of c, suggests this option. */
-static _Noreturn void refuse_no_file(const struct command *c, const char *word,
-    const char *why, const char *hint)
-{
-	const struct place place = { .file = word };
-
-	if (option_is_for(option_find(word), c))
-		die_at(EXIT_USAGE, &place, "%s; did you mean --%s?", why, word);
-	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
-}
-
-/* Refuses a file that can't be read. `hint` is used as in refuse_no_file. */
-static void check_file(const struct command *c, const char *name,
-    const char *hint)
+/* Refuses a file that can't be read. The message ends with `hint`. */
+static void check_file(const char *name, const char *hint)
 {
 	if (input_is_stdin(name))
 		input_check(name, STDIN_FILENO);
 	else if (!input_check(name, -1) || access(name, R_OK) != 0)
-		refuse_no_file(c, name, strerror(errno), hint);
+		die_at(EXIT_USAGE, &(struct place){ .file = name }, "%s; %s",
+		    strerror(errno), hint);
 }
 
 void operands_check(const struct options *o)
@@ -47,9 +35,10 @@ void operands_check(const struct options *o)
 	    c->name);
 	/* the shell splits an object without quotes: the first operand lacks } */
 	if (input_first_char(o->params) != '{')
-		check_file(c, o->params, hint);
+		check_file(o->params, hint);
 	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
-		refuse_no_file(c, o->params, "has no }", hint);
+		die_at(EXIT_USAGE, &(struct place){ .file = o->params },
+		    "has no }; %s", hint);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	if (o->columns.n != 1)
@@ -66,7 +55,7 @@ void operands_check(const struct options *o)
 			    "one of them");
 		from_stdin |= input_is_stdin(name);
 		if (input_first_char(name) != '[')
-			check_file(c, name, hint);
+			check_file(name, hint);
 	}
 }
 
