@@ -11,7 +11,7 @@ use File::Temp 'tempdir';
 
 our $here = abs_path(dirname(__FILE__));
 our $tmp = tempdir(CLEANUP => 1);
-our @EXPORT = qw($here $tmp slurp spew macro claimed claims compiled outcome
+our @EXPORT = qw($here $tmp slurp spew macro claimed claims compiled compiled_c outcome
     count_errors);
 
 sub slurp {
@@ -74,6 +74,16 @@ sub compiled {
 	my @command = (($ENV{CXX} // 'g++'), qw(-O1 -w -std=gnu++17
 	    -ffp-contract=off), claims($core), @flags, "-I$core", "-I$tmp",
 	    '-o', $program, "$here/$source");
+	return system(@command) == 0 ? $program : undef;
+}
+
+# Returns a C program compiled from a source and the numbers of core/exact in $core.
+sub compiled_c {
+	my ($source, $core) = @_;
+	my $program = "$tmp/program" . ++$programs;
+	my @command = (($ENV{CC} // 'gcc'), qw(-O1 -w -std=c11 -ffp-contract=off),
+	    "-I$core", '-o', $program, "$here/$source",
+	    (map { "$core/exact/$_.c" } qw(ex sum trig)), '-lm');
 	return system(@command) == 0 ? $program : undef;
 }
 

@@ -57,7 +57,7 @@ my @mutations = (
 	[$exact, 'a w that may be 0',
 	    'MIN(w_sum - bound, sure)', 'MIN(w_sum, sure)', @toy],
 	[$exact, 'columns held for exact whose elements are not',
-	    '&& !m->exact[i][j]', '&& false', @toy],
+	    '&& !m->hi_is_exact[i][j]', '&& false', @toy],
 	[$exact, 'columns held for exact whose sums are not',
 	    ' + ABS(s.lo)', '', @ties],
 	[$exact, 'columns held for exact whose products are not',
@@ -110,7 +110,8 @@ sub mutant {
 	my $copy = "$tmp/mutant";
 	remove_tree($copy);
 	make_path("$copy/exact", "$copy/points/kernel");
-	for my $header (qw(exact/dd.h exact/ex.h points/kernel/exact.h
+	for my $header (qw(exact/dd.h exact/ex.h exact/ex.c exact/wide.h exact/sum.h
+	    exact/sum.c exact/trig.h exact/trig.c points/kernel/exact.h
 	    points/kernel/approx.h points/kernel/kernel.h)) {
 		spew("$copy/$header", slurp("$core/$header"));
 	}
@@ -136,6 +137,23 @@ for my $group (\@counted, \@bounds, \@loose) {
 		my (undef, $name, undef, undef, $claim) = @$m;
 		like($said, qr/^\Q$claim\E .*REFUSED$/m, "$name is refused");
 	}
+}
+
+my @modelled = (
+	['exact/ex.c', 'a root without its last step',
+	    'words < 2 * EX_QUOTIENT_WORDS', 'words < EX_QUOTIENT_WORDS',
+	    'quotients and roots: EX_ERROR'],
+	['exact/ex.c', 'a quotient that is a word too short', 'int n = b->n + count;',
+	    'int n = b->n + --count;', 'quotients and roots: EX_ERROR'],
+	['exact/trig.c', 'a sine that is squared', 'sum_mul(s, r->rest_radians) : s',
+	    'sum_mul(s, sum_mul(s, r->rest_radians)) : s', 'sine and cosine: 2^-314'],
+	['exact/trig.c', 'a series that is a term too short', 'int k = n + last',
+	    'int k = n + last - 2', 'sine and cosine: 2^-314'],
+);
+for my $m (@modelled) {
+	my (undef, $name, undef, undef, $claim) = @$m;
+	my $said = `perl $here/prove.pl @{[mutant($m)]} 2>&1`;
+	like($said, qr/^\Q$claim\E .*REFUSED$/m, "$name is refused");
 }
 
 # Runs all of `make prove`, as far as its tools are installed.
