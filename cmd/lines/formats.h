@@ -52,7 +52,6 @@ struct cursor {
 
 enum { REASON_MAX = 320 }; /* bytes of a message that says what is wrong */
 
-/* The properties of a format. */
 struct format_row {
 	enum format base;         /* FORMAT_CSV for tsv, else the format */
 	char separator;           /* 0: the user chooses it by --separator */
@@ -118,7 +117,6 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 bool format_has_only_cr(struct dialect, struct span line,
     char reason[REASON_MAX]);
 
-/* Returns whether c is white space within a line. */
 static inline bool is_blank(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
@@ -175,7 +173,6 @@ struct cursor value_cursor(struct span value, const char *end);
 /* Reads the next field and moves the cursor past it; returns false if there is none. */
 bool cursor_next(struct cursor *, struct field *);
 
-/* Returns the number of fields after the cursor. */
 size_t cursor_count(struct cursor);
 
 #endif

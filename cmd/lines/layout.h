@@ -72,7 +72,6 @@ struct layout {
 	struct seen seen;
 };
 
-/* Returns the size of a binary record in bytes. */
 static inline size_t layout_record_size(const struct layout *l)
 {
 	return format_point_size(l->in.format,

@@ -21,7 +21,6 @@ static bool in_range(const struct layout *l, int i, double v,
 	return false;
 }
 
-/* Reads the coordinates v. Returns false, and writes the reason, if one is wrong. */
 static bool read_coordinates(const struct layout *l, struct cursor c,
     const struct lookup *found, double v[4], char reason[REASON_MAX])
 {

@@ -57,7 +57,6 @@ static inline struct span line_text(const struct line *line)
 	return (struct span){ line->s, line->s + line->size };
 }
 
-/* Returns the text of coordinate i. */
 static inline struct span line_field(const struct line *line, int i)
 {
 	return (struct span){ line->s + line->at[i].from,

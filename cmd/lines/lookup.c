@@ -58,7 +58,6 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 			    pointer && field_is_index(token, k);
 }
 
-/* A search for elements 0 to n - 1 of the arrays of struct lookup. */
 struct search {
 	const struct layout *l;
 	int n;

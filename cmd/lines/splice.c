@@ -15,7 +15,6 @@
 
 enum { FLAGS = COORDINATES_MAX };
 
-/* A line that is being written. */
 struct splice {
 	const struct layout *l;
 	const struct line *line;
@@ -40,7 +39,6 @@ size_t splice_room(const struct layout *l, size_t lines, size_t bytes)
 		2 * PREFIX_ROOM);
 }
 
-/* Copies the line from w->done up to s. */
 static void copy_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
@@ -217,7 +215,6 @@ static struct cursor cursor_of(const struct layout *l, const struct line *line)
 	return c;
 }
 
-/* Writes the line in its own format with other values. */
 static void splice_values(struct splice *w)
 {
 	const struct layout *l = w->l;

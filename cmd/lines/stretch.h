@@ -21,7 +21,6 @@ struct stretch {
 	uint16_t stop[STRETCH_MAX + 128]; /* the places of the stops */
 };
 
-/* Returns the stops of a dialect. */
 struct byte_set stretch_stops(struct dialect);
 
 /* Begins a stretch at text and makes its index. Returns false if it has no newline. */

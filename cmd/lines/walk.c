@@ -66,7 +66,6 @@ INLINE bool pass_number(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes coordinate k and, in csv, the quotes around it. */
 INLINE bool pass_coordinate(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
@@ -83,7 +82,7 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 
 /* The ways to find coordinate i. BY_ORDER: it is field i. BY_COLUMN: it is field
  * walk->field[i]. BY_PATH: path i leads to it. NO_LOOKUP: no field is a coordinate. */
-enum lookup { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
+enum walk_way { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 
 static bool pass_nested(struct walker *, const struct target *,
     const struct walk_paths *, unsigned leads, int levels);
@@ -92,7 +91,6 @@ static bool pass_nested(struct walker *, const struct target *,
  * read the line. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
-/* Returns the coordinate that is field k, or NO_COORDINATE. */
 INLINE int coordinate_in_column(const struct walk *w, int n, int k)
 {
 	for (int i = 0; i < n; i++)
@@ -153,7 +151,7 @@ INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
 /* The fields of a line, an array or an object. */
 struct fields {
 	int n; /* the number of coordinates */
-	enum lookup lookup;
+	enum walk_way lookup;
 	bool members; /* the fields are members of an object */
 	const struct walk_paths *paths;
 	int levels;      /* the most levels of brackets in a field */
@@ -256,7 +254,6 @@ INLINE bool pass_brackets(struct walker *p, struct fields f,
 	return true;
 }
 
-/* Passes an array or an object that is a field. */
 static bool pass_nested(struct walker *p, const struct target *t,
     const struct walk_paths *paths, unsigned leads, int levels)
 {
@@ -278,7 +275,7 @@ enum { LEVELS_MAX = 8 };
 
 /* Passes the line up to its end or, in the format text, to its last coordinate. */
 INLINE bool pass_line(struct walker *p, struct dialect d, int n,
-    enum lookup lookup, const struct target *t)
+    enum walk_way lookup, const struct target *t)
 {
 	const struct fields f = { .n = n,
 		.lookup = lookup,
@@ -307,10 +304,9 @@ static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
-/* Does what walk_lines does, for one dialect, number of coordinates and lookup. */
 INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
-    struct dialect d, int n, enum lookup lookup, size_t max, struct line *lines,
-    struct plain_places places[4], uint64_t *left)
+    struct dialect d, int n, enum walk_way lookup, size_t max,
+    struct line *lines, struct plain_places places[4], uint64_t *left)
 {
 	struct walker p = { s->text, s->at, s->next, false, 0 };
 	uint32_t end = s->end;

@@ -11,7 +11,6 @@
  * branches of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* A position in a stretch of text. */
 struct walker {
 	const char *text;
 	uint32_t at;          /* the position, in bytes from text */

@@ -6,7 +6,6 @@
 #include "../../core/derive/frustum.h"
 #include "splice.h"
 
-/* The state of writer_put_block. */
 struct writer {
 	const struct written_block *block;
 	const struct layout *layout;
@@ -115,7 +114,6 @@ static void writer_make_texts(struct writer *w, size_t p)
 	w->first_of_batch = from;
 }
 
-/* Returns the numbers and texts of the image of point p. */
 static inline struct numbers image_of(const struct writer *w, size_t p)
 {
 	return (struct numbers){ &w->block->image[0][p],

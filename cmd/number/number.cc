@@ -250,7 +250,6 @@ static char *write_decimals(char *s, double v, int n)
 	return s + n;
 }
 
-/* Writes n significant digits of v > 0 by printf. Returns the end of the text. */
 static char *print_significant(char *s, double v, int n)
 {
 	char d[128];

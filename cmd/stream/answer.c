@@ -123,7 +123,6 @@ static void print_chunk(const struct job *j, const struct chunk *c)
 	output_write(c->out, c->size);
 }
 
-/* Returns the place of the chunk's line of index `line`, from 0. */
 static struct place line_place(const struct chunk *c, size_t line)
 {
 	struct place p = c->place;

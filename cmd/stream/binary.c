@@ -14,7 +14,6 @@ bool binary_is_rows(const struct job *j)
 	    !j->visible && !j->rays;
 }
 
-/* Returns the number of bytes that are written for each point. */
 static size_t binary_size(const struct layout *l)
 {
 	return l->output.keeps ? layout_record_size(l) :
@@ -52,7 +51,6 @@ static void copy_coordinates(const struct layout *l, char *records, char *rows,
 		copy_numbers(l, sizeof(double), records, rows, to_records, n);
 }
 
-/* Returns the number of points of the next block. */
 static size_t count_points(const struct job *j, const struct chunk *c)
 {
 	size_t n = (size_t)(c->end - c->text) / layout_record_size(&j->layout);
