@@ -1,6 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads and prints the objects of a document by tables. Each row of a table describes a
- * member: its values, its field in a struct, and its texts in the help. */
+/* Reads and prints the objects of a document by tables. A row of a table describes a
+ * member: its values, its field in a struct, and its texts in the help. A rule says which
+ * members go together. Help, completions and the schema are made of the same rows.
+ *
+ * The caller owns the struct that is read or printed. Rows and rules are constants, and
+ * what is derived from a rule is kept until the program ends. Nothing else is kept: a
+ * struct that was read does not refer to the document. */
 #ifndef OBJECT_H
 #define OBJECT_H
 
@@ -35,7 +40,7 @@ struct member {
 	const struct value_range *range; /* of numbers; NULL: range_any */
 	const char *const *words;        /* possible strings; NULL ends them */
 	unsigned word_0;                 /* the field's value for words[0] */
-	/* The variants of objects that have the member, as bits; 0: all variants. Variant i is
+	/* The variants of objects that have the member, as bits; 0: all. Variant i is
 	 * word i of the table's first row, such as a type of projection. Several rows
 	 * may have the same name if their variants differ. */
 	unsigned variants;
@@ -71,22 +76,19 @@ struct member {
 		.offset = offsetof(struct object, field), __VA_ARGS__ \
 	}
 
-/* A rule on which members of an object go together. `ways` has the ways to give them: an
- * object must have the members of one way, and no member that only other ways list. A
- * way is a list of names with blanks between them. After a name, ? marks an optional
- * member, ~ one that the command fit finds, and |NAME one that can be left out if the
- * scene has a member NAME. */
+/* A rule says which members of an object go together. An object must have the members of
+ * one way, and no member that only other ways list. A way is a list of names with blanks
+ * between them. After a name, ? marks an optional member, ~ one that the command fit
+ * finds, and |NAME one that can be left out if the scene has a member NAME. */
 struct rule {
-	const char *const
-	    *ways; /* NULL ends them; without ways a rule ends an array */
-	unsigned variants; /* as in struct member */
-	unsigned
-	    tasks; /* the rule is for these tasks: bits 1 << task; 0: all */
-	/* Names of members: the rule is for objects that have one of them, but none of
-	 * those with ! after their names. NULL: for all objects. */
+	const char *const *ways; /* NULL ends them; ways NULL ends an array */
+	/* The rule holds for these variants, and for these tasks, as bits 1 << task; 0
+	 * means all. It holds for objects that have one of the members `with`, but none
+	 * of those with ! after their names; NULL means for all objects. */
+	unsigned variants, tasks;
 	const char *with;
-	const char *
-	    hint; /* the end of the message that a member is missing; or NULL */
+	/* The end of the message that a member is missing; NULL: it lists the ways. */
+	const char *hint;
 	/* FIELD of an unsigned, which becomes way_0 plus the index of the object's way;
 	 * or 0. */
 	size_t field;

@@ -47,15 +47,28 @@ struct place json_source_place(const struct json_source *source,
 	return p;
 }
 
-/* Replaces each number of a JSON text that is too long for cJSON by the shortest text
- * of the same double, and blanks. */
-static void shorten_numbers(char *s, const char *end)
+/* Changes a checked text so that cJSON reads it and takes less memory. A number that is
+ * too long for cJSON becomes the shortest text of the same double, and the value of a
+ * member whose name begins with _ becomes 0. Fills up with blanks. */
+static void edit_for_cjson(char *s, const char *end)
 {
 	char text[NUMBER_MAX], *text_end;
 	double v;
 
 	for (char *next; s < end; s = next) {
-		next = *s == '"' ? (char *)json_string_end(s, end) : s + 1;
+		next = s + 1;
+		if (*s == '"') {
+			const bool hidden = s[1] == '_';
+
+			next = (char *)json_string_end(s, end);
+			s = (char *)json_skip_blanks(next, end) + 1;
+			if (hidden && s < end && s[-1] == ':') {
+				next = (char *)json_item_end(s, end);
+				memset(s, ' ', (size_t)(next - s));
+				*s = '0';
+			}
+			continue;
+		}
 		if (*s != '-' && (*s < '0' || *s > '9'))
 			continue;
 		next = (char *)number_read(s, end, &v);
@@ -79,8 +92,8 @@ static cJSON *parse_without(const struct json_check *c, struct span array)
 
 	memcpy(copy, c->text, n);
 	memcpy(copy + n, rest, more);
-	if (c->has_long_number)
-		shorten_numbers(copy, copy + n + more);
+	if (c->needs_edit)
+		edit_for_cjson(copy, copy + n + more);
 	cJSON *parsed = cJSON_ParseWithLength(copy, n + more);
 
 	free(copy);

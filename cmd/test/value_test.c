@@ -38,10 +38,23 @@ static void test_long_numbers(void **state)
 	    0);
 }
 
+/* The value of a member whose name begins with _ becomes 0, and all else is kept. */
+static void test_hidden(void **state)
+{
+	(void)state;
+	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 2),
+	    0);
+	assert_number(first_number("{\"c\":3,\"_a\":{}, \"_\" :null}", 3), 3);
+	assert_number(first_number("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 3), 3);
+	assert_number(first_number("[4,\"_a\",{\"_\":1}]", 3), 4);
+	assert_number(first_number("{\"_\":\"1\",\"c\":\"_\"}", 2), 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_long_numbers),
+		cmocka_unit_test(test_hidden),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
