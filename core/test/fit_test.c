@@ -253,20 +253,42 @@ static bool sides_are_tight(const struct fitted *f)
 		    p->section.width;
 }
 
+/* Returns the size of the numbers whose rounding can move the eye along the gaze. A
+ * rounding across the gaze moves it back by as much times the cotangent of the angle
+ * between the gaze and a side plane. */
+static double retreat_size(const struct fitted *f, const real limit[2])
+{
+	real m[4][4];
+	double most = rounded_size(f, 5);
+
+	truth_matrix(&f->s, SPACE_VIEW, SPACE_CLIP, m);
+	for (int k = 0; k < 4; k++) {
+		real across = divide(magnitude(m[k / 2][k / 2]),
+		    slope(&f->s, k, limit[k / 2]));
+
+		most = fmax(most,
+		    rounded_size(f, k) * (1 + nearest_double(across)));
+	}
+	return most;
+}
+
 /* Returns whether the eye is as near as a side plane or near_ratio allows, but for the
  * rounding of the eye, also across the gaze. */
 static bool eye_is_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
+	real limit[2];
 
+	truth_limits(&f->s, limit);
 	if (mpfr_cmp(real_of(p->near),
 		mul(real_of(p->near_ratio), real_of(p->far))) < 0)
 		return false;
 	for (int k = 0; k < 4; k++)
 		if (nearest_double(f->gap[k].value) <=
-		    0x1p-48 * rounded_size(f, k))
+		    0x1p-48 * retreat_size(f, limit))
 			return true;
-	return p->near - p->near_ratio * p->far <= 0x1p-48 * rounded_size(f, 5);
+	return p->near - p->near_ratio * p->far <=
+	    0x1p-48 * retreat_size(f, limit);
 }
 
 /* Returns whether the functions of the planes of each pair have the same least value,
@@ -281,9 +303,8 @@ static bool is_balanced(const struct fitted *f)
 		real low = mul(f->gap[k].value, slope(&f->s, k, limit[k / 2]));
 		real high = mul(f->gap[k + 1].value,
 		    slope(&f->s, k + 1, limit[k / 2]));
-		real all = add(mul(real_of(rounded_size(f, k)),
-				   slope(&f->s, k, limit[k / 2])),
-		    mul(real_of(rounded_size(f, k + 1)),
+		real all = mul(real_of(retreat_size(f, limit)),
+		    add(slope(&f->s, k, limit[k / 2]),
 			slope(&f->s, k + 1, limit[k / 2])));
 
 		if (fabs(nearest_double(sub(low, high))) >
@@ -294,7 +315,7 @@ static bool is_balanced(const struct fitted *f)
 	return touches ||
 	    f->s.projection.near -
 		f->s.projection.near_ratio * f->s.projection.far <=
-	    0x1p-48 * rounded_size(f, 5);
+	    0x1p-48 * retreat_size(f, limit);
 }
 
 static unsigned out_bits(const struct scene *s, const struct fitted *f)
