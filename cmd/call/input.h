@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Files and operands as texts, which the caller owns until input_free. What can't be
- * input is refused here: a directory, and the file that is also the output. */
+/* Files and operands become texts, which the caller owns until input_free. This module
+ * refuses what can't be input: a directory, and the file that is also the output. */
 #ifndef INPUT_H
 #define INPUT_H
 

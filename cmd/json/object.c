@@ -112,7 +112,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 	const struct member *scene = v->source->scene_members;
 	const struct member *of_scene = member_named(scene, 0, v->name, false);
 	const char *names[MEMBERS_MAX + 1];
-	const char *hint = word_hint(v->name, WORD_MEMBER, '\0');
+	const char *hint = word_hint(v->name, WORD_MEMBER, ':');
 	struct word_guess g = { .word = v->name };
 	char list[LIST_ROOM];
 	int n = 0;

@@ -319,16 +319,18 @@ void value_numbers(const struct value *v, const struct value_range *range,
 
 int value_word(const struct value *v, const char *const *words)
 {
-	struct word_guess g = { .word = value_string(v) };
+	const char *word = value_string(v);
 	char all[LIST_ROOM];
 
-	words_join(all, words, " or ", "\"");
-	if (g.word == NULL)
-		value_refuse_type(v, all);
-	for (int i = 0; words[i] != NULL; i++)
-		if (strcmp(g.word, words[i]) == 0)
+	for (int i = 0; word != NULL && words[i] != NULL; i++)
+		if (strcmp(word, words[i]) == 0)
 			return i;
+	struct word_guess g = { .word = word };
+
+	words_join(all, words, " or ", "\"");
+	if (word == NULL)
+		value_refuse_type(v, all);
 	word_offer_list(&g, words, "did you mean \"%s\"?");
 	word_offer(&g, WORD_ELSE, "%s is wanted", all);
-	value_refuse(v, "is \"%.60s\"; %s", g.word, g.remedy);
+	value_refuse(v, "is \"%.60s\"; %s", word, g.remedy);
 }

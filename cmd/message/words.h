@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What an unknown word may mean, wherever it stands: on the command line, as the argument
- * of an option, as the name of a member or as its value. Its reader offers all meanings
- * to a struct word_guess, which keeps the remedy of the closest, for the end of one
- * message. The table of words.c has words of other programs that are no aliases in the
- * tables of members. */
+/* This module finds what an unknown word may mean, wherever it stands: on the command
+ * line, as the argument of an option, as the name of a member or as its value. Who reads
+ * the word offers all meanings to a struct word_guess, which keeps the remedy of the
+ * closest, for the end of one message. The table of words.c has words of other programs
+ * that are no aliases in the tables of members. */
 #ifndef WORDS_H
 #define WORDS_H
 
@@ -11,7 +11,7 @@
 
 enum { LIST_ROOM = 512, REMEDY_ROOM = LIST_ROOM + 64 };
 
-/* How close a word is to a meaning. */
+/* These tell how close a word is to a meaning. */
 enum {
 	WORD_ELSE = 1, /* is not; the remedy is for words without meaning */
 	WORD_BEGINS,   /* one begins with the other, by three letters or more */
@@ -42,13 +42,12 @@ int word_closeness(const char *word, const char *name);
  * NULL for no words. Ignores case, _ and -: LookAt, look_at and look-at are lookat. */
 bool word_is_one_of(const char *word, const char *words);
 
-/* Where a word of other programs stands, as bits: a command or a topic of help, an
- * option, the argument of an option or the string of a member, the name of a member. */
+/* A word of other programs may stand in these places, as bits. */
 enum word_place {
-	WORD_COMMAND = 1,
+	WORD_COMMAND = 1, /* a command, or a topic of help */
 	WORD_OPTION = 2,
-	WORD_VALUE = 4,
-	WORD_MEMBER = 8,
+	WORD_VALUE = 4,  /* the argument of an option, the string of a member */
+	WORD_MEMBER = 8, /* the name of a member */
 };
 
 /* Returns the hint for a word of other programs in a place, or NULL. The hint is an
