@@ -127,14 +127,16 @@ sub tests_of {
 	my ($folder, $name) = $file =~ m{^(core|cmd).*?(\w+)\.\w+$};
 	my @units = map { s/\.c$//r } glob "$folder/test/*_test.c";
 	my ($own) = grep { /\/${name}_test$/ } @units;
-	my @proofs = $file =~ m{^core/(?:.*\.h|trig\.c)$} ?
+	my @proofs = $file =~ m{^core/(?:.*\.h|exact/(?:ex|sum|trig)\.c)$} ?
 	    map { "core/proof/$_" } qw(prove.pl proof_test.t) : ();
+	# kernels that decide nothing change no output, only the time
+	my @sure = $file =~ m{^core/points/} ? "core/test/sure_test" : ();
 	my @talk_too = $folder eq 'cmd' ? @talk : ();
 	my ($first, $others) = map { [map { "cmd/test/${_}_test.t" } @$_] }
 	    \@first, [@values, @talk_too];
 	my %seen;
-	return ($own // (), @$first) if $quick;
-	return grep { !$seen{$_}++ } $own // (), @$first, $proofs[0] // (),
+	return ($own // (), @sure, @$first) if $quick;
+	return grep { !$seen{$_}++ } $own // (), @sure, @$first, $proofs[0] // (),
 	    @units, @$others, @proofs;
 }
 
