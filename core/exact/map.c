@@ -195,14 +195,16 @@ double map_element_nearest(const struct map *a, int i, int j, bool single)
 	return sum_ratio_nearest(&a->m[i][j], &a->divisor, single);
 }
 
-struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
-    unsigned skipped_columns)
+static void find_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
+    unsigned skipped_columns, struct sum *r)
 {
-	struct sum minor[4], r;
+	struct sum minor[4];
 	int i = 0, sign = 1;
 
-	if (n == 0)
-		return sum_of_double(1);
+	if (n == 0) {
+		sum_set(r, 1);
+		return;
+	}
 	while (skipped_rows >> i & 1)
 		i++;
 	for (int j = 0; j < 4; j++) {
@@ -210,12 +212,20 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
 		if (skipped_columns >> j & 1)
 			continue;
 		if (!sum_is_exact_zero(&m[i][j]))
-			minor[j] = map_minor(n - 1, m, skipped_rows | 1u << i,
-			    skipped_columns | 1u << j);
+			find_minor(n - 1, m, skipped_rows | 1u << i,
+			    skipped_columns | 1u << j, &minor[j]);
 		minor[j].value.sign *= sign;
 		sign = -sign;
 	}
-	sum_dot(4, m[i], minor, 1, &r);
+	sum_dot(4, m[i], minor, 1, r);
+}
+
+struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
+    unsigned skipped_columns)
+{
+	struct sum r;
+
+	find_minor(n, m, skipped_rows, skipped_columns, &r);
 	return r;
 }
 

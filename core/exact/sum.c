@@ -8,7 +8,7 @@
  * as small as 1; ex_divide sets the last bit if the quotient is not exact. */
 enum { ROUNDED_WORDS = 2 };
 
-static const struct sum one = { .value = { 1, 1, 0, { 1 } } };
+const struct sum sum_one = { .value = { 1, 1, 0, { 1 } } };
 static const struct sum minus_one = { .value = { -1, 1, 0, { 1 } } };
 static const struct sum two = { .value = { 1, 1, 0, { 2 } } };
 
@@ -105,11 +105,6 @@ struct sum(sum_negated_if)(bool negates, const struct sum *a)
 	return r;
 }
 
-struct sum(sum_neg)(const struct sum *a)
-{
-	return sum_negated_if(true, *a);
-}
-
 struct sum(sum_abs)(const struct sum *a)
 {
 	return sum_negated_if(a->value.sign < 0, *a);
@@ -161,7 +156,7 @@ struct sum(sum_add)(const struct sum *a, const struct sum *b)
 	struct sum r;
 
 	dot_of_pointers(2, (const struct sum *[]){ a, b },
-	    (const struct sum *[]){ &one, &one }, &r);
+	    (const struct sum *[]){ &sum_one, &sum_one }, &r);
 	return r;
 }
 
@@ -170,7 +165,7 @@ struct sum(sum_sub)(const struct sum *a, const struct sum *b)
 	struct sum r;
 
 	dot_of_pointers(2, (const struct sum *[]){ a, b },
-	    (const struct sum *[]){ &one, &minus_one }, &r);
+	    (const struct sum *[]){ &sum_one, &minus_one }, &r);
 	return r;
 }
 
@@ -273,7 +268,7 @@ int(sum_compare)(const struct sum *a, const struct sum *b)
 	struct sum r;
 
 	dot_of_pointers(2, (const struct sum *[]){ a, b },
-	    (const struct sum *[]){ &one, &minus_one }, &r);
+	    (const struct sum *[]){ &sum_one, &minus_one }, &r);
 	return sum_sign(r);
 }
 
@@ -307,7 +302,8 @@ static double round_inexact(const struct sum *n, const struct sum *d,
 
 	sum_set(&minus_near, -near);
 	ex_dot(2, (const ex *[]){ q, &minus_near.value },
-	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &rest.value);
+	    (const ex *[]){ &sum_one.value, &sum_one.value }, INT_MIN,
+	    &rest.value);
 	int side = rest.value.sign * q->sign;
 
 	if (!isfinite(near) || side == 0 ||
@@ -345,21 +341,11 @@ double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single)
 	    round_inexact(n, d, q, single);
 }
 
-double(sum_ratio)(const struct sum *n, const struct sum *d)
-{
-	return sum_ratio_nearest(n, d, false);
-}
-
 double(sum_ratio_or_nan)(const struct sum *n, const struct sum *d)
 {
 	double q = sum_ratio_nearest(n, d, false);
 
 	return isfinite(q) ? q : (double)NAN;
-}
-
-double(sum_double)(const struct sum *a)
-{
-	return sum_ratio_nearest(a, &one, false);
 }
 
 dd(sum_dd)(const struct sum *a)

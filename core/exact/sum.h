@@ -38,6 +38,8 @@ static inline bool sum_is_exact(const struct sum *a)
 	return a->error == 0;
 }
 
+extern const struct sum sum_one; /* 1 */
+
 void sum_set(struct sum *, double exact);
 
 /* Copies a sum: only the words that it has, where an assignment copies 900 bytes. */
@@ -56,7 +58,6 @@ struct sum sum_truncate(const struct sum *, int n);
 /* Returns `a` with the bound of its error increased by |e|. */
 struct sum sum_add_error(const struct sum *a, const struct sum *e);
 
-struct sum sum_neg(const struct sum *);
 struct sum sum_negated_if(bool, const struct sum *);
 struct sum sum_abs(const struct sum *);
 struct sum sum_add(const struct sum *, const struct sum *);
@@ -90,10 +91,9 @@ bool sum_is_power_of_two(const struct sum *);
 /* Returns the sum, or exact 0 if the sign of the sum is 0. */
 struct sum sum_snap_zero(const struct sum *);
 
-/* Return the double nearest to a sum or to n / d; sum_ratio_nearest, if single, the
- * nearest float. Ties go to even; a number beyond the range becomes infinite. */
-double sum_double(const struct sum *);
-double sum_ratio(const struct sum *n, const struct sum *d);
+/* Returns the double or, if single, the float nearest to n / d. Ties go to even; a number
+ * beyond the range becomes infinite. sum_ratio and sum_double, which are macros below,
+ * return the double nearest to n / d and to a sum. */
 double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single);
 
 /* Returns sum_ratio, or nan if d is 0 or the ratio is beyond the range. */
@@ -112,7 +112,7 @@ double sum_least_error(const struct sum *n, const struct sum *d);
 #define sum_add_error(a, b) sum_add_error(SUM_AT(a), SUM_AT(b))
 #define sum_with_error(a, b) sum_with_error(SUM_AT(a), b)
 #define sum_truncate(a, b) sum_truncate(SUM_AT(a), b)
-#define sum_neg(a) sum_neg(SUM_AT(a))
+#define sum_neg(a) sum_negated_if(true, a)
 #define sum_negated_if(a, b) sum_negated_if(a, SUM_AT(b))
 #define sum_abs(a) sum_abs(SUM_AT(a))
 #define sum_add(a, b) sum_add(SUM_AT(a), SUM_AT(b))
@@ -126,8 +126,8 @@ double sum_least_error(const struct sum *n, const struct sum *d);
 #define sum_sign(a) sum_sign(SUM_AT(a))
 #define sum_compare(a, b) sum_compare(SUM_AT(a), SUM_AT(b))
 #define sum_snap_zero(a) sum_snap_zero(SUM_AT(a))
-#define sum_double(a) sum_double(SUM_AT(a))
-#define sum_ratio(a, b) sum_ratio(SUM_AT(a), SUM_AT(b))
+#define sum_double(a) sum_ratio(a, sum_one)
+#define sum_ratio(a, b) sum_ratio_nearest(SUM_AT(a), SUM_AT(b), false)
 #define sum_ratio_or_nan(a, b) sum_ratio_or_nan(SUM_AT(a), SUM_AT(b))
 #define sum_dd(a) sum_dd(SUM_AT(a))
 
