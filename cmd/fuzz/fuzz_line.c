@@ -49,7 +49,7 @@ static void check_back(const struct layout *l, const double v[],
 	double read[4];
 	char reason[REASON_MAX];
 	bool first = has_bom && skip_bom(text.s, text.end) > text.s;
-	enum first header = first ? FIRST_LINE : FIRST_NONE;
+	enum next_part header = first ? FIRST_LINE : FIRST_NONE;
 
 	for (int i = 0; i < back.columns.n && l->in.format == FORMAT_CSV; i++)
 		back.columns.name[i] = NULL;
@@ -90,7 +90,7 @@ static void write_back(const struct layout *l, const struct line *line,
 	static const struct number_text none = { .layout = 0 };
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };
-	const struct numbers numbers = { v, &none, 1, 0 };
+	const struct image_numbers numbers = { v, &none, 1, 0 };
 	size_t room = splice_room(l, 1, line->size);
 	char *out = malloc(room), *end;
 
@@ -121,7 +121,7 @@ static void check_spans(const struct layout *l, const struct line *line,
 }
 
 static void check_line(struct layout *l, struct span text, const char *end,
-    enum first *header)
+    enum next_part *header)
 {
 	char reason[REASON_MAX] = "";
 	struct line line = { 0 };
@@ -147,7 +147,7 @@ static const char *line_end(const char *s, const char *end)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	enum first header = FIRST_LINE;
+	enum next_part header = FIRST_LINE;
 
 	if (size < HEADER)
 		return 0;

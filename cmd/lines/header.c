@@ -133,7 +133,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	return true;
 }
 
-bool header_row_is_long(struct layout *l, struct cursor c, enum first first,
+bool header_row_is_long(struct layout *l, struct cursor c, enum next_part first,
     char reason[REASON_MAX])
 {
 	size_t n = 0;

@@ -21,7 +21,7 @@ bool header_read(struct layout *, struct span text, struct line *,
  * A longer first row raises max_fields, but not below a header if a coordinate has a
  * name, or if the row has just one field more than the header. R writes such tables,
  * without a name for the column of row names: each name is one column off. */
-bool header_row_is_long(struct layout *, struct cursor row, enum first,
+bool header_row_is_long(struct layout *, struct cursor row, enum next_part,
     char reason[REASON_MAX]);
 
 /* Returns a cursor over the names of a header, whose text has no byte order mark. */

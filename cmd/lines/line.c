@@ -103,8 +103,9 @@ static bool is_legal(const struct layout *l, struct cursor c,
 
 /* Finds the coordinates of a line and reads them. Sets the kind of the line, which is
  * LINE_REFUSED if the first row does not fit its header. */
-static void read_fields(struct layout *l, struct span text, enum first first,
-    struct line *line, double v[4], char reason[REASON_MAX])
+static void read_fields(struct layout *l, struct span text,
+    enum next_part first, struct line *line, double v[4],
+    char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
 	struct lookup found;
@@ -156,7 +157,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		reason_text_header(l, text, reason);
 }
 
-void line_read(struct layout *l, struct span text, enum first *first,
+void line_read(struct layout *l, struct span text, enum next_part *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);

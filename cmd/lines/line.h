@@ -11,7 +11,7 @@
 /* The part of a source that is read next. FIRST_BYTE: the beginning. FIRST_LINE: the
  * first line that is neither blank nor a comment. FIRST_ROW: the first row after a
  * header. FIRST_NONE: any later line. */
-enum first { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
+enum next_part { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
 enum line_kind {
 	LINE_POINT,
@@ -73,7 +73,7 @@ static inline struct part line_part(const struct line *line, struct span f)
  * how to mend it. *first says which part of the source the line is, and is updated for
  * the next line. The first line may begin with a byte order mark, and in csv it may be
  * a header, which sets the columns of the layout. */
-void line_read(struct layout *, struct span text, enum first *, struct line *,
-    double v[4], char reason[REASON_MAX]);
+void line_read(struct layout *, struct span text, enum next_part *,
+    struct line *, double v[4], char reason[REASON_MAX]);
 
 #endif

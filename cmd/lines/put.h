@@ -10,7 +10,7 @@ enum { FLAG_MAX = 48 }; /* bytes for the word of --flags, as left+near */
 
 /* The numbers written for a point: v[k * stride] is number k, and text[k * text_stride]
  * is its text. */
-struct numbers {
+struct image_numbers {
 	const double *v;
 	const struct number_text *text;
 	size_t stride, text_stride;
@@ -47,8 +47,8 @@ static inline char *put_flags_word(const struct layout *l,
 	return out + quoted;
 }
 
-static inline char *put_coordinate(const struct layout *l, struct numbers n,
-    int k, char *out)
+static inline char *put_coordinate(const struct layout *l,
+    struct image_numbers n, int k, char *out)
 {
 	const struct number_text *text = &n.text[(size_t)k * n.text_stride];
 	double v = n.v[(size_t)k * n.stride];
@@ -61,8 +61,8 @@ static inline char *put_coordinate(const struct layout *l, struct numbers n,
 
 /* Writes the numbers from k on and, unless it is NULL, the word of --flags, each after
  * the separator. */
-static inline char *put_added(const struct layout *l, struct numbers n, int k,
-    char separator, const struct flags *flags, char *out)
+static inline char *put_added(const struct layout *l, struct image_numbers n,
+    int k, char separator, const struct flags *flags, char *out)
 {
 	for (; k < l->writes; k++) {
 		*out++ = separator;

@@ -18,7 +18,8 @@ enum { FLAGS = COORDINATES_MAX };
 struct splice {
 	const struct layout *l;
 	const struct line *line;
-	const struct numbers *numbers; /* NULL in a header: names are written */
+	const struct image_numbers
+	    *numbers; /* NULL in a header: names are written */
 	const struct flags *flags;
 	struct span separator; /* before each value that is added */
 	const char *done;      /* bytes before it are copied or left out */
@@ -364,7 +365,7 @@ static void convert_line(struct splice *w)
 
 /* Writes a point as convert_line does without --append, but faster. */
 static char *convert_point(const struct layout *l, const struct line *line,
-    struct numbers n, const struct flags *flags, char *out)
+    struct image_numbers n, const struct flags *flags, char *out)
 {
 	const struct format_row *to = format_of(l->out);
 
@@ -379,7 +380,7 @@ static char *convert_point(const struct layout *l, const struct line *line,
 }
 
 char *splice_line(const struct layout *l, const struct line *line,
-    const struct numbers *numbers, const struct flags *flags, char *out)
+    const struct image_numbers *numbers, const struct flags *flags, char *out)
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);

@@ -17,7 +17,7 @@ size_t splice_room(const struct layout *, size_t lines, size_t bytes);
  * added values; in FORMAT_TEXT the header becomes a comment. From JSON or to JSON,
  * leaves out blank lines, comments and headers. Returns the end of the output. */
 char *splice_line(const struct layout *, const struct line *,
-    const struct numbers *, const struct flags *flags, char *out);
+    const struct image_numbers *, const struct flags *flags, char *out);
 
 /* Writes all fields that hold no coordinate, each after a separator of the output's
  * format. If both formats are FORMAT_TEXT and --columns is not given, writes a blank

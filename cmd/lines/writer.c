@@ -73,7 +73,7 @@ static inline char added_separator(const struct layout *l,
  * x, y, z, w), and adds the other values after them. Returns the end of the output. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
-    const int *order, const struct numbers n, const struct flags *flags,
+    const int *order, const struct image_numbers n, const struct flags *flags,
     char *out)
 {
 	uint32_t done = 0;
@@ -114,9 +114,9 @@ static void writer_make_texts(struct writer *w, size_t p)
 	w->first_of_batch = from;
 }
 
-static inline struct numbers image_of(const struct writer *w, size_t p)
+static inline struct image_numbers image_of(const struct writer *w, size_t p)
 {
-	return (struct numbers){ &w->block->image[0][p],
+	return (struct image_numbers){ &w->block->image[0][p],
 		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 }
 
@@ -138,7 +138,7 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 					  write_in_place(l, line, false, NULL,
 					      image_of(w, p), flags, at);
 	if (!w->in_place || w->adds_values) {
-		const struct numbers n = image_of(w, p);
+		const struct image_numbers n = image_of(w, p);
 
 		return splice_line(l, line, &n, flags, at);
 	}
@@ -151,7 +151,7 @@ char *writer_put_block(const struct written_block *b, char *at)
 {
 	static const double nan = (double)NAN;
 	static const struct number_text none = { .layout = 0 };
-	const struct numbers bad = { &nan, &none, 0, 0 };
+	const struct image_numbers bad = { &nan, &none, 0, 0 };
 	const struct layout *l = b->layout;
 	struct writer w; /* no initializer, as to clear the texts takes time */
 

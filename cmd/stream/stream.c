@@ -58,9 +58,9 @@ static struct {
 	struct chunk *unused; /* a stack, so that few chunks are in use */
 
 	struct point_source *source;
-	bool can_read;    /* source has not ended, and no thread reads it */
-	bool answering;   /* a thread is answering chunks */
-	enum first first; /* see struct chunk */
+	bool can_read;        /* source has not ended, and no thread reads it */
+	bool answering;       /* a thread is answering chunks */
+	enum next_part first; /* see struct chunk */
 	struct chunk *oldest, **queue_end; /* chunks begun but not answered */
 } pool = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
