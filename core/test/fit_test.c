@@ -259,6 +259,7 @@ static bool sides_are_tight(const struct fitted *f)
 static double retreat_size(const struct fitted *f, const real limit[2])
 {
 	real m[4][4];
+	int mark = real_mark();
 	double most = rounded_size(f, 5);
 
 	truth_matrix(&f->s, SPACE_VIEW, SPACE_CLIP, m);
@@ -269,6 +270,7 @@ static double retreat_size(const struct fitted *f, const real limit[2])
 		most = fmax(most,
 		    rounded_size(f, k) * (1 + nearest_double(across)));
 	}
+	real_release(mark);
 	return most;
 }
 
