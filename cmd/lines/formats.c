@@ -36,9 +36,11 @@ bool format_has_only_cr(struct dialect d, struct span line,
 
 	for (bool begins = csv; s < line.end && *s != '\r'; s++) {
 		if (begins && *s == '"') {
-			s = csv_quote_end(s, line.end);
-			if (s-- == NULL)
+			const char *after = csv_quote_end(s, line.end);
+
+			if (after == NULL)
 				return false;
+			s = after - 1;
 		}
 		begins = csv && (*s == d.separator || (begins && is_blank(*s)));
 	}
