@@ -589,11 +589,9 @@ static void every_type_is_fitted_or_refused(void **state)
 			    (why = fit_scene(&s, false, &ball)) == NULL)
 				assert_true(scene_is_valid(&s));
 		}
-		if (why != NULL &&
-		    (type == PROJECTION_NONE || type == PROJECTION_MATRIX))
+		/* assert_reason prints the reason of a type that is never fitted */
+		if (why != NULL)
 			assert_reason(why, "/projection/type");
-		else if (why != NULL)
-			fail_msg("type %d is never fitted: %s", type, why);
 	}
 }
 

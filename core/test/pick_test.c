@@ -19,7 +19,6 @@ struct distance {
 static void distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;
-	bool volume = projection_family(p) == FAMILY_VOLUME;
 	double gaze = truth_gaze_sign(&s->convention);
 
 	struct scene own = *s;
@@ -37,15 +36,22 @@ static void distance_of(const struct scene *s, struct distance *d)
 		return;
 	}
 	/* the constant term of w, of intrinsics */
-	double w = projection_family(p) == FAMILY_PERSP &&
-		p->section.way == SECTION_INTRINSICS ?
-	    p->section.intrinsics[2][3] :
-	    0;
-	d->near = sized_of(volume ? p->volume.z_near : gaze * p->near);
-	if (!volume)
-		d->near = sized_sub(d->near, sized_of(gaze * w));
-	d->upward = volume ? p->volume.z_far > p->volume.z_near :
-			     (p->far > p->near) == (gaze > 0);
+	double w = projection_has_intrinsics(p) ? p->section.intrinsics[2][3] :
+						  0;
+
+	switch (projection_family(p)) {
+	case FAMILY_PERSP:
+	case FAMILY_PARALLEL:
+	case FAMILY_FIXED:
+		d->near = sized_sub(sized_of(gaze * p->near),
+		    sized_of(gaze * w));
+		d->upward = (p->far > p->near) == (gaze > 0);
+		break;
+	case FAMILY_VOLUME:
+		d->near = sized_of(p->volume.z_near);
+		d->upward = p->volume.z_far > p->volume.z_near;
+		break;
+	}
 }
 
 static struct sized distance_at(const struct distance *d, const double p[4])
