@@ -21,8 +21,7 @@ static void fit_take_block(const struct job *j, struct chunk *c)
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
 	if (c->size == 0)
-		memset(chunk_reserve(c, sizeof fit->extremes), 0,
-		    sizeof fit->extremes);
+		memset(chunk_reserve(c, sizeof fit->extremes), 0, sizeof fit->extremes);
 	c->size = sizeof fit->extremes;
 	/* extremes_add needs a multiple of 16 points: repeats the first point */
 	for (size_t i = c->block_points; i % 16 != 0; i++)
@@ -37,8 +36,7 @@ static void fit_collect_chunk(const struct job *j, const struct chunk *c)
 	struct fit *fit = j->data;
 
 	if (c->size > 0)
-		extremes_merge(&fit->extremes, &fit->directions,
-		    (const void *)c->out);
+		extremes_merge(&fit->extremes, &fit->directions, (const void *)c->out);
 }
 
 /* Sets the bounds of the document to those of the points. */
@@ -51,8 +49,7 @@ static void fit_read_points(const struct options *o, struct document *d)
 
 	memset(&fit.extremes, 0, sizeof fit.extremes);
 	if (d->flat) {
-		transform_of_window(&d->scene, FLAT_NDC, FLAT_NDC,
-		    &j.transform);
+		transform_of_window(&d->scene, FLAT_NDC, FLAT_NDC, &j.transform);
 		fit_window_directions(&fit.directions);
 	} else {
 		map_identity(&j.transform.map);
@@ -67,8 +64,8 @@ static void fit_read_points(const struct options *o, struct document *d)
 
 /* Refuses a scene for a reason that fit_window or fit_scene returned. If the reason is
  * about /bounds, and the bounds are those of points, the message names the points. */
-static _Noreturn void refuse_fit(const struct options *o,
-    const struct document *d, const char *reason)
+static _Noreturn void refuse_fit(const struct options *o, const struct document *d,
+    const char *reason)
 {
 	const char bounds[] = "/bounds: ";
 	const size_t n = strlen(bounds);

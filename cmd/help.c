@@ -49,13 +49,11 @@ static void print_member(const struct member *row, const char *const *types)
 
 /* Prints the rows of a table that are set in `bits` and that objects of the variant have.
  * A variant < 0 stands for all. */
-static void print_members(const struct member *table, int variant,
-    uint64_t bits)
+static void print_members(const struct member *table, int variant, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
 		if (bits >> (row - table) & 1 &&
-		    (variant < 0 || row->variants == 0 ||
-			row->variants >> variant & 1))
+		    (variant < 0 || row->variants == 0 || row->variants >> variant & 1))
 			print_member(row, variant < 0 ? table->words : NULL);
 }
 
@@ -65,11 +63,10 @@ void help_all(const struct command *c)
 	output_printf(" projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
 	for (; c->name != NULL; c++)
 		output_printf("  %-10s %s\n", c->name, c->about);
-	output_printf(
-	    "\nPARAMS is a JSON file, - for standard input (default), or "
-	    "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
-	    "See projcalc help COMMAND, projcalc help camera (or another "
-	    "member), man projcalc.\n");
+	output_printf("\nPARAMS is a JSON file, - for standard input (default), or "
+		      "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
+		      "See projcalc help COMMAND, projcalc help camera (or another "
+		      "member), man projcalc.\n");
 }
 
 static void print_options(const struct command *c)
@@ -98,20 +95,19 @@ static void print_params(const struct command *c)
 			output_printf("\n");
 			put_heading(row->name);
 			output_printf(":\n");
-			print_members(row->members,
-			    (int)w->source.implied_type - 1, ALL_MEMBERS);
+			print_members(row->members, (int)w->source.implied_type - 1,
+			    ALL_MEMBERS);
 		}
 	put_heading("\nscene:\n");
 	print_members(scene_members, ANY_VARIANT, document_used_members(w));
-	output_printf(
-	    "projcalc help NAME describes a member that is an object.\n");
+	output_printf("projcalc help NAME describes a member that is an object.\n");
 }
 
 void help_command(const struct command *c)
 {
 	const char *operands = c->kind == COMMAND_HELP ? "[COMMAND | MEMBER]" :
-	    command_reads_points(c) ? "[PARAMS [POINTS...]]" :
-				      "[PARAMS]";
+	    command_reads_points(c)                    ? "[PARAMS [POINTS...]]" :
+							 "[PARAMS]";
 
 	put_heading("usage:");
 	output_printf(" projcalc %s [OPTION...] %s\n%s\n\n", c->name, operands,
@@ -128,8 +124,7 @@ void help_command(const struct command *c)
 static void print_convention_row(const char *name, const bool *choices)
 {
 	output_printf("  %-8s", name);
-	for (const struct member *m = convention_members; m->name != NULL;
-	     m++) {
+	for (const struct member *m = convention_members; m->name != NULL; m++) {
 		size_t width = strlen(m->name);
 
 		for (int i = 0; i < 2; i++)
@@ -180,8 +175,8 @@ static void put_text_member(struct printer *p, const char *name, const char *s)
 }
 
 /* Puts a member with an array of those words whose bit is set. `words` may be NULL. */
-static void put_words(struct printer *p, const char *name,
-    const char *const *words, unsigned bits)
+static void put_words(struct printer *p, const char *name, const char *const *words,
+    unsigned bits)
 {
 	put_open(put_name(p, name), "[");
 	for (int i = 0; words != NULL && words[i] != NULL; i++)
@@ -255,8 +250,8 @@ static void put_range(struct printer *p, const struct value_range *r)
 
 /* Puts the row of a member of the scene or, if `object` is not NULL, of the object with
  * this name in the scene. `types` has the names of the object's types. */
-static void put_member(struct printer *p, const struct member *row,
-    const char *object, const char *const *types)
+static void put_member(struct printer *p, const struct member *row, const char *object,
+    const char *const *types)
 {
 	char type[LIST_ROOM];
 
@@ -278,8 +273,8 @@ static void put_member(struct printer *p, const struct member *row,
 }
 
 /* Puts a rule for the members of `object`. */
-static void put_rule(struct printer *p, const char *object,
-    const struct rule *r, const char *const *types)
+static void put_rule(struct printer *p, const char *object, const struct rule *r,
+    const char *const *types)
 {
 	open_object(p);
 	put_text_member(p, "in", object);
@@ -320,10 +315,8 @@ static void put_conventions(struct printer *p)
 
 		open_object(p);
 		put_text_member(p, "name", convention_names[i]);
-		for (const struct member *m = convention_members;
-		     m->name != NULL; m++)
-			put_text_member(p, m->name,
-			    m->words[choice[m->offset]]);
+		for (const struct member *m = convention_members; m->name != NULL; m++)
+			put_text_member(p, m->name, m->words[choice[m->offset]]);
 		put_close(p, "}");
 	}
 	put_close(p, "]");

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The help of a command and of a member, made from the tables of commands, options and
  * members. */
-#ifndef HELP_H
-#define HELP_H
+#pragma once
 
 #include "call/command.h"
 
@@ -15,5 +14,3 @@ bool help_member(const char *name);
 
 /* Prints all help as JSON, from which scripts make the schema and the completions. */
 void help_json(const struct command *, const char *version);
-
-#endif

@@ -9,8 +9,8 @@
 #include "message/message.h"
 
 /* Names in the order of enum taxon, enum taxon_kind and enum depth_buffer. */
-static const char *const taxon_names[] = { "orthographic", "oblique",
-	"perspective", "reverse perspective" };
+static const char *const taxon_names[] = { "orthographic", "oblique", "perspective",
+	"reverse perspective" };
 static const char *const kind_names[] = { "multiview", "isometric", "dimetric",
 	"trimetric", "cavalier", "cabinet", "general", "one-point", "two-point",
 	"three-point" };
@@ -64,8 +64,8 @@ static void put_vector(struct printer *p, const double *v, int n)
 }
 
 /* Puts a member: an array of rows of n numbers each, or null if is_null is true. */
-static void put_rows(struct printer *p, const char *name, const double *v,
-    int rows, int n, bool is_null)
+static void put_rows(struct printer *p, const char *name, const double *v, int rows,
+    int n, bool is_null)
 {
 	put_name(p, name);
 	if (is_null) {
@@ -79,11 +79,11 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 }
 
 /* Puts an object with members names[0..sides): numbers or, if n > 0, arrays of n. */
-static void put_sides(struct printer *p, const char *name, int sides,
-    const double *v, int n)
+static void put_sides(struct printer *p, const char *name, int sides, const double *v,
+    int n)
 {
-	static const char *const names[] = { "left", "right", "bottom", "top",
-		"near", "far" };
+	static const char *const names[] = { "left", "right", "bottom", "top", "near",
+		"far" };
 
 	put_open(put_name(p, name), "{");
 	for (int k = 0; k < sides; k++)
@@ -113,8 +113,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_sides(p, "planes", 4, r->near_edge, 0);
 	put_rows(p, "frustum", t->corner[0], 8, 3, false);
 	put_sides(p, "frustum_planes", 6, r->frustum_plane[0], 4);
-	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3,
-	    isnan(r->intrinsics[0][0]));
+	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3, isnan(r->intrinsics[0][0]));
 }
 
 /* Refuses a distance of --distances that is not between near and far. */
@@ -144,8 +143,7 @@ static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
 	if (o->distances.n > 0)
-		put_vector(put_name(p, "distances"), o->distances.v,
-		    o->distances.n);
+		put_vector(put_name(p, "distances"), o->distances.v, o->distances.n);
 	put_open(put_name(p, "depth_step"), "{");
 	for (enum depth_buffer b = 0; b < DEPTH_BUFFERS; b++) {
 		put_open(put_name(p, buffer_names[b]), "[");
@@ -160,8 +158,7 @@ static void put_depth_steps(struct printer *p, const struct options *o,
 
 /* Puts the error bounds, the cheapest precision's first, and the name of the cheapest
  * precision whose bound is within tolerance. */
-static void put_error_bounds(struct printer *p, const double bound[3],
-    double tolerance)
+static void put_error_bounds(struct printer *p, const double bound[3], double tolerance)
 {
 	int precision = PRECISION_SINGLE;
 
@@ -199,8 +196,7 @@ static void put_projection(struct printer *p, const struct document *d,
 	check_distances(d, o, &r.depth);
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
-	put_error_bounds(p, r.error_bound,
-	    o->tolerance > 0 ? o->tolerance : 0.5);
+	put_error_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);

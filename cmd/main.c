@@ -125,8 +125,7 @@ static void run_scenes(const struct options *o)
 {
 	jmp_buf refused;
 
-	if (o->scenes && o->keep_going &&
-	    !format_is_binary(options_out_format(o)))
+	if (o->scenes && o->keep_going && !format_is_binary(options_out_format(o)))
 		message_state.on_refusal = &refused;
 	if (setjmp(refused) != 0)
 		answer_refused_scene(options_out_format(o));
@@ -151,8 +150,7 @@ int main(int argc, char **argv)
 		argv[1] = "help";
 	const struct command *c = o.command = command_find(commands, argv[1]);
 
-	o.version = strcmp(argv[1], "--version") == 0 ||
-	    strcmp(argv[1], "-V") == 0;
+	o.version = strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o.version)
 		unknown_refuse_command(commands, false, argv[1]);
 	if (c != NULL)

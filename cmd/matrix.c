@@ -51,17 +51,16 @@ static void put_matrix(struct printer *p, const struct elements *m, bool column)
 
 /* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
  * to double. If `floats` is true, rounds to float, and refuses those out of range. */
-static struct elements elements_of(const struct document *d,
-    const struct transform *t, bool floats, bool column)
+static struct elements elements_of(const struct document *d, const struct transform *t,
+    bool floats, bool column)
 {
 	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
 	struct elements m = { .rows = n[column], .columns = n[!column] };
 
 	for (int i = 0; i < n[0]; i++)
 		for (int j = 0; j < n[1]; j++) {
-			double v = map_element_nearest(&t->map,
-			    kept_axes[n[0] - 3][i], kept_axes[n[1] - 3][j],
-			    floats);
+			double v = map_element_nearest(&t->map, kept_axes[n[0] - 3][i],
+			    kept_axes[n[1] - 3][j], floats);
 
 			if (floats && !isfinite((float)v))
 				document_refuse(d,
@@ -97,8 +96,8 @@ void matrix_print(const struct options *o, const struct document *d,
 /* Names in the order of enum flat_space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
-static void matrix_prepare(const struct options *o, const struct document *d,
-    int to, struct job *j)
+static void matrix_prepare(const struct options *o, const struct document *d, int to,
+    struct job *j)
 {
 	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
@@ -106,14 +105,13 @@ static void matrix_prepare(const struct options *o, const struct document *d,
 
 	document_refuse_if(d,
 	    c->kind == COMMAND_MATRIX_2D ?
-		transform_of_window(s, (enum flat_space)c->from,
-		    (enum flat_space)to, &j->transform) :
-		transform_of_scene(s, (enum space)c->from, (enum space)to,
-		    false, &j->transform));
+		transform_of_window(s, (enum flat_space)c->from, (enum flat_space)to,
+		    &j->transform) :
+		transform_of_scene(s, (enum space)c->from, (enum space)to, false,
+		    &j->transform));
 	if (planes)
 		document_refuse_if(d,
-		    frustum_of_window(s, (enum flat_space)c->from,
-			&j->frustum));
+		    frustum_of_window(s, (enum flat_space)c->from, &j->frustum));
 	j->count_imageless = !planes;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Prints matrices: the answer of many commands, and of project -m. */
-#ifndef MATRIX_H
-#define MATRIX_H
+#pragma once
 
 #include "call/options.h"
 
@@ -10,5 +9,3 @@
  * two coordinates, the matrix lacks the row or column of z. */
 void matrix_print(const struct options *, const struct document *,
     const struct transform *);
-
-#endif

@@ -48,8 +48,7 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
 	const struct hits *h = j->data;
-	char *at = chunk_reserve(c,
-	    hit_stride(line->size + 8 * NUMBER_MAX + 128));
+	char *at = chunk_reserve(c, hit_stride(line->size + 8 * NUMBER_MAX + 128));
 	char *const text = hit_at(at, 0)->text;
 	struct printer p = { .at = text,
 		.style = h->style,
@@ -89,15 +88,13 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 		const struct line *line = &c->line[i];
 
 		if (line->kind == LINE_HEADER && !h->json)
-			hits_append(j, c,
-			    (struct hit){ .distance = (double)-INFINITY }, line,
-			    NULL);
+			hits_append(j, c, (struct hit){ .distance = (double)-INFINITY },
+			    line, NULL);
 		if (line->kind != LINE_POINT)
 			continue;
 		const size_t at = p++;
 		const double to[3] = { v[0][at], v[1][at], v[2][at] };
-		struct hit hit = { .point = { in[0][at], in[1][at], in[2][at],
-				       1 },
+		struct hit hit = { .point = { in[0][at], in[1][at], in[2][at], 1 },
 			.line = (long long)(c->n_lines + i) };
 
 		if (isnan(to[0]) || isnan(to[1]) ||
@@ -106,8 +103,8 @@ static void hits_take_block(const struct job *j, struct chunk *c)
 		if (!computed) {
 			frustum_outside_all(&j->frustum, in, outside, points);
 			if (h->finite_near)
-				points_map(&h->picker.depth, PRECISION_EXACT,
-				    in, view, points);
+				points_map(&h->picker.depth, PRECISION_EXACT, in, view,
+				    points);
 			computed = true;
 		}
 		if (outside[at] != 0)
@@ -170,10 +167,9 @@ static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 	for (size_t i = 0, end; i < n; i = end) {
 		bool sorted = true;
 
-		for (end = i + 1;
-		     end < n && hit[end]->distance == hit[i]->distance; end++)
-			sorted = sorted &&
-			    hit_compare(&hit[end - 1], &hit[end]) < 0;
+		for (end = i + 1; end < n && hit[end]->distance == hit[i]->distance;
+		     end++)
+			sorted = sorted && hit_compare(&hit[end - 1], &hit[end]) < 0;
 		if (!sorted)
 			qsort(hit + i, end - i, sizeof *hit, hit_compare);
 	}
@@ -199,8 +195,7 @@ static void print_hits(const struct job *j)
 	char *const out = xrealloc(NULL, h->size), *at = out;
 	struct hit **hit = xrealloc(NULL, (h->n + 1) * sizeof(struct hit *));
 
-	for (size_t i = 0, size = 0; i < h->n;
-	     size += hit_stride(hit[i++]->size))
+	for (size_t i = 0, size = 0; i < h->n; size += hit_stride(hit[i++]->size))
 		hit[i] = hit_at(h->buffer, size);
 	hits_sort(&h->picker, hit, h->n);
 	for (size_t i = hits_first_printed(hit, h->n); i < h->n; i++) {
@@ -250,8 +245,7 @@ void run_pick(const struct options *o)
 	document_refuse_if(&d,
 	    transform_of_scene(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
 		&j.transform));
-	document_refuse_if(&d,
-	    frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
+	document_refuse_if(&d, frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
 	document_refuse_if(&d, picker_of(&d.scene, &j.transform, &hits.picker));
 	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))

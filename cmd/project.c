@@ -14,12 +14,10 @@ static void project_check(const struct options *o)
 		(o->has_to && o->to != SPACE_WORLD)))
 		die(EXIT_USAGE, "--ray goes from device to world");
 	if (plane &&
-	    ((o->has_from && o->from < SPACE_NDC) ||
-		(o->has_to && o->to > SPACE_VIEW)))
+	    ((o->has_from && o->from < SPACE_NDC) || (o->has_to && o->to > SPACE_VIEW)))
 		die(EXIT_USAGE,
 		    "--plane goes from device or ndc to model, world or view");
-	if (plane && o->plane.v[0] == 0 && o->plane.v[1] == 0 &&
-	    o->plane.v[2] == 0)
+	if (plane && o->plane.v[0] == 0 && o->plane.v[1] == 0 && o->plane.v[2] == 0)
 		die(EXIT_USAGE,
 		    "--plane: A, B and C are all 0; z = 0 is --plane 0,0,1,0");
 	if ((o->ray && (plane || o->matrix)) ||
@@ -29,17 +27,15 @@ static void project_check(const struct options *o)
 }
 
 /* Sets the members of *j that depend on the scene. Returns NULL, or why it can't. */
-static const char *project_prepare(const struct scene *s,
-    const struct options *o, enum space from, enum space to, struct job *j)
+static const char *project_prepare(const struct scene *s, const struct options *o,
+    enum space from, enum space to, struct job *j)
 {
 	const bool needs_frustum = o->flags || o->visible;
 
 	j->rays = o->ray;
-	j->count_imageless = !needs_frustum && !o->homogeneous &&
-	    to != SPACE_CLIP;
+	j->count_imageless = !needs_frustum && !o->homogeneous && to != SPACE_CLIP;
 	if (o->plane.n > 0)
-		return ray_plane_transform(s, from, to, o->plane.v,
-		    &j->transform);
+		return ray_plane_transform(s, from, to, o->plane.v, &j->transform);
 	if (o->ray)
 		return ray_maker_of(s, &j->ray);
 	const char *why = transform_of_scene(s, from, to, o->homogeneous,
@@ -51,8 +47,7 @@ static const char *project_prepare(const struct scene *s,
 }
 
 /* Refuses --from or --to alone if the other option's default is the same space. */
-static void project_check_alone(const struct options *o, enum space from,
-    enum space to)
+static void project_check_alone(const struct options *o, enum space from, enum space to)
 {
 	const char *name = space_names[from];
 
@@ -62,8 +57,7 @@ static void project_check_alone(const struct options *o, enum space from,
 	    "--%s %s alone goes from %s to %s; write --from %s --to world, or "
 	    "--from world --to %s%s",
 	    o->has_to ? "to" : "from", name, name, name, name, name,
-	    from == SPACE_DEVICE ? ", or --ray or --plane A,B,C,D for x y" :
-				   "");
+	    from == SPACE_DEVICE ? ", or --ray or --plane A,B,C,D for x y" : "");
 }
 
 void run_project(const struct options *o)

@@ -31,8 +31,8 @@ static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {
 	const struct trace *trace = j->data;
-	const double *const from[4] = { &c->in[0][p], &c->in[1][p],
-		&c->in[2][p], &c->in[3][p] };
+	const double *const from[4] = { &c->in[0][p], &c->in[1][p], &c->in[2][p],
+		&c->in[3][p] };
 
 	for (int s = 0; s < trace->n_spaces; s++) {
 		double(*v)[BATCH] = m->v[s];
@@ -49,8 +49,8 @@ static void images_transform(struct images *m, const struct job *j,
 /* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
  * number beyond the range of doubles (with -p single, of floats), and each number if m
  * is NULL, becomes nan or, in JSON, null. An array of only nulls becomes null. */
-static char *trace_put_image(char *at, const struct job *j,
-    const struct images *m, int s, size_t p)
+static char *trace_put_image(char *at, const struct job *j, const struct images *m,
+    int s, size_t p)
 {
 	const struct layout *l = &j->layout;
 	int n = ((const struct trace *)j->data)->to[s].out, finite = 0;
@@ -68,9 +68,8 @@ static char *trace_put_image(char *at, const struct job *j,
 		if (finite < n && (m == NULL || !isfinite(m->v[s][k][p])))
 			at = stpcpy(at, json ? "null" : "nan");
 		else
-			at = number_text_put(at, &m->text[s][k][p],
-			    m->v[s][k][p], l->output.single,
-			    l->output.style[k]);
+			at = number_text_put(at, &m->text[s][k][p], m->v[s][k][p],
+			    l->output.single, l->output.style[k]);
 	}
 	if (json)
 		*at++ = ']';
@@ -124,8 +123,7 @@ static void trace_take_block(const struct job *j, struct chunk *c)
 			continue;
 		if (p % BATCH == 0)
 			images_transform(m, j, c, p,
-			    c->block_points - p < BATCH ? c->block_points - p :
-							  BATCH);
+			    c->block_points - p < BATCH ? c->block_points - p : BATCH);
 		trace_put_point(j, c, line, m, p++ % BATCH);
 	}
 	free(m);
@@ -159,8 +157,7 @@ void run_trace(const struct options *o)
 		document_refuse_if(&d,
 		    transform_of_scene(&d.scene, o->from, (enum space)s, false,
 			&trace.to[s]));
-	document_refuse_if(&d,
-	    frustum_of(&d.scene, o->from, false, &j.frustum));
+	document_refuse_if(&d, frustum_of(&d.scene, o->from, false, &j.frustum));
 	j.transform = trace.to[SPACE_CLIP];
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],

@@ -108,16 +108,16 @@ static void measure_texts(number_style style)
 	for (const char *copy : { "avx512", "avx2", "neon" }) {
 		if (!kernels_choose(copy))
 			continue;
-		measure((std::string("number_texts, ") + copy).c_str(),
-		    int(count), [&] {
+		measure((std::string("number_texts, ") + copy).c_str(), int(count),
+		    [&] {
 			    char *s = output;
 
 			    for (size_t i = 0; i < count; i++) {
 				    if (i % block == 0)
-					    number_texts(values + i, block,
-						false, style, texts);
-				    s = number_text_put(s, &texts[i % block],
-					values[i], false, style);
+					    number_texts(values + i, block, false,
+						style, texts);
+				    s = number_text_put(s, &texts[i % block], values[i],
+					false, style);
 				    *s++ = ' ';
 			    }
 			    sink = double(s - output);
@@ -139,12 +139,10 @@ static void read_all(void)
 	measure_read("from_chars, fast_float", [](const char *s, double *v) {
 		return fast_float::from_chars(s, input_end, *v).ptr;
 	});
-	measure_read("by hand, words of digits", [](const char *s, double *v) {
-		return hand_read(s, input_end, v);
-	});
-	measure_read("number_read", [](const char *s, double *v) {
-		return number_read(s, input_end, v);
-	});
+	measure_read("by hand, words of digits",
+	    [](const char *s, double *v) { return hand_read(s, input_end, v); });
+	measure_read("number_read",
+	    [](const char *s, double *v) { return number_read(s, input_end, v); });
 }
 
 static void write_all(void)
@@ -170,8 +168,7 @@ static void write_rounded(void)
 	measure_write("printf %.3f",
 	    [](char *s, double v) { return s + snprintf(s, 32, "%.3f", v); });
 	measure_write("to_chars, 3 decimals", [](char *s, double v) {
-		return std::to_chars(s, s + 32, v, std::chars_format::fixed, 3)
-		    .ptr;
+		return std::to_chars(s, s + 32, v, std::chars_format::fixed, 3).ptr;
 	});
 	measure_write("number_write, 3 decimals",
 	    [=](char *s, double v) { return number_write(s, v, decimals); });
@@ -179,8 +176,7 @@ static void write_rounded(void)
 	measure_write("printf %.11e",
 	    [](char *s, double v) { return s + snprintf(s, 32, "%.11e", v); });
 	measure_write("to_chars, 12 digits", [](char *s, double v) {
-		return std::to_chars(s, s + 32, v,
-		    std::chars_format::scientific, 11)
+		return std::to_chars(s, s + 32, v, std::chars_format::scientific, 11)
 		    .ptr;
 	});
 	measure_write("number_write, 12 digits",

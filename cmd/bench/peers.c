@@ -61,8 +61,7 @@ static void give(const struct peer *p, size_t n)
 
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < 4; k++) {
-			size_t at = i * p->layout.point +
-			    k * p->layout.coordinate;
+			size_t at = i * p->layout.point + k * p->layout.coordinate;
 			double value = k < 3 ? in[k][i] : 1;
 
 			if (k == 3 && p->layout.point != 4)
@@ -80,8 +79,7 @@ static double image(const struct entry *e, size_t i, size_t k)
 		return out[k][i];
 	size_t at = i * e->peer->layout.point + k * e->peer->layout.coordinate;
 
-	return e->peer->single ? (double)((float *)(void *)peer_out)[at] :
-				 peer_out[at];
+	return e->peer->single ? (double)((float *)(void *)peer_out)[at] : peer_out[at];
 }
 
 /* Returns a random number with ten bits after the point, so that it is a float. */
@@ -116,8 +114,7 @@ static struct view random_view(double far_away)
 }
 
 /* Fills the block with points of the view volume, made from random device points. */
-static bool fill(const struct scene *s, const struct view *v, bool floats,
-    size_t n)
+static bool fill(const struct scene *s, const struct view *v, bool floats, size_t n)
 {
 	struct transform t;
 
@@ -163,8 +160,8 @@ static bool measure_errors(int distance, double far_away)
 		int mark = real_mark();
 
 		if (!fill(&s, &v, distance == ORDINARY, POINTS) ||
-		    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false,
-			&t) != NULL)
+		    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t) !=
+			NULL)
 			return false;
 		truth_scene(&s, SPACE_WORLD, SPACE_DEVICE, &truth);
 		for (struct entry *e = entries; e < entries + n_entries; e++) {
@@ -178,10 +175,9 @@ static bool measure_errors(int distance, double far_away)
 			for (size_t i = 0; i < POINTS; i++)
 				e->error[distance] = fmax(e->error[distance],
 				    error_of(&truth,
-					(double[]){ in[0][i], in[1][i],
-					    in[2][i] },
-					(double[]){ image(e, i, 0),
-					    image(e, i, 1), image(e, i, 2) }));
+					(double[]){ in[0][i], in[1][i], in[2][i] },
+					(double[]){ image(e, i, 0), image(e, i, 1),
+					    image(e, i, 2) }));
 		}
 		real_release(mark);
 	}
@@ -196,8 +192,7 @@ static bool measure_times(void)
 	struct transform t;
 
 	if (!fill(&s, &bench_view, true, POINTS_BLOCK) ||
-	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t) !=
-		NULL)
+	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t) != NULL)
 		return false;
 	for (int run = 0; run < RUNS; run++)
 		for (struct entry *e = entries; e < entries + n_entries; e++) {
@@ -210,8 +205,7 @@ static bool measure_times(void)
 
 			for (int i = 0; i < CALLS; i++)
 				carry(e, &t, POINTS_BLOCK);
-			e->times[run] = (clock_ns() - start) /
-			    (CALLS * POINTS_BLOCK);
+			e->times[run] = (clock_ns() - start) / (CALLS * POINTS_BLOCK);
 		}
 	return true;
 }

@@ -61,8 +61,7 @@ static bool run(struct command *c)
 		return false;
 	c->wall[c->runs] = wall_seconds() - start;
 	c->spent += c->wall[c->runs];
-	c->cpu[c->runs++] = seconds_of(used.ru_utime) +
-	    seconds_of(used.ru_stime);
+	c->cpu[c->runs++] = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
 	if (c->kilobytes < used.ru_maxrss)
 		c->kilobytes = used.ru_maxrss;
 	if (status == 0)
@@ -76,8 +75,7 @@ int main(int argc, char **argv)
 	double end = wall_seconds() + (argc == 2 ? strtod(argv[1], NULL) : 0);
 	size_t n = 0;
 
-	while (n < COMMANDS_MAX &&
-	    fgets(commands[n].text, COMMAND_MAX, stdin) != NULL)
+	while (n < COMMANDS_MAX && fgets(commands[n].text, COMMAND_MAX, stdin) != NULL)
 		n++;
 	for (size_t round = 0; round < RUNS_MAX; round++) {
 		bool enough = round >= ROUNDS_MIN && wall_seconds() >= end;

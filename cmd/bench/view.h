@@ -2,8 +2,7 @@
 /* The view that the benchmarks measure, and the error of an image of a point.
  * All numbers of the view are floats, so that libraries in float get the same
  * scene. */
-#ifndef VIEW_BENCH_H
-#define VIEW_BENCH_H
+#pragma once
 
 #include <math.h>
 #include <string.h>
@@ -32,9 +31,7 @@ static inline struct scene scene_of(const struct view *v)
 		    .near = v->near,
 		    .far = v->far },
 		.has_viewport = true,
-		.viewport = { .width = v->width,
-		    .height = v->height,
-		    .max_z = 1 },
+		.viewport = { .width = v->width, .height = v->height, .max_z = 1 },
 	};
 
 	memcpy(s.camera.eye, v->eye, sizeof v->eye);
@@ -51,8 +48,7 @@ static inline void compose(struct view *v)
 
 	truth_matrix(&s, SPACE_WORLD, SPACE_DEVICE, m);
 	for (int i = 0; i < 16; i++)
-		v->matrix[i / 4][i % 4] = mpfr_get_d(m[i % 4][i / 4],
-		    MPFR_RNDN);
+		v->matrix[i / 4][i % 4] = mpfr_get_d(m[i % 4][i / 4], MPFR_RNDN);
 	real_release(mark);
 }
 
@@ -76,5 +72,3 @@ static inline double error_of(const struct truth *t, const double point[3],
 	real_release(mark);
 	return worst;
 }
-
-#endif

@@ -33,8 +33,7 @@ int main(int argc, char **argv)
 	FILE *images = argc == 6 ? fopen(argv[5], "r") : NULL;
 
 	if (points == NULL || images == NULL) {
-		fputs("usage: worst SPACE FORMAT POINTS FORMAT IMAGES\n",
-		    stderr);
+		fputs("usage: worst SPACE FORMAT POINTS FORMAT IMAGES\n", stderr);
 		return 2;
 	}
 	struct scene s = scene_of(&bench_view);

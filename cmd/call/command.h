@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A command is a row of the table in main.c, and its run_ function is in the file of its
  * name. These functions are declared here, as only that table calls them. */
-#ifndef COMMAND_H
-#define COMMAND_H
+#pragma once
 
 #include <string.h>
 
@@ -19,8 +18,7 @@ enum command_kind {
 	COMMAND_FIT = 8,
 	COMMAND_INSPECT = 16,
 	COMMAND_TRACE = 32,
-	COMMAND_MATRIX_2D =
-	    64, /* prints a 2D matrix, or the images of 2D points */
+	COMMAND_MATRIX_2D = 64, /* prints a 2D matrix, or the images of 2D points */
 	COMMAND_HELP = 128,
 	COMMAND_ALL = 2 * COMMAND_HELP - 1,
 };
@@ -63,5 +61,3 @@ static inline bool command_reads_points(const struct command *c)
 {
 	return (c->wants.used & SCENE_POINTS) != 0;
 }
-
-#endif

@@ -49,8 +49,7 @@ bool input_check(const char *name, int fd)
 		die_at(EXIT_USAGE, &place, "is a directory");
 	if (S_ISREG(in.st_mode) && fstat(STDOUT_FILENO, &out) == 0 &&
 	    out.st_dev == in.st_dev && out.st_ino == in.st_ino)
-		die_at(EXIT_USAGE, &place,
-		    "is also the output; write to another file");
+		die_at(EXIT_USAGE, &place, "is also the output; write to another file");
 	return true;
 }
 

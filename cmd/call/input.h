@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Files and operands become texts, which the caller owns until input_free. This module
  * refuses what can't be input: a directory, and the file that is also the output. */
-#ifndef INPUT_H
-#define INPUT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -35,5 +34,3 @@ struct input_text input_of_file(const char *name);
 
 struct input_text input_of_operand(const char *operand);
 void input_free(struct input_text *);
-
-#endif

@@ -37,13 +37,12 @@ void operands_check(const struct options *o)
 	if (input_first_char(o->params) != '{')
 		check_file(o->params, hint);
 	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
-		die_at(EXIT_USAGE, &(struct place){ .file = o->params },
-		    "has no }; %s", hint);
+		die_at(EXIT_USAGE, &(struct place){ .file = o->params }, "has no }; %s",
+		    hint);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	if (o->columns.n != 1)
-		snprintf(hint, sizeof hint,
-		    "POINTS are a file, - or '[%.*s]'%s",
+		snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
 		    2 * options_coordinates(o) + 1, "1.5,2,3,4",
 		    c->kind == COMMAND_PICK ? POSITION_HINT : "");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
@@ -87,8 +86,7 @@ static bool is_added_member(const struct layout *l, const char *path)
 
 static void check_columns(const struct options *o, const struct layout *l)
 {
-	const bool csv = l->in.format == FORMAT_CSV,
-		   json = o->in == FORMAT_JSON;
+	const bool csv = l->in.format == FORMAT_CSV, json = o->in == FORMAT_JSON;
 	const int n = o->columns.n;
 
 	for (int i = 0; i < n; i++) {
@@ -114,20 +112,16 @@ static void check_columns(const struct options *o, const struct layout *l)
 			    "numbers",
 			    o->columns.field[i] + 1, l->record);
 	}
-	if (n > 0 && n != l->reads &&
-	    !(format_is_binary(o->in) && l->record == 0))
-		die(EXIT_USAGE,
-		    "--columns: %d field%s; %d coordinates are read here", n,
-		    n == 1 ? "" : "s", l->reads);
+	if (n > 0 && n != l->reads && !(format_is_binary(o->in) && l->record == 0))
+		die(EXIT_USAGE, "--columns: %d field%s; %d coordinates are read here",
+		    n, n == 1 ? "" : "s", l->reads);
 }
 
 /* Refuses options that exclude each other. `printed` is true if the command prints
  * images of points; records of the output then keep their number of coordinates. */
-static void check_layout(const struct options *o, const struct layout *l,
-    bool printed)
+static void check_layout(const struct options *o, const struct layout *l, bool printed)
 {
-	const bool record = l->record > 0,
-		   binary = format_is_binary(l->out.format);
+	const bool record = l->record > 0, binary = format_is_binary(l->out.format);
 	const struct {
 		bool refused;
 		const char *message;
@@ -235,8 +229,8 @@ static void prepare_job(struct job *j, const struct options *o)
 
 /* Does the job on `text`, lines of JSON that document_read_points or document_read
  * made; the format of --input does not count. Messages call the text `name`. */
-static void run_json_points(const struct options *o, struct job *j,
-    const char *name, const char *text, size_t size)
+static void run_json_points(const struct options *o, struct job *j, const char *name,
+    const char *text, size_t size)
 {
 	struct layout files_layout = j->layout;
 
@@ -272,8 +266,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
 			kept[i] = input_of_file(operand);
-		stream_points(j,
-		    source_of_text(operand, kept[i].s, kept[i].size));
+		stream_points(j, source_of_text(operand, kept[i].s, kept[i].size));
 	} else {
 		int fd = input_open(operand);
 
@@ -282,12 +275,10 @@ static void run_operand(const struct options *o, struct job *j, int i)
 	}
 }
 
-void operands_run_job(const struct options *o, const struct document *d,
-    struct job *j)
+void operands_run_job(const struct options *o, const struct document *d, struct job *j)
 {
 	prepare_job(j, o);
-	if (o->n_points == 0 && d->points == NULL &&
-	    input_is_stdin(o->params)) {
+	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {
 		const struct place p = json_source_place(&d->source, "/points");
 
 		die_at(EXIT_USAGE, &p,
@@ -296,8 +287,7 @@ void operands_run_job(const struct options *o, const struct document *d,
 	}
 	j->layout.z_hint = d->source.two_numbers_hint;
 	if (o->n_points == 0 && d->points != NULL)
-		run_json_points(o, j, d->source.name, d->points,
-		    d->points_size);
+		run_json_points(o, j, d->source.name, d->points, d->points_size);
 	else
 		for (int i = 0; i == 0 || i < o->n_points; i++)
 			run_operand(o, j, i);

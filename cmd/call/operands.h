@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The operands PARAMS and POINTS, together with the options: whether they go with each
  * other, and the job on points that they describe. */
-#ifndef OPERANDS_H
-#define OPERANDS_H
+#pragma once
 
 #include "../stream/answer.h"
 #include "../stream/stream.h"
@@ -19,7 +18,4 @@ bool operands_have_points(const struct options *, const struct document *);
 /* Completes the job by the options, and does it on the points of the operands; without
  * operands, on those of the document or, if it has none, of standard input. The caller
  * has set job.transform, or job.rays and job.ray. --scenes reads operands only once. */
-void operands_run_job(const struct options *, const struct document *,
-    struct job *);
-
-#endif
+void operands_run_job(const struct options *, const struct document *, struct job *);

@@ -13,15 +13,13 @@
 
 const char *const precision_names[] = { "exact", "double", "single", NULL };
 
-const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
-	"device", NULL };
+const char *const space_names[] = { "model", "world", "view", "clip", "ndc", "device",
+	NULL };
 
 /* Sets *r->global, or the option's member, to the index of `word` in r->words. */
-static void option_read_word(struct options *o, const struct option_row *r,
-    char *word)
+static void option_read_word(struct options *o, const struct option_row *r, char *word)
 {
-	unsigned *at = r->global != NULL ? r->global :
-					   (void *)((char *)o + r->offset);
+	unsigned *at = r->global != NULL ? r->global : (void *)((char *)o + r->offset);
 	struct word_guess g = { .word = word };
 	char all[LIST_ROOM];
 
@@ -31,26 +29,23 @@ static void option_read_word(struct options *o, const struct option_row *r,
 			return;
 		}
 	word_offer_list(&g, r->words, "did you mean %s?");
-	word_offer(&g, WORD_ELSE, "use %s",
-	    words_join(all, r->words, " or ", ""));
+	word_offer(&g, WORD_ELSE, "use %s", words_join(all, r->words, " or ", ""));
 	die(EXIT_USAGE, "--%s: unknown word '%s'; %s", r->name, word, g.remedy);
 }
 
-static int whole_number(const struct option_row *r, const char *word, int min,
-    int max)
+static int whole_number(const struct option_row *r, const char *word, int min, int max)
 {
 	char *end;
 	long n = strtol(word, &end, 10);
 
 	if (end == word || *end != '\0' || n < min || n > max)
-		die(EXIT_USAGE,
-		    "--%s: '%s' is not a whole number from %d to %d", r->name,
-		    word, min, max);
+		die(EXIT_USAGE, "--%s: '%s' is not a whole number from %d to %d",
+		    r->name, word, min, max);
 	return (int)n;
 }
 
-static void option_read_whole_number(struct options *o,
-    const struct option_row *r, char *word)
+static void option_read_whole_number(struct options *o, const struct option_row *r,
+    char *word)
 {
 	*(int *)((char *)o + r->offset) = whole_number(r, word, r->min, r->max);
 }
@@ -75,17 +70,15 @@ static void option_read_format(struct options *o, const struct option_row *r,
 }
 
 /* Sets the option's member to a number from SCENE_SIZE_MIN to SCENE_MAGNITUDE_MAX. */
-static void option_read_size(struct options *o, const struct option_row *r,
-    char *word)
+static void option_read_size(struct options *o, const struct option_row *r, char *word)
 {
 	const char *end = word + strlen(word);
 	double *v = (void *)((char *)o + r->offset);
 
 	if (number_read(word, end, v) != end ||
 	    !(*v >= SCENE_SIZE_MIN && *v <= SCENE_MAGNITUDE_MAX))
-		die(EXIT_USAGE,
-		    "--%s: '%s' is not a number from 1e-150 to 1e150", r->name,
-		    word);
+		die(EXIT_USAGE, "--%s: '%s' is not a number from 1e-150 to 1e150",
+		    r->name, word);
 }
 
 /* Reads a list of r->min to r->max numbers with commas between them. */
@@ -147,8 +140,7 @@ static char *cut_word(char **list)
 static void option_read_styles(struct options *o, const struct option_row *r,
     char *list)
 {
-	enum number_kind kind = r->letter == 'd' ? NUMBER_DECIMALS :
-						   NUMBER_DIGITS;
+	enum number_kind kind = r->letter == 'd' ? NUMBER_DECIMALS : NUMBER_DIGITS;
 	struct styles *s = &o->styles;
 
 	if (s->n > 0 && s->style[0].kind != kind)
@@ -161,8 +153,7 @@ static void option_read_styles(struct options *o, const struct option_row *r,
 		if (s->n == COORDINATES_MAX)
 			die(EXIT_USAGE, "--%s: more than six numbers", r->name);
 		for (int k = s->n; k < COORDINATES_MAX; k++)
-			s->style[k] = (struct number_style){ .kind = kind,
-				.n = n };
+			s->style[k] = (struct number_style){ .kind = kind, .n = n };
 	}
 }
 
@@ -179,16 +170,15 @@ static void option_read_columns(struct options *o, const struct option_row *r,
 		if (c->n == 4)
 			die(EXIT_USAGE, "--%s: more than four fields", r->name);
 		if (strspn(word, "0123456789") == strlen(word))
-			c->field[c->n] = whole_number(r, word, 1, fields_max) -
-			    1;
+			c->field[c->n] = whole_number(r, word, 1, fields_max) - 1;
 		else
 			c->name[c->n] = word;
 		for (int i = 0; i < c->n; i++)
 			if (c->field[i] == c->field[c->n] &&
 			    strcmp(c->name[i] != NULL ? c->name[i] : "",
 				c->name[c->n] != NULL ? word : "") == 0)
-				die(EXIT_USAGE, "--%s: '%s' is there twice",
-				    r->name, word);
+				die(EXIT_USAGE, "--%s: '%s' is there twice", r->name,
+				    word);
 	}
 }
 
@@ -202,8 +192,7 @@ enum {
 	PRINT_IMAGES = COMMAND_MATRIX_3D | TAKE_FLAGS,
 	PRINT_POINTS = PRINT_IMAGES | COMMAND_PICK,
 	READ_POINTS = PRINT_POINTS | COMMAND_FIT,
-	PRINT_NUMBERS = PRINT_POINTS |
-	    COMMAND_INSPECT, /* take -d and --digits */
+	PRINT_NUMBERS = PRINT_POINTS | COMMAND_INSPECT, /* take -d and --digits */
 	ALL_BUT_HELP = COMMAND_ALL - COMMAND_HELP,
 };
 

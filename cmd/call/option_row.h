@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The table of all options. A row says how an option is called and read, and which
  * commands take it; parsing, help, completions and hints follow from it. */
-#ifndef OPTION_ROW_H
-#define OPTION_ROW_H
+#pragma once
 
 #include "options.h"
 
@@ -20,7 +19,7 @@ struct option_row {
 	const char *argument;
 	void (*read)(struct options *, const struct option_row *, char *word);
 	size_t offset;
-	unsigned *global; /* a variable to set instead of the member; or NULL */
+	unsigned *global;         /* a variable to set instead of the member; or NULL */
 	const char *const *words; /* possible arguments; NULL ends them */
 	int min, max; /* range of a whole number, or of the length of a list */
 	const char *example;
@@ -38,5 +37,3 @@ const struct option_row *option_find(const char *name);
 
 /* Returns whether the command takes the option. Either may be NULL. */
 bool option_is_for(const struct option_row *, const struct command *);
-
-#endif

@@ -24,20 +24,18 @@ static const struct option_row *find_long_option(const struct command *c,
 		if (option_is_for(r, c) && strncmp(r->name, name, n) == 0)
 			names[count++] = r->name;
 	names[count] = NULL;
-	if (named != NULL && option_is_for(named, c) &&
-	    strcmp(named->name, name) == 0)
+	if (named != NULL && option_is_for(named, c) && strcmp(named->name, name) == 0)
 		return named;
 	if (named != NULL || n == 0 || count == 0)
 		unknown_check_option(c, word, name, true);
 	if (count > 1)
-		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name,
-		    word, words_join(list, names, " or ", ""));
+		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name, word,
+		    words_join(list, names, " or ", ""));
 	return option_find(names[0]);
 }
 
 /* Returns c's option with this letter. Refuses a letter that no option of c has. */
-static const struct option_row *find_letter_option(const struct command *c,
-    char letter)
+static const struct option_row *find_letter_option(const struct command *c, char letter)
 {
 	const char word[] = { '-', letter, '\0' };
 	const struct option_row *r = option_rows;
@@ -45,22 +43,22 @@ static const struct option_row *find_letter_option(const struct command *c,
 	while (r->name != NULL && r->letter != letter)
 		r++;
 	if (r->name == NULL || !option_is_for(r, c))
-		unknown_check_option(c, word,
-		    r->name != NULL ? r->name : word + 1, true);
+		unknown_check_option(c, word, r->name != NULL ? r->name : word + 1,
+		    true);
 	return r;
 }
 
 /* Sets an option. An option that takes an argument gets `value`. If `value` is NULL, it
  * gets the next word, **next, and *next moves past this word. */
-static void set_option(struct options *o, const struct option_row *r,
-    char *value, char ***next)
+static void set_option(struct options *o, const struct option_row *r, char *value,
+    char ***next)
 {
 	if (r->argument == NULL && value != NULL)
 		die(EXIT_USAGE, "%s: --%s takes no argument", o->command->name,
 		    r->name);
 	if (r->argument != NULL && value == NULL && **next == NULL)
-		die(EXIT_USAGE, "%s: --%s needs an argument: %s",
-		    o->command->name, r->name, r->argument);
+		die(EXIT_USAGE, "%s: --%s needs an argument: %s", o->command->name,
+		    r->name, r->argument);
 	if (r->argument != NULL)
 		r->read(o, r, value != NULL ? value : *(*next)++);
 	if (r->points_only)
@@ -91,8 +89,7 @@ static void set_options_of_word(struct options *o, char *word, char ***next)
 	do {
 		r = find_letter_option(c, *++word);
 		set_option(o, r,
-		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL,
-		    next);
+		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL, next);
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
@@ -108,14 +105,12 @@ static bool is_operand(const char *word)
 static void choose_output(struct options *o)
 {
 	if (!o->has_out)
-		o->out = o->command->kind == COMMAND_TRACE &&
-			o->in == FORMAT_JSON ?
+		o->out = o->command->kind == COMMAND_TRACE && o->in == FORMAT_JSON ?
 		    FORMAT_JSON :
 		    FORMAT_TEXT;
 	o->has_out = true;
 	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
-		die(EXIT_USAGE,
-		    "%s prints text or json; use -o text or -o json",
+		die(EXIT_USAGE, "%s prints text or json; use -o text or -o json",
 		    o->command->name);
 }
 
@@ -140,8 +135,7 @@ void options_read(struct options *o, char **words)
 		if (o->help || o->version)
 			return;
 	}
-	if ((o->command->kind &
-		(COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
+	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
 		choose_output(o);
 	if (operand > o->points)
 		o->params = *o->points++;
@@ -174,8 +168,7 @@ int options_coordinates(const struct options *o)
 {
 	if (o->command->kind == COMMAND_MATRIX_2D || o->ray || o->plane.n > 0)
 		return 2;
-	if (o->from == SPACE_CLIP ||
-	    (o->from == SPACE_DEVICE && o->homogeneous))
+	if (o->from == SPACE_CLIP || (o->from == SPACE_DEVICE && o->homogeneous))
 		return 4;
 	return 3;
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The options and operands of a call, as the words of the command line give them. Unknown
  * and ambiguous words are refused. */
-#ifndef OPTIONS_H
-#define OPTIONS_H
+#pragma once
 
 #include "../../core/points/transform.h"
 #include "../json/value.h"
@@ -41,9 +40,8 @@ struct options {
 	struct number_list distances; /* by --distances */
 	bool has_from, has_to;
 	enum space from, to;
-	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
-	    progress;
-	int jobs; /* threads; 0: one for each processor */
+	bool homogeneous, matrix, ray, append, flags, visible, keep_going, progress;
+	int jobs;                          /* threads; 0: one for each processor */
 	struct number_list pick_at, plane; /* by --at, by --plane */
 	double radius;                     /* by --radius; 0: not given */
 	/* the name of a given option that is for points only; or NULL */
@@ -72,5 +70,3 @@ enum format options_out_format(const struct options *);
 /* Returns the style of the numbers in a matrix and in the output of inspect and pick.
  * Refuses a list of several styles. */
 struct number_style options_matrix_style(const struct options *);
-
-#endif

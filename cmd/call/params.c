@@ -75,8 +75,7 @@ static bool params_skip_blanks(void)
 		s = next;
 		next = skip_bom(json_skip_blanks(s, end), end);
 	} while (next != s);
-	json_count_lines(params.text.s + params.begin, s, &params.line,
-	    &params.column);
+	json_count_lines(params.text.s + params.begin, s, &params.line, &params.column);
 	params.begin = params.end = (size_t)(s - params.text.s);
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
@@ -115,8 +114,7 @@ static bool next_scene(void)
 	params.column = params.end_column;
 	params.level = 0;
 	params.quoted = params.escaped = false;
-	message_state.scene = (struct scene_place){ params.number,
-		(long)params.line };
+	message_state.scene = (struct scene_place){ params.number, (long)params.line };
 	while (!params_find_end())
 		if (!params_more()) {
 			params.end = params.text.size;
@@ -124,8 +122,8 @@ static bool next_scene(void)
 		}
 	params.end_line = params.line;
 	params.end_column = params.column;
-	json_count_lines(params.text.s + params.begin,
-	    params.text.s + params.end, &params.end_line, &params.end_column);
+	json_count_lines(params.text.s + params.begin, params.text.s + params.end,
+	    &params.end_line, &params.end_column);
 	const bool found = params.begin < params.end;
 
 	message_state.scene.number = found ? params.number : 0;
@@ -159,8 +157,7 @@ static void check_not_points(const struct options *o)
 	if (!command_reads_points(o->command))
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
-	    "holds points; a scene is wanted first, as in: scene.json %s",
-	    params.name);
+	    "holds points; a scene is wanted first, as in: scene.json %s", params.name);
 }
 
 /* Returns a hint for messages about points of two numbers, or NULL. These points may be

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The operand PARAMS: one JSON document or, with --scenes, any number of them, which are
  * read one after another. This module owns their text. */
-#ifndef PARAMS_H
-#define PARAMS_H
+#pragma once
 
 #include "options.h"
 
@@ -16,5 +15,3 @@ bool params_next_document(const struct options *);
 /* Reads from the current document what the command and the options need. The points in
  * struct document stay valid until the next call of params_next_document. */
 void params_read_document(const struct options *, struct document *);
-
-#endif

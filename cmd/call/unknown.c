@@ -15,8 +15,8 @@
  * in `objects`, from the last to the first, and the members of each: by `passes` first
  * for one letter, then for the next. n is a name that objects of `variant` have, a an
  * alias, N and A are those of any variant. Sets *object as unknown_find_member does. */
-static const struct member *find_member(unsigned objects, int variant,
-    const char *name, const char *passes, const struct member **object)
+static const struct member *find_member(unsigned objects, int variant, const char *name,
+    const char *passes, const struct member **object)
 {
 	for (; *passes != '\0'; passes++) {
 		const bool any = strchr("NA", *passes) != NULL;
@@ -39,8 +39,7 @@ static const struct member *find_member(unsigned objects, int variant,
 	return NULL;
 }
 
-const struct member *unknown_find_member(const char *name,
-    const struct member **object)
+const struct member *unknown_find_member(const char *name, const struct member **object)
 {
 	return find_member(SCENE_ALL, 0, name, "nNaA", object);
 }
@@ -51,8 +50,7 @@ const struct member *unknown_find_member(const char *name,
 static void offer_member(struct word_guess *g, unsigned objects, int variant,
     const char *passes, unsigned reads)
 {
-	const struct member *s,
-	    *m = find_member(objects, variant, g->word, passes, &s);
+	const struct member *s, *m = find_member(objects, variant, g->word, passes, &s);
 	char says[128], quoted[64];
 
 	if (m == NULL)
@@ -60,25 +58,21 @@ static void offer_member(struct word_guess *g, unsigned objects, int variant,
 	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
 	snprintf(says, sizeof says, "%s is a member of the %s %s", quoted,
 	    m == s ? "scene" : s->name,
-	    reads >> (s - scene_members) & 1 ? "in PARAMS" :
-					       "for other commands");
-	if (s->example != NULL &&
-	    (m == s || strstr(s->example, quoted) != NULL))
+	    reads >> (s - scene_members) & 1 ? "in PARAMS" : "for other commands");
+	if (s->example != NULL && (m == s || strstr(s->example, quoted) != NULL))
 		word_offer(g, WORD_KNOWN, "%s: '{\"%s\": %s}'", says, s->name,
 		    s->example);
 	else
-		word_offer(g, WORD_KNOWN, "%s; 'projcalc help %s' describes it",
-		    says, s->name);
+		word_offer(g, WORD_KNOWN, "%s; 'projcalc help %s' describes it", says,
+		    s->name);
 }
 
 /* Writes to `list` which commands take an option: "fit and trace". Returns `list`. */
-static const char *option_takers(const struct option_row *r,
-    char list[LIST_ROOM])
+static const char *option_takers(const struct option_row *r, char list[LIST_ROOM])
 {
 	/* in the order of the bits of enum command_kind */
-	static const char *const names[] = { "the 3D matrix commands",
-		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
-		"help" };
+	static const char *const names[] = { "the 3D matrix commands", "project",
+		"pick", "fit", "inspect", "trace", "the 2D commands", "help" };
 	enum { KINDS = sizeof names / sizeof *names };
 	const char *takers[KINDS + 1] = { NULL };
 	int n = 0;
@@ -92,8 +86,7 @@ static const char *option_takers(const struct option_row *r,
 
 /* Offers a hint of word_hint. If the hint is an option, and c lacks it or is NULL, says
  * which commands take the option. */
-static void offer_hint(struct word_guess *g, const struct command *c,
-    const char *hint)
+static void offer_hint(struct word_guess *g, const struct command *c, const char *hint)
 {
 	const size_t n = strcspn(hint, "*");
 	const struct option_row *r;
@@ -127,11 +120,9 @@ static void offer_known(struct word_guess *g, const struct command *c)
 	/* if an option has the name, searches no aliases, and not SCENE_SPATIAL: in a
 	 * call of project, --at is more likely the option of pick than camera.at */
 	const char *passes = r == NULL ? "na" : "n";
-	const unsigned other = r == NULL ? reads :
-					   reads & ~(unsigned)SCENE_SPATIAL;
+	const unsigned other = r == NULL ? reads : reads & ~(unsigned)SCENE_SPATIAL;
 	/* searches the members of persp if the command implies no type of projection */
-	const int type = (int)w->source.implied_type,
-		  variant = type - (type > 0);
+	const int type = (int)w->source.implied_type, variant = type - (type > 0);
 
 	if (option_is_for(r, c))
 		offer_hint(g, c, "--*");
@@ -146,8 +137,8 @@ static void offer_known(struct word_guess *g, const struct command *c)
 	offer_member(g, SCENE_ALL, 0, "nNaA", c != NULL ? reads : SCENE_ALL);
 }
 
-void unknown_check_option(const struct command *c, const char *word,
-    const char *name, bool is_unknown)
+void unknown_check_option(const struct command *c, const char *word, const char *name,
+    bool is_unknown)
 {
 	struct word_guess g = { .word = name };
 
@@ -167,8 +158,8 @@ void unknown_check_option(const struct command *c, const char *word,
 /* Offers `name`, which is `help` "" or a topic after "help ". */
 static void offer_near(struct word_guess *g, const char *help, const char *name)
 {
-	word_offer(g, word_closeness(g->word, name),
-	    "did you mean 'projcalc %s%s'?", help, name);
+	word_offer(g, word_closeness(g->word, name), "did you mean 'projcalc %s%s'?",
+	    help, name);
 }
 
 void unknown_refuse_command(const struct command *commands, bool topic,
@@ -179,8 +170,8 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 	    (word[1] != '-' || option_find(word + 2) != NULL);
 	/* `word` looks like an option or operand, which has to follow a command */
 	const bool early = !topic &&
-	    (option || first == '{' || first == '[' ||
-		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);
+	    (option || first == '{' || first == '[' || strpbrk(word, "./") != NULL ||
+		access(word, R_OK) == 0);
 	const char *const help = topic ? "help " : "";
 	struct word_guess g = { .word = word };
 	const struct member *s, *m;
@@ -200,6 +191,6 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 	word_offer(&g, WORD_ELSE, "%s'projcalc help' lists commands%s",
 	    early ? "a command comes first, such as project or lookat; " : "",
 	    topic ? ", and 'projcalc help scene' members" : "");
-	die(EXIT_USAGE, "unknown %s '%.400s'; %s", topic ? "topic" : "command",
-	    word, g.remedy);
+	die(EXIT_USAGE, "unknown %s '%.400s'; %s", topic ? "topic" : "command", word,
+	    g.remedy);
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Refuses unknown commands, topics of help and options, with a remedy from the tables of
  * commands, options and members and from words.h. */
-#ifndef UNKNOWN_H
-#define UNKNOWN_H
+#pragma once
 
 #include "command.h"
 
@@ -16,13 +15,11 @@ const struct member *unknown_find_member(const char *name,
 
 /* Refuses `word`, an unknown command or, if `topic` is true, an unknown topic of help.
  * A name of NULL ends the table `commands`. */
-_Noreturn void unknown_refuse_command(const struct command *commands,
-    bool topic, const char *word);
+_Noreturn void unknown_refuse_command(const struct command *commands, bool topic,
+    const char *word);
 
 /* Refuses `word`, such as "--eye", if is_unknown is true, or if `name` is an option, a
  * member or a word with a hint. `name` is the word without dashes or, for the letter of
  * an option that c does not take, the name of that option. */
-void unknown_check_option(const struct command *c, const char *word,
-    const char *name, bool is_unknown);
-
-#endif
+void unknown_check_option(const struct command *c, const char *word, const char *name,
+    bool is_unknown);

@@ -30,8 +30,7 @@ void die_at(int status, const struct place *place, const char *format, ...)
 	longjmp(refused, 1);
 }
 
-void vdie_at(int status, const struct place *place, const char *format,
-    va_list args)
+void vdie_at(int status, const struct place *place, const char *format, va_list args)
 {
 	(void)args;
 	die_at(status, place, "%s", format);
@@ -106,8 +105,8 @@ static void check_camera(const struct camera *c)
 
 static void run(char *text, size_t size, int mode)
 {
-	static const enum scene_member bare[] = { 0, SCENE_CAMERA,
-		SCENE_PROJECTION, SCENE_WINDOW };
+	static const enum scene_member bare[] = { 0, SCENE_CAMERA, SCENE_PROJECTION,
+		SCENE_WINDOW };
 	const struct document_wants wants = {
 		.lone_member = bare[mode & 3],
 		.needed = bare[mode & 3],
@@ -122,8 +121,8 @@ static void run(char *text, size_t size, int mode)
 	struct document d;
 
 	if (mode & 128) {
-		d.points = document_read_points("a", text, size, 2 + (mode & 1),
-		    NULL, &d.points_size);
+		d.points = document_read_points("a", text, size, 2 + (mode & 1), NULL,
+		    &d.points_size);
 		check_point_lines(d.points, d.points_size);
 		return;
 	}

@@ -41,8 +41,8 @@ static bool can_read_back(const struct layout *l)
 		(l->reads == l->writes && !l->output.flags));
 }
 
-static void check_back(const struct layout *l, const double v[],
-    struct span text, bool has_bom)
+static void check_back(const struct layout *l, const double v[], struct span text,
+    bool has_bom)
 {
 	struct layout back = *l;
 	struct line line = { 0 };
@@ -55,8 +55,7 @@ static void check_back(const struct layout *l, const double v[],
 		back.columns.name[i] = NULL;
 	back.columns.by_default = false;
 	back.header = HEADER_NONE;
-	back.seen.header_fields =
-	    0; /* the header of the output has more names */
+	back.seen.header_fields = 0; /* the header of the output has more names */
 	back.in = l->out;
 	back.reads = l->writes > 4 ? 3 : l->writes;
 	if (!same_dialect(l->in, l->out))
@@ -67,8 +66,7 @@ static void check_back(const struct layout *l, const double v[],
 		return;
 	want(line.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
-		want(l->output.style[i].kind != NUMBER_SHORTEST ||
-		    same(read[i], v[i]));
+		want(l->output.style[i].kind != NUMBER_SHORTEST || same(read[i], v[i]));
 }
 
 /* Checks that cJSON reads the text, too, unless the text has half of a surrogate pair
@@ -88,16 +86,14 @@ static void write_back(const struct layout *l, const struct line *line,
 {
 	static const struct flags flags = { "left+near", 9 };
 	static const struct number_text none = { .layout = 0 };
-	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
-		1e-320 };
+	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7, 1e-320 };
 	const struct image_numbers numbers = { v, &none, 1, 0 };
 	size_t room = splice_room(l, 1, line->size);
 	char *out = malloc(room), *end;
 
 	for (int i = 0; line->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
-	end = splice_line(l, line, &numbers, l->output.flags ? &flags : NULL,
-	    out);
+	end = splice_line(l, line, &numbers, l->output.flags ? &flags : NULL, out);
 	want((size_t)(end - out) <= room);
 	struct span text = { out, end };
 

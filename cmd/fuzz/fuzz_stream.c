@@ -127,8 +127,7 @@ void die_at(int status, const struct place *place, const char *format, ...)
 	abort();
 }
 
-void vdie_at(int status, const struct place *place, const char *format,
-    va_list args)
+void vdie_at(int status, const struct place *place, const char *format, va_list args)
 {
 	(void)args;
 	die_at(status, place, "%s", format);
@@ -173,8 +172,7 @@ static void set_more(struct layout *l)
 	}
 	l->output.append = !format_is_binary(in) && in == out;
 	for (int k = 0; l->output.append && k < l->writes; k++) {
-		memmove(l->output.name[k] + 2, l->output.name[k],
-		    NAME_ROOM - 2);
+		memmove(l->output.name[k] + 2, l->output.name[k], NAME_ROOM - 2);
 		memcpy(l->output.name[k], "a_", 2);
 	}
 }
@@ -231,8 +229,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	}
 	if (!refused)
 		add(&printed, c->out, c->size);
-	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX;
-	     i++) {
+	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX; i++) {
 		struct place p = { .line = 1 + (long)c->complaint[i].line,
 			.of_points = format_is_binary(j->layout.in.format) };
 
@@ -260,15 +257,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		return 0;
 	if (!s.has_viewport)
 		s = scene();
-	j = (struct job){ .layout = layout_of(data),
-		.keep_going = true,
-		.threads = 3 };
+	j = (struct job){ .layout = layout_of(data), .keep_going = true, .threads = 3 };
 	set_job(&j, &s, data[3]);
 	struct layout layout = j.layout;
 
 	kernels_choose(data[3] & 32 ? "baseline" : NULL);
-	bool whole_source = do_at_once(&j, (const char *)data + HEADER,
-	    size - HEADER);
+	bool whole_source = do_at_once(&j, (const char *)data + HEADER, size - HEADER);
 	struct bytes whole = printed, messages = said;
 
 	printed = said = (struct bytes){ 0 };

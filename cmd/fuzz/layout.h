@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The layout of lines that the first bytes of a fuzzer's input choose. */
-#ifndef LAYOUT_FUZZ_H
-#define LAYOUT_FUZZ_H
+#pragma once
 
 #include <stdint.h>
 
@@ -17,15 +16,14 @@ static inline struct layout layout_of(const uint8_t *b)
 {
 	static const int sizes[][2] = { { 3, 3 }, { 3, 4 }, { 4, 3 }, { 2, 2 },
 		{ 2, 6 }, { 4, 4 } };
-	static const int fields[][4] = { { 0, 1, 2, 3 }, { 3, 2, 1, 0 },
-		{ 1, 0, 2, 5 }, { 9, 4, 0, 2 } };
+	static const int fields[][4] = { { 0, 1, 2, 3 }, { 3, 2, 1, 0 }, { 1, 0, 2, 5 },
+		{ 9, 4, 0, 2 } };
 	static const char *const names[] = { "x", "y", "z", "w" };
 	static const char separators[] = ",;";
 	const int *size = sizes[b[1] % 6];
 	struct layout l = {
 		.in = dialect_of((enum format)(b[0] % 6), separators[b[3] & 1]),
-		.out = dialect_of((enum format)(b[0] / 6 % 6),
-		    separators[b[3] & 1]),
+		.out = dialect_of((enum format)(b[0] / 6 % 6), separators[b[3] & 1]),
 		.header = (enum header)(b[1] / 72 % 3),
 		.columns = { .by_default = b[1] / 12 % 6 == 0 },
 		.reads = size[0],
@@ -41,8 +39,7 @@ static inline struct layout layout_of(const uint8_t *b)
 		l.output.style[k].kind = b[2] % 3;
 		if (k < l.writes)
 			strcpy(l.output.name[k], written[k]);
-		l.output.style[k].n = b[2] / 4 % 3 == 1 ? 100 :
-							  1 + (b[2] + k) % 17;
+		l.output.style[k].n = b[2] / 4 % 3 == 1 ? 100 : 1 + (b[2] + k) % 17;
 	}
 	strcpy(l.output.name[COORDINATES_MAX], l.output.flags ? "flags" : "");
 	if (columns == 0)
@@ -57,5 +54,3 @@ static inline struct layout layout_of(const uint8_t *b)
 	}
 	return l;
 }
-
-#endif

@@ -27,8 +27,7 @@ static void skip_space(struct json_check *s)
 /* Returns whether c can be part of a word or number. */
 static bool in_token(char c)
 {
-	return (unsigned char)c > ' ' && c != ',' &&
-	    strchr(":[]{}\"'/#", c) == NULL;
+	return (unsigned char)c > ' ' && c != ',' && strchr(":[]{}\"'/#", c) == NULL;
 }
 
 /* Returns the end of the word or number at s->at, or else of one character there. */
@@ -43,8 +42,7 @@ static const char *token_end(const struct json_check *s)
 	return p > s->at ? p : p + (n > 0 ? n : 1);
 }
 
-void json_count_lines(const char *text, const char *at, long long *line,
-    size_t *column)
+void json_count_lines(const char *text, const char *at, long long *line, size_t *column)
 {
 	*column += (size_t)(at - text);
 	for (const char *s = text; s < at; s++)
@@ -268,10 +266,9 @@ static bool check_brackets(struct json_check *s, const char *path)
 	long index = 0;
 
 	for (bool empty = next_is(s, close); !empty; skip_space(s)) {
-		if (!(object ?
-			    check_member(s, path) :
-			    check_value(s,
-				path_after(path, (struct span){ 0 }, index++))))
+		if (!(object ? check_member(s, path) :
+			       check_value(s,
+				   path_after(path, (struct span){ 0 }, index++))))
 			return false;
 		skip_space(s);
 		if (next_is(s, close))
@@ -294,6 +291,5 @@ bool json_check(struct json_check *s)
 	skip_space(s);
 	return s->at == s->end ||
 	    refuse(s, "the end of the text",
-		!s->is_line && *s->at == '{' ? "--scenes reads several scenes" :
-					       NULL);
+		!s->is_line && *s->at == '{' ? "--scenes reads several scenes" : NULL);
 }

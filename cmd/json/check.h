@@ -3,8 +3,7 @@
  * other readers of JSON in the program, cJSON too, get text that json_check accepted.
  * The caller owns the text; struct json_check points into it, and may be discarded at
  * any time. */
-#ifndef CHECK_H
-#define CHECK_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -25,7 +24,7 @@ struct json_check {
 	 * pointer leads or, if there is none, the last value on the way there. */
 	const char *pointer;
 	struct span found;
-	const char *at; /* the next character; after an error, the wrong one */
+	const char *at;   /* the next character; after an error, the wrong one */
 	char reason[256]; /* what is wrong, after an error */
 	int level;        /* the number of open brackets */
 	/* A number has more than CJSON_NUMBER_MAX bytes, or the name of a member
@@ -44,5 +43,3 @@ const char *json_scalar_end(const char *p, const char *end);
  * where `at` is. Columns are counted in bytes from 1. */
 void json_count_lines(const char *text, const char *at, long long *line,
     size_t *column);
-
-#endif

@@ -48,15 +48,13 @@ static struct way_bits way_find(const struct member *table, int variant,
 
 		memcpy(name, names, n);
 		name[n] = '\0';
-		const struct member *row = member_named(table, variant, name,
-		    false);
+		const struct member *row = member_named(table, variant, name, false);
 		uint64_t bit = row != NULL ? UINT64_C(1) << (row - table) : 0;
 
 		way.all |= bit;
 		for (names += n; *names > ' '; names++)
 			if (strchr(marks, *names) != NULL)
-				way.marked[strchr(marks, *names) - marks] |=
-				    bit;
+				way.marked[strchr(marks, *names) - marks] |= bit;
 	}
 	return way;
 }
@@ -76,8 +74,7 @@ const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 		return words_join(out, row->words, " or ", "");
 	if (row->type->number_size == sizeof(bool))
 		return "true or false";
-	const bool size = row->range != NULL &&
-	    row->range->min == range_positive.min &&
+	const bool size = row->range != NULL && row->range->min == range_positive.min &&
 	    row->range->max == range_positive.max;
 	const char *one = size                                     ? "size" :
 	    row->unit != NULL && strcmp(row->unit, "degrees") == 0 ? "angle" :
@@ -117,8 +114,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 	char list[LIST_ROOM];
 	int n = 0;
 
-	if (of_scene != NULL && of_scene->in_any_document &&
-	    v->parent->parent == NULL)
+	if (of_scene != NULL && of_scene->in_any_document && v->parent->parent == NULL)
 		return;
 	if (row != NULL)
 		word_offer(&g, WORD_KNOWN, "did you mean \"%s\"%s?", row->name,
@@ -128,16 +124,15 @@ static void check_unknown(const struct value *v, const struct member *table,
 	for (int alias = 0; alias < 2 && n == 0; alias++)
 		for (const struct member *s = scene; s->name != NULL; s++)
 			if (s->members != table &&
-			    member_named(s->members, ANY_VARIANT, v->name,
-				alias) != NULL)
+			    member_named(s->members, ANY_VARIANT, v->name, alias) !=
+				NULL)
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
 		word_offer(&g, WORD_KNOWN, "it belongs in %s",
 		    words_join(list, names, " or ", "\""));
 	if (v->parent->parent != NULL && of_scene != NULL)
-		word_offer(&g, WORD_KNOWN, "it stands beside \"%s\"",
-		    v->parent->name);
+		word_offer(&g, WORD_KNOWN, "it stands beside \"%s\"", v->parent->name);
 	list_names(table, variant, ALL_MEMBERS, names);
 	word_offer_list(&g, names, "did you mean \"%s\"?");
 	word_offer(&g, WORD_ELSE, "there are %s",
@@ -152,8 +147,7 @@ static void read_default(const struct member *row, void *to)
 	row->type->read(&fallback, row, to);
 }
 
-void object_read_member(const struct value *v, const struct member *row,
-    void *base)
+void object_read_member(const struct value *v, const struct member *row, void *base)
 {
 	row->type->read(v, row, (char *)base + row->offset);
 	if (row->flag != 0)
@@ -216,21 +210,18 @@ static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, bool fit,
 
 	for (size_t i = 0; i < b->n && n < LIST_ROOM; i++) {
 		list_names(b->table, b->variant,
-		    b->way[i].all & (way_required(&b->way[i], fit) | given),
-		    names);
+		    b->way[i].all & (way_required(&b->way[i], fit) | given), names);
 		words_join(all, names, " and ", "\"");
 		n += (size_t)snprintf(out + n, LIST_ROOM - n, "%s%s",
-		    i > 0 ? ", or " : "give ",
-		    *all != '\0' ? all : "none of them");
+		    i > 0 ? ", or " : "give ", *all != '\0' ? all : "none of them");
 	}
 }
 
 /* Refuses the object v because of m, the first member in `members`. If `way` is 0, v
  * lacks m. If not, the given members complete a way, which m does not belong to; `way`
  * has the given members of that way, as bits. */
-static _Noreturn void refuse_way(const struct value *v,
-    const struct rule_bits *b, bool fit, uint64_t given, uint64_t members,
-    uint64_t way)
+static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *b,
+    bool fit, uint64_t given, uint64_t members, uint64_t way)
 {
 	const int first = __builtin_ctzll(members);
 	const struct value *m = VALUE_MISSING(v, b->table[first].name);
@@ -252,16 +243,15 @@ static _Noreturn void refuse_way(const struct value *v,
 
 /* Returns the index of the way that the members `given` of v are. Refuses v if there is
  * none: it lacks a member, or has one of other ways. */
-static size_t find_way(const struct value *v, const struct rule_bits *b,
-    bool fit, uint64_t given)
+static size_t find_way(const struct value *v, const struct rule_bits *b, bool fit,
+    uint64_t given)
 {
 	uint64_t extra = 0, lacking = 0, way = 0;
 
 	given &= b->all;
 	for (size_t i = 0; i < b->n; i++) {
 		const uint64_t required = way_required(&b->way[i], fit);
-		uint64_t missing = required & ~given,
-			 in = b->way[i].all & given;
+		uint64_t missing = required & ~given, in = b->way[i].all & given;
 
 		if (missing == 0 && in == given)
 			return i;
@@ -298,14 +288,14 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
 	const size_t way = find_way(v, b, fit, given);
 
 	if (base != NULL && rule->field != 0)
-		*(unsigned *)(void *)((char *)base + rule->field -
-		    1) = rule->way_0 + (unsigned)way;
+		*(unsigned *)(void *)((char *)base + rule->field - 1) = rule->way_0 +
+		    (unsigned)way;
 	return b->way[way].marked[MARK_LEFT] &
 	    ~(given | (fit ? b->way[way].marked[MARK_FITTED] : 0));
 }
 
-struct found object_read(const struct value *v, const struct member *row,
-    int variant, void *base)
+struct found object_read(const struct value *v, const struct member *row, int variant,
+    void *base)
 {
 	const struct member *table = row->members;
 	struct found found = { 0, 0 };
@@ -313,15 +303,14 @@ struct found object_read(const struct value *v, const struct member *row,
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
 	for (const struct member *m = table; m->name != NULL; m++)
-		if (base != NULL && m->fallback != NULL &&
-		    m->type->number_size > 0 &&
+		if (base != NULL && m->fallback != NULL && m->type->number_size > 0 &&
 		    has_variant(m->variants, variant))
 			read_default(m, (char *)base + m->offset);
 	struct value m = value_child(v), first;
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *known = member_named(table, variant,
-		    m.name, false);
+		const struct member *known = member_named(table, variant, m.name,
+		    false);
 
 		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;
@@ -336,10 +325,8 @@ struct found object_read(const struct value *v, const struct member *row,
 		if (base != NULL)
 			object_read_member(&m, known, base);
 	}
-	for (const struct rule *r = row->rules; r != NULL && r->ways != NULL;
-	     r++)
-		found.left |= check_rule(v, r, table, variant, found.given,
-		    base);
+	for (const struct rule *r = row->rules; r != NULL && r->ways != NULL; r++)
+		found.left |= check_rule(v, r, table, variant, found.given, base);
 	return found;
 }
 
@@ -379,11 +366,9 @@ void object_print(struct printer *p, const struct member *row, int variant,
 	}
 	put_open(p, "{");
 	for (row = row->members; row->name != NULL; row++, bits >>= 1) {
-		bool has = row->flag == 0 ||
-		    *(const bool *)(at + row->flag - 1);
+		bool has = row->flag == 0 || *(const bool *)(at + row->flag - 1);
 
-		if ((bits & 1) == 0 || !has ||
-		    !has_variant(row->variants, variant) ||
+		if ((bits & 1) == 0 || !has || !has_variant(row->variants, variant) ||
 		    is_omitted(row, at + row->offset))
 			continue;
 		row->type->print(put_name(p, row->name), row, at + row->offset);
@@ -391,14 +376,12 @@ void object_print(struct printer *p, const struct member *row, int variant,
 	put_close(p, "}");
 }
 
-static void read_object(const struct value *v, const struct member *row,
-    void *out)
+static void read_object(const struct value *v, const struct member *row, void *out)
 {
 	object_read(v, row, 0, out);
 }
 
-static void print_object(struct printer *p, const struct member *row,
-    const void *at)
+static void print_object(struct printer *p, const struct member *row, const void *at)
 {
 	object_print(p, row, 0, ALL_MEMBERS, at);
 }

@@ -6,8 +6,7 @@
  * The caller owns the struct that is read or printed. Rows and rules are constants, and
  * what is derived from a rule is kept until the program ends. Nothing else is kept: a
  * struct that was read does not refer to the document. */
-#ifndef OBJECT_H
-#define OBJECT_H
+#pragma once
 
 #include <stdint.h>
 
@@ -108,15 +107,14 @@ struct found {
  * the index of the object's way. `variant` is 0 if the table has no variants. Ignores
  * $schema, names that begin with _ and, in the outermost object, members that any
  * document may have. Refuses unknown and repeated members, and broken rules. */
-struct found object_read(const struct value *, const struct member *row,
-    int variant, void *base);
+struct found object_read(const struct value *, const struct member *row, int variant,
+    void *base);
 
 /* The type of a member that is an object without variants. */
 extern const struct member_type type_object;
 
 /* Reads the value of a member to its field in the struct at `base`. */
-void object_read_member(const struct value *, const struct member *,
-    void *base);
+void object_read_member(const struct value *, const struct member *, void *base);
 
 /* Prints the struct at `base` as an object with those members in `bits` that objects of
  * the variant have. Leaves out defaults, sizes of 0 (not given), and members that belong
@@ -128,8 +126,8 @@ void object_print(struct printer *, const struct member *row, int variant,
  * NULL. If `alias` is true, the row may also have `name` as an alias, or a name that
  * differs from it in case, _ and - only. The table may be NULL. */
 enum { ANY_VARIANT = -1 }; /* searches all rows */
-const struct member *member_named(const struct member *, int variant,
-    const char *name, bool alias);
+const struct member *member_named(const struct member *, int variant, const char *name,
+    bool alias);
 
 /* Returns the words for a member's type in the help, such as "3 numbers", "size", "left
  * or right". The words may be written to `out`. */
@@ -138,5 +136,3 @@ const char *member_type_name(const struct member *, char out[LIST_ROOM]);
 /* Returns, as bits, the rows for those of `names`, with blanks between them, that objects
  * of the variant have. */
 uint64_t member_bits(const struct member *, int variant, const char *names);
-
-#endif

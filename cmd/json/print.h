@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Prints JSON to memory, in lines for people or in one line without blanks. */
-#ifndef PRINT_H
-#define PRINT_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -33,10 +32,8 @@ struct printer *put_name(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *);
 void put_literal(struct printer *, const char *word); /* such as null */
-void put_number(struct printer *, double v);   /* null if v is not finite */
-void put_distance(struct printer *, double v); /* or "infinity" */
+void put_number(struct printer *, double v);          /* null if v is not finite */
+void put_distance(struct printer *, double v);        /* or "infinity" */
 
 /* Prints the number *v if n is 0, otherwise an array of n numbers. */
 void put_numbers(struct printer *, const double *v, int n);
-
-#endif

@@ -86,19 +86,16 @@ enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
 /* Reads the hexadecimal digits at s, which follow \u, to *code. If they are the first
  * half of a surrogate pair, also reads the escape of the second half. *code becomes
  * U+FFFD for a half without the other. Returns the end of the text that was read. */
-static const char *unescape_unicode(const char *s, const char *end,
-    unsigned *code)
+static const char *unescape_unicode(const char *s, const char *end, unsigned *code)
 {
 	const char *after;
 	unsigned second;
 
 	s = json_hex4(s, end, code);
-	if (*code >> 10 == FIRST_HALF && end - s > 1 && s[0] == '\\' &&
-	    s[1] == 'u') {
+	if (*code >> 10 == FIRST_HALF && end - s > 1 && s[0] == '\\' && s[1] == 'u') {
 		after = json_hex4(s + 2, end, &second);
 		if (second >> 10 == SECOND_HALF) {
-			*code = 0x10000 + ((*code & 0x3ff) << 10) +
-			    (second & 0x3ff);
+			*code = 0x10000 + ((*code & 0x3ff) << 10) + (second & 0x3ff);
 			return after;
 		}
 	}
@@ -131,8 +128,7 @@ bool json_is_name(struct span f, struct span name, bool pointer)
 		int size = 1;
 
 		character[0] = *s;
-		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
-				 s + 1;
+		s = *s == '\\' ? json_unescape(s, stop, character, &size) : s + 1;
 		for (int i = 0; i < size; i++, name.s++) {
 			if (name.s == name.end)
 				return false;

@@ -4,8 +4,7 @@
  * keep nothing and own nothing: each gets a pointer into the caller's text, and returns
  * one. No byte at or after `end` is read, except by json_unescape, which reads the byte
  * after the backslash. */
-#ifndef JSON_TEXT_H
-#define JSON_TEXT_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -55,5 +54,3 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n);
 /* Returns whether a JSON string with its quotes stands for `name`. If `pointer` is set,
  * `name` is a token of a JSON pointer (RFC 6901), in which ~1 is / and ~0 is ~. */
 bool json_is_name(struct span string, struct span name, bool pointer);
-
-#endif

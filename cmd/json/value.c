@@ -13,16 +13,16 @@
 #include "check.h"
 #include "text.h"
 
-const struct value_range range_any = { -SCENE_MAGNITUDE_MAX,
-	SCENE_MAGNITUDE_MAX, .wanted = "numbers go up to 1e150" };
+const struct value_range range_any = { -SCENE_MAGNITUDE_MAX, SCENE_MAGNITUDE_MAX,
+	.wanted = "numbers go up to 1e150" };
 const struct value_range range_positive = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted" };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
 /* Returns the place in the source's file of the byte *at. text is the whole text. */
-static struct place source_place_at(const struct json_source *source,
-    const char *text, const char *at)
+static struct place source_place_at(const struct json_source *source, const char *text,
+    const char *at)
 {
 	struct place p = { .file = source->name,
 		.line = source->lines_before + 1,
@@ -32,8 +32,7 @@ static struct place source_place_at(const struct json_source *source,
 	return p;
 }
 
-struct place json_source_place(const struct json_source *source,
-    const char *pointer)
+struct place json_source_place(const struct json_source *source, const char *pointer)
 {
 	struct json_check c = { .text = source->text,
 		.end = source->end,
@@ -103,8 +102,8 @@ static cJSON *parse_without(const struct json_check *c, struct span array)
 	return parsed;
 }
 
-struct value value_parse_document(struct json_source *source,
-    const char *pointer, char *text, size_t size, struct span *array)
+struct value value_parse_document(struct json_source *source, const char *pointer,
+    char *text, size_t size, struct span *array)
 {
 	/* static: the next call frees them, even after a refusal by longjmp */
 	static cJSON *parsed;
@@ -118,8 +117,7 @@ struct value value_parse_document(struct json_source *source,
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
 	if (message_state.json) {
-		source->text = *kept = memcpy(xrealloc(*kept, size), text,
-		    size);
+		source->text = *kept = memcpy(xrealloc(*kept, size), text, size);
 		source->end = source->text + size;
 	}
 	if (!json_check(&c)) {
@@ -129,8 +127,7 @@ struct value value_parse_document(struct json_source *source,
 	}
 	cJSON_Delete(parsed);
 	parsed = NULL;
-	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
-		c.found.end };
+	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL, c.found.end };
 	parsed = parse_without(&c, *array);
 	return (struct value){ .source = source, .item = parsed };
 }
@@ -189,8 +186,7 @@ void value_next(struct value *v)
 	v->name = v->item != NULL ? v->item->string : NULL;
 }
 
-bool value_member(const struct value *object, const char *name,
-    struct value *member)
+bool value_member(const struct value *object, const char *name, struct value *member)
 {
 	*member = value_child(object);
 	while (member->item != NULL && strcmp(member->name, name) != 0)
@@ -210,8 +206,7 @@ const char *value_string(const struct value *v)
 
 size_t value_count(const struct value *v)
 {
-	return value_is(v, JSON_ARRAY) ? (size_t)cJSON_GetArraySize(v->item) :
-					 0;
+	return value_is(v, JSON_ARRAY) ? (size_t)cJSON_GetArraySize(v->item) : 0;
 }
 
 /* A pointer has a token for each level of brackets. A token with its / has at most
@@ -255,8 +250,8 @@ void value_refuse(const struct value *v, const char *format, ...)
 
 void value_refuse_type(const struct value *v, const char *wanted)
 {
-	static const char *const names[] = { "false", "true", "null",
-		"a number", "a string", "an array", "an object" };
+	static const char *const names[] = { "false", "true", "null", "a number",
+		"a string", "an array", "an object" };
 	int type = JSON_FALSE;
 
 	while (!value_is(v, (enum json_type)type))
@@ -298,8 +293,8 @@ double value_number(const struct value *v, const struct value_range *range)
 	    range->min > 0 && x <= 0 ? "not positive" : "out of range", wanted);
 }
 
-void value_numbers(const struct value *v, const struct value_range *range,
-    size_t n, double *out)
+void value_numbers(const struct value *v, const struct value_range *range, size_t n,
+    double *out)
 {
 	const size_t count = value_count(v);
 	char wanted[40];

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Values of a JSON document, and messages with the JSON pointer to a value, such as
  * /camera/eye/0. Only value.c includes cJSON. */
-#ifndef VALUE_H
-#define VALUE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,9 +26,9 @@ struct json_source {
 	unsigned unit;         /* of angles: an enum angle_unit */
 	unsigned implied_type; /* type of a projection without "type"; or 0 */
 	enum task task;
-	bool flat;       /* the document is of two dimensions */
-	bool has_axes;   /* a convention gives the view axes */
-	bool is_operand; /* is POINTS, which --keep-going never skips */
+	bool flat;                    /* the document is of two dimensions */
+	bool has_axes;                /* a convention gives the view axes */
+	bool is_operand;              /* is POINTS, which --keep-going never skips */
 	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	const struct member *scene_members; /* for hints in messages */
 };
@@ -58,7 +57,7 @@ struct value {
 /* The range that the number of a value must be in. */
 struct value_range {
 	double min, max;
-	const char *wanted; /* ends a message: "a number ... is wanted" */
+	const char *wanted;         /* ends a message: "a number ... is wanted" */
 	const char *wanted_radians; /* for angles in radians; or NULL */
 	bool min_excluded, max_excluded;
 };
@@ -70,8 +69,8 @@ extern const struct value_range range_any, range_positive;
  * are valid until the next call. If the pointer leads to an array, its elements are not
  * parsed, and *array becomes its text; otherwise array->s becomes NULL. A byte order
  * mark in text becomes blanks. */
-struct value value_parse_document(struct json_source *, const char *pointer,
-    char *text, size_t size, struct span *array);
+struct value value_parse_document(struct json_source *, const char *pointer, char *text,
+    size_t size, struct span *array);
 
 /* Sets v->item to the type and, for a number, the number of the value at s. The other
  * members of *v stay. The item is valid until the next call. json_check must accept the
@@ -95,8 +94,7 @@ void value_next(struct value *v);
 	    .name = (label) })
 
 /* Sets *member to the first member with the name. Returns false if there is none. */
-bool value_member(const struct value *object, const char *name,
-    struct value *member);
+bool value_member(const struct value *object, const char *name, struct value *member);
 
 /* Returns whether the value exists and has the type. */
 bool value_is(const struct value *, enum json_type);
@@ -127,5 +125,3 @@ void value_numbers(const struct value *, const struct value_range *, size_t n,
 
 /* Returns the index of a string in words[], which NULL ends; refuses other values. */
 int value_word(const struct value *, const char *const *words);
-
-#endif

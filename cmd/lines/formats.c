@@ -27,12 +27,10 @@ static const char *csv_quote_end(const char *s, const char *end)
 	return s;
 }
 
-bool format_has_only_cr(struct dialect d, struct span line,
-    char reason[REASON_MAX])
+bool format_has_only_cr(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	const char *s = line.s;
-	const bool csv = format_of(d)->header &&
-	    *skip_blanks(d, s, line.end) != '#';
+	const bool csv = format_of(d)->header && *skip_blanks(d, s, line.end) != '#';
 
 	for (bool begins = csv; s < line.end && *s != '\r'; s++) {
 		if (begins && *s == '"') {
@@ -54,13 +52,10 @@ bool format_has_only_cr(struct dialect d, struct span line,
 	return true;
 }
 
-static bool json_line_check(struct dialect d, struct span line,
-    char reason[REASON_MAX])
+static bool json_line_check(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	struct json_check c = { .is_line = true,
-		.text = line.s,
-		.end = line.end };
+	struct json_check c = { .is_line = true, .text = line.s, .end = line.end };
 
 	if (*s != '[' && *s != '{')
 		strcpy(reason,
@@ -141,8 +136,7 @@ static void next_of_json(struct cursor *c, struct field *f)
 }
 
 /* Returns whether each quote that opens a field is closed; else writes the reason. */
-static bool csv_check(struct dialect d, struct span line,
-    char reason[REASON_MAX])
+static bool csv_check(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(d, line);
 	struct field f = { .unclosed = false };
@@ -158,11 +152,9 @@ static bool csv_check(struct dialect d, struct span line,
 	return !f.unclosed;
 }
 
-const char *format_read(struct dialect d, const char *s, const char *end,
-    double *v)
+const char *format_read(struct dialect d, const char *s, const char *end, double *v)
 {
-	static const char words[][5] = { "null", "NA", "N/A", "n/a", "na",
-		"NULL", "" };
+	static const char words[][5] = { "null", "NA", "N/A", "n/a", "na", "NULL", "" };
 	const struct format_row *in = format_of(d);
 	const char *after = *in->open != '\0' ? json_number(s, end, v) :
 						number_read(s, end, v);
@@ -187,8 +179,7 @@ static bool can_copy(struct dialect d, struct span f)
 	if (*to->open != '\0')
 		return json_number(f.s, f.end, &v) == f.end && isfinite(v);
 	return to->quote == 0 ||
-	    (memchr(f.s, to->quote, n) == NULL &&
-		memchr(f.s, d.separator, n) == NULL);
+	    (memchr(f.s, to->quote, n) == NULL && memchr(f.s, d.separator, n) == NULL);
 }
 
 #define LINES .open = "", .close = "", .nan_text = "nan"
@@ -197,8 +188,8 @@ static bool can_copy(struct dialect d, struct span f)
 	       .check = csv_check, .next = next_of_csv
 
 const struct format_row format_rows[] = {
-	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
-	    .nan_words = 6, .next = next_of_text },
+	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true, .nan_words = 6,
+	    .next = next_of_text },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
@@ -208,8 +199,7 @@ const struct format_row format_rows[] = {
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
 };
 
-const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
-	NULL };
+const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32", NULL };
 
 /* Writes the control character c: in JSON as an escape, in other formats as a blank,
  * because c could end the line. In csv, where the field is in quotes, a tab stays. */
@@ -255,8 +245,8 @@ static int decode_one(const char **s, const char *end, char escape, bool utf8,
 }
 
 /* Writes f, in quotes if out has them. `escape` is the escape character in f, or 0. */
-static char *put_quoted(const struct format_row *out, struct span f,
-    char escape, char *at)
+static char *put_quoted(const struct format_row *out, struct span f, char escape,
+    char *at)
 {
 	char c[4] = "";
 
@@ -269,8 +259,7 @@ static char *put_quoted(const struct format_row *out, struct span f,
 			at = put_control(out, c[0], at);
 			continue;
 		}
-		if (out->quote != 0 &&
-		    (c[0] == out->quote || c[0] == out->escape))
+		if (out->quote != 0 && (c[0] == out->quote || c[0] == out->escape))
 			*at++ = out->escape;
 		memcpy(at, c, (size_t)n);
 		at += n;
@@ -279,18 +268,16 @@ static char *put_quoted(const struct format_row *out, struct span f,
 	return at + (out->quote != 0);
 }
 
-char *format_convert(struct dialect in, struct dialect out, struct span f,
-    char *at)
+char *format_convert(struct dialect in, struct dialect out, struct span f, char *at)
 {
 	const struct format_row *from = format_of(in), *to = format_of(out);
 	struct span inner = from->header ? trimmed(in, f) : f;
-	bool quoted = from->quote != 0 && inner.end - inner.s >= 2 &&
-	    *inner.s == '"' && inner.end[-1] == '"';
+	bool quoted = from->quote != 0 && inner.end - inner.s >= 2 && *inner.s == '"' &&
+	    inner.end[-1] == '"';
 
 	if (quoted)
-		return put_quoted(to,
-		    (struct span){ inner.s + 1, inner.end - 1 }, from->escape,
-		    at);
+		return put_quoted(to, (struct span){ inner.s + 1, inner.end - 1 },
+		    from->escape, at);
 	if (!can_copy(out, f))
 		return put_quoted(to, f, 0, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The formats of points, in a table, and cursors over the fields of a line. */
-#ifndef FORMATS_H
-#define FORMATS_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -33,8 +32,8 @@ struct field {
 	struct span name;         /* a member's name, quoted; else s is NULL */
 	const char *previous_end; /* the end of the field before, or NULL */
 	const char *next;         /* where the next field begins; NULL: none */
-	bool comma;    /* FORMAT_TEXT: the separator before it has a comma */
-	bool unclosed; /* FORMAT_CSV: the quote of the field is not closed */
+	bool comma;               /* FORMAT_TEXT: the separator before it has a comma */
+	bool unclosed;            /* FORMAT_CSV: the quote of the field is not closed */
 };
 
 /* A cursor over the fields of a line, a JSON array or a JSON object. */
@@ -47,7 +46,7 @@ struct cursor {
 	bool members;             /* the fields are members of a JSON object */
 	bool names;               /* the fields are names of a header */
 	bool no_commas;           /* FORMAT_TEXT: fields end at blanks only */
-	bool comma; /* FORMAT_TEXT: the separator before s has a comma */
+	bool comma;               /* FORMAT_TEXT: the separator before s has a comma */
 };
 
 enum { REASON_MAX = 320 }; /* bytes of a message that says what is wrong */
@@ -66,8 +65,7 @@ struct format_row {
 
 	/* Returns whether a line can be divided into fields; if not, writes the
 	 * reason. NULL: every line can. */
-	bool (
-	    *check)(struct dialect, struct span line, char reason[REASON_MAX]);
+	bool (*check)(struct dialect, struct span line, char reason[REASON_MAX]);
 	/* Sets the field that begins at c->s, except its previous_end and
 	 * comma. Sets c->previous_end to the end of that field. */
 	void (*next)(struct cursor *c, struct field *);
@@ -103,19 +101,16 @@ static inline size_t format_point_size(enum format f, int coordinates)
 
 /* Reads the number at s, or nan if [s, end) is a word for a missing value, such as NA.
  * Returns the end of the number or word, or NULL if neither is at s. */
-const char *format_read(struct dialect, const char *s, const char *end,
-    double *v);
+const char *format_read(struct dialect, const char *s, const char *end, double *v);
 
 /* Writes the field f of the dialect `in` as a field of the dialect `out`. Returns the
  * end of the output. The output has at most two quotes, and six bytes for each byte of
  * f, because JSON writes a control character as \u0001. */
-char *format_convert(struct dialect in, struct dialect out, struct span f,
-    char *at);
+char *format_convert(struct dialect in, struct dialect out, struct span f, char *at);
 
 /* Returns whether a carriage return outside of quotes has more than blanks after it, as
  * in a source whose lines end in carriage returns alone. If so, writes the reason. */
-bool format_has_only_cr(struct dialect, struct span line,
-    char reason[REASON_MAX]);
+bool format_has_only_cr(struct dialect, struct span line, char reason[REASON_MAX]);
 
 static inline bool is_blank(char c)
 {
@@ -123,15 +118,13 @@ static inline bool is_blank(char c)
 }
 
 /* Returns is_blank(c), but false for \v and \f in JSON and for the separator of csv. */
-static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
-    char c)
+static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d, char c)
 {
 	return is_blank(c) && (d.format == FORMAT_TEXT || c != d.separator) &&
 	    (d.format != FORMAT_JSON || (c != '\v' && c != '\f'));
 }
 
-static inline const char *skip_blanks(struct dialect d, const char *s,
-    const char *end)
+static inline const char *skip_blanks(struct dialect d, const char *s, const char *end)
 {
 	while (s < end && is_blank_of(d, *s))
 		s++;
@@ -174,5 +167,3 @@ struct cursor value_cursor(struct span value, const char *end);
 bool cursor_next(struct cursor *, struct field *);
 
 size_t cursor_count(struct cursor);
-
-#endif

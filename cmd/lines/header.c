@@ -61,8 +61,7 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	int k = 0;
 
 	for (; cursor_next(&c, &f); k++)
-		if (k == 0 ? f.value.s < f.value.end :
-			     !field_is_index(f.value, k - 1))
+		if (k == 0 ? f.value.s < f.value.end : !field_is_index(f.value, k - 1))
 			return false;
 	if (k <= l->reads)
 		return false;
@@ -147,20 +146,16 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum next_part first,
 	const char separator[] = { l->in.separator, '\0' };
 
 	if (first != FIRST_NONE && full > l->seen.max_fields &&
-	    (l->seen.header_fields == 0 ||
-		(!lacks_name && !layout_has_names(l))))
+	    (l->seen.header_fields == 0 || (!lacks_name && !layout_has_names(l))))
 		l->seen.max_fields = full;
 	if (full <= l->seen.max_fields || l->seen.header_fields == 0)
 		return false;
 	snprintf(reason, REASON_MAX,
-	    lacks_name ?
-		"has %zu fields and the %s %zu; name each column: if "
-		"the first has no name, by sed '1s/^/row%s/'%s" :
-		"has %zu fields and the %s %zu; quote a field that has "
-		"the separator in it%s%s",
-	    full,
-	    l->seen.header_fields == l->seen.max_fields ? "header" :
-							  "first row",
+	    lacks_name ? "has %zu fields and the %s %zu; name each column: if "
+			 "the first has no name, by sed '1s/^/row%s/'%s" :
+			 "has %zu fields and the %s %zu; quote a field that has "
+			 "the separator in it%s%s",
+	    full, l->seen.header_fields == l->seen.max_fields ? "header" : "first row",
 	    l->seen.max_fields,
 	    !lacks_name            ? "" :
 		*separator == '\t' ? "\\t" :

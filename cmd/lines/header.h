@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads the first line of csv, which may be a header that names the columns. */
-#ifndef HEADER_H
-#define HEADER_H
+#pragma once
 
 #include "lookup.h"
 
@@ -26,5 +25,3 @@ bool header_row_is_long(struct layout *, struct cursor row, enum next_part,
 
 /* Returns a cursor over the names of a header, whose text has no byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);
-
-#endif

@@ -3,8 +3,7 @@
  * and what is written in their place. A job owns its layout; while the first row of a
  * source is not read, only one thread at a time uses it, and afterwards none changes
  * it. */
-#ifndef LAYOUT_H
-#define LAYOUT_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -15,7 +14,7 @@
 enum {
 	COORDINATES_MAX = 6, /* the most numbers written for a point */
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
-	PREFIX_ROOM = 64, /* bytes for the separator and name before a value */
+	PREFIX_ROOM = 64,    /* bytes for the separator and name before a value */
 };
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
@@ -41,7 +40,7 @@ struct seen {
 	/* The columns that a # comment above the first row names. If the row has
 	 * comment_names fields, and numbers in the columns of comment_numbers, then it
 	 * lacks a header, and is refused with comment_reason. */
-	size_t comment_names; /* 0: no names, or the coordinates are first */
+	size_t comment_names;     /* 0: no names, or the coordinates are first */
 	uint32_t comment_numbers; /* bit i: column i, from 0, needs a number */
 	char comment_reason[REASON_MAX];
 };
@@ -65,7 +64,7 @@ struct layout {
 	int reads, writes; /* numbers of a point in the input; in the output */
 	enum header header;
 	struct columns columns;
-	int record; /* numbers in a binary record; 0: the coordinates alone */
+	int record;         /* numbers in a binary record; 0: the coordinates alone */
 	const char *z_hint; /* ends the message that z is missing; or NULL */
 	const char *from;   /* the input space, such as world; or NULL */
 	struct output output;
@@ -74,8 +73,7 @@ struct layout {
 
 static inline size_t layout_record_size(const struct layout *l)
 {
-	return format_point_size(l->in.format,
-	    l->record > 0 ? l->record : l->reads);
+	return format_point_size(l->in.format, l->record > 0 ? l->record : l->reads);
 }
 
 /* Returns the index, from 0, of the field that holds coordinate i. */
@@ -111,5 +109,3 @@ static inline const char *coordinate_name(int i)
 
 /* Forgets what a source has told. Call it before the next source. */
 void layout_begin_source(struct layout *);
-
-#endif

@@ -9,8 +9,7 @@
 #include "../message/escape.h"
 
 /* Returns whether v, coordinate i, is in range or nan; if not, writes the reason. */
-static bool in_range(const struct layout *l, int i, double v,
-    char reason[REASON_MAX])
+static bool in_range(const struct layout *l, int i, double v, char reason[REASON_MAX])
 {
 	if (!(fabs(v) > SCENE_MAGNITUDE_MAX))
 		return true;
@@ -65,16 +64,14 @@ static bool can_be_kept(const struct layout *l, struct cursor c,
 
 /* Returns whether --columns fits a line of JSON: it must give indexes for an array and
  * names for an object; if not, writes the reason. */
-static bool columns_fit(const struct layout *l, bool members,
-    char reason[REASON_MAX])
+static bool columns_fit(const struct layout *l, bool members, char reason[REASON_MAX])
 {
 	if (l->columns.n == 0 || members == (l->columns.name[0] != NULL))
 		return true;
 	strcpy(reason,
-	    members ?
-		"is an object; --columns is to name its members: x,y,z, or "
-		"/position/0" :
-		"is an array; --columns is to number its elements: 2,3,4");
+	    members ? "is an object; --columns is to name its members: x,y,z, or "
+		      "/position/0" :
+		      "is an array; --columns is to number its elements: 2,3,4");
 	return false;
 }
 
@@ -103,9 +100,8 @@ static bool is_legal(const struct layout *l, struct cursor c,
 
 /* Finds the coordinates of a line and reads them. Sets the kind of the line, which is
  * LINE_REFUSED if the first row does not fit its header. */
-static void read_fields(struct layout *l, struct span text,
-    enum next_part first, struct line *line, double v[4],
-    char reason[REASON_MAX])
+static void read_fields(struct layout *l, struct span text, enum next_part first,
+    struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
 	struct lookup found;
@@ -116,8 +112,7 @@ static void read_fields(struct layout *l, struct span text,
 	if (in->check != NULL && !in->check(l->in, text, reason))
 		return;
 	struct cursor c = line_cursor(l->in, text);
-	const bool longer = in->header &&
-	    header_row_is_long(l, c, first, reason);
+	const bool longer = in->header && header_row_is_long(l, c, first, reason);
 
 	if (longer && first == FIRST_ROW) {
 		line->kind = LINE_REFUSED;
@@ -135,9 +130,8 @@ static void read_fields(struct layout *l, struct span text,
 		c.no_commas = line->no_commas = l->columns.n == 0;
 		lookup_fields(l, c, &found);
 	}
-	if (line->kind == LINE_POINT && first == FIRST_ROW &&
-	    l->seen.reordered && layout_has_names(l) &&
-	    cursor_count(c) < l->seen.header_fields) {
+	if (line->kind == LINE_POINT && first == FIRST_ROW && l->seen.reordered &&
+	    layout_has_names(l) && cursor_count(c) < l->seen.header_fields) {
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu, so that its names may "
 		    "be those of other columns; say --columns by number",
@@ -145,8 +139,7 @@ static void read_fields(struct layout *l, struct span text,
 		line->kind = LINE_REFUSED;
 		return;
 	}
-	if (line_is_bad(line) && !l->output.append &&
-	    !can_be_kept(l, c, &found))
+	if (line_is_bad(line) && !l->output.append && !can_be_kept(l, c, &found))
 		line->kind = LINE_LOST;
 	lookup_set_parts(l, &found, line);
 	if (first != FIRST_LINE || !line_is_bad(line))
@@ -186,15 +179,13 @@ void line_read(struct layout *l, struct span text, enum next_part *first,
 	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
 		line->kind = LINE_LOST;
 		text.s = s;
-		reason_field(l, 0,
-		    &(struct field){ .value = text, .whole = text }, reason);
-	} else if (!first_line || !in->header ||
-	    !header_read(l, text, line, reason)) {
+		reason_field(l, 0, &(struct field){ .value = text, .whole = text },
+		    reason);
+	} else if (!first_line || !in->header || !header_read(l, text, line, reason)) {
 		read_fields(l, text, *first, line, v, reason);
 	}
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_NONE;
-	if (first_line && !json && *first != FIRST_ROW &&
-	    line->kind != LINE_REFUSED &&
+	if (first_line && !json && *first != FIRST_ROW && line->kind != LINE_REFUSED &&
 	    reason_needs_header(l, text, line->kind == LINE_LOST, reason))
 		line->kind = LINE_REFUSED;
 }

@@ -3,8 +3,7 @@
  * (formats.h) goes over the fields of the line, lookup.h finds the coordinates among
  * them, and reason.h says what is wrong. The first line of csv may be a header, which
  * header.h reads. A struct line points to the text, which it does not own. */
-#ifndef LINE_H
-#define LINE_H
+#pragma once
 
 #include "layout.h"
 
@@ -59,21 +58,17 @@ static inline struct span line_text(const struct line *line)
 
 static inline struct span line_field(const struct line *line, int i)
 {
-	return (struct span){ line->s + line->at[i].from,
-		line->s + line->at[i].to };
+	return (struct span){ line->s + line->at[i].from, line->s + line->at[i].to };
 }
 
 static inline struct part line_part(const struct line *line, struct span f)
 {
-	return (struct part){ (uint32_t)(f.s - line->s),
-		(uint32_t)(f.end - line->s) };
+	return (struct part){ (uint32_t)(f.s - line->s), (uint32_t)(f.end - line->s) };
 }
 
 /* Reads a line and its coordinates v. If the line is wrong, writes to reason why, and
  * how to mend it. *first says which part of the source the line is, and is updated for
  * the next line. The first line may begin with a byte order mark, and in csv it may be
  * a header, which sets the columns of the layout. */
-void line_read(struct layout *, struct span text, enum next_part *,
-    struct line *, double v[4], char reason[REASON_MAX]);
-
-#endif
+void line_read(struct layout *, struct span text, enum next_part *, struct line *,
+    double v[4], char reason[REASON_MAX]);

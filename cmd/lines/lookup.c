@@ -17,8 +17,7 @@ struct route {
 
 bool field_is_index(struct span token, long k)
 {
-	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
-	     k /= 10)
+	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10; k /= 10)
 		token.end--;
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
@@ -44,8 +43,7 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 	*rest = token.end;
 	if (c->names) {
 		const bool by_default = i < 4 && l->columns.by_default;
-		const char *s = f->value.s,
-			   *space = by_default ? l->from : NULL;
+		const char *s = f->value.s, *space = by_default ? l->from : NULL;
 		const size_t from = space != NULL ? strlen(space) : 0;
 
 		if (from > 0 && (size_t)(f->value.end - s) > from &&
@@ -61,8 +59,8 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 struct search {
 	const struct layout *l;
 	int n;
-	bool text; /* FORMAT_TEXT, whose fields are found by index */
-	long last; /* the index of the last field that is looked at */
+	bool text;              /* FORMAT_TEXT, whose fields are found by index */
+	long last;              /* the index of the last field that is looked at */
 	int separators, commas; /* counted separators; those with a comma */
 	struct lookup *out;
 };
@@ -71,8 +69,8 @@ struct search {
  * FORMAT_TEXT. It depends on each separator before the last coordinate, and on the one
  * after this coordinate if f may be its decimals: f is a number, and points have two
  * coordinates or the separator is a comma without blanks. */
-static bool separator_counts(const struct search *r, const struct field *f,
-    long k, const char *end)
+static bool separator_counts(const struct search *r, const struct field *f, long k,
+    const char *end)
 {
 	double v;
 
@@ -81,8 +79,7 @@ static bool separator_counts(const struct search *r, const struct field *f,
 	return k < r->last ||
 	    (number_read(f->value.s, f->value.end, &v) == f->value.end &&
 		(r->l->reads == 2 ||
-		    (f->value.s == f->previous_end + 1 &&
-			*f->previous_end == ',')));
+		    (f->value.s == f->previous_end + 1 && *f->previous_end == ',')));
 }
 
 /* Searches the fields after the cursor. Enters each value once, for all routes that
@@ -133,8 +130,7 @@ void lookup_fields(const struct layout *l, struct cursor c, struct lookup *out)
 	    (c.bracket != NULL && l->columns.n > 0);
 	struct route routes[SOUGHT_MAX];
 	struct search r = { .l = l,
-		.n = c.names || (l->output.append && c.members) ? SOUGHT_MAX :
-								  l->reads,
+		.n = c.names || (l->output.append && c.members) ? SOUGHT_MAX : l->reads,
 		.text = format_of(c.in)->blanks && !named,
 		.last = named ? LONG_MAX : -1,
 		.out = out };
@@ -170,8 +166,7 @@ int lookup_find_overlap(const struct layout *l, const struct lookup *c)
 	return 0;
 }
 
-void lookup_set_parts(const struct layout *l, const struct lookup *c,
-    struct line *line)
+void lookup_set_parts(const struct layout *l, const struct lookup *c, struct line *line)
 {
 	bool whole = line->kind != LINE_POINT && format_of(l->in)->header;
 
@@ -185,8 +180,8 @@ void lookup_set_parts(const struct layout *l, const struct lookup *c,
 	}
 }
 
-bool lookup_clashes(const struct layout *l, const struct lookup *c,
-    bool members, char reason[REASON_MAX])
+bool lookup_clashes(const struct layout *l, const struct lookup *c, bool members,
+    char reason[REASON_MAX])
 {
 	int i = 4;
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Looks up the coordinates of a point among the fields of its line: by their index, by
  * the names of a header, or by the names of members or JSON pointers. */
-#ifndef LOOKUP_H
-#define LOOKUP_H
+#pragma once
 
 #include "line.h"
 
@@ -25,8 +24,7 @@ struct lookup {
 void lookup_fields(const struct layout *, struct cursor, struct lookup *);
 
 /* Sets the parts of the line that hold its coordinates. */
-void lookup_set_parts(const struct layout *, const struct lookup *,
-    struct line *);
+void lookup_set_parts(const struct layout *, const struct lookup *, struct line *);
 
 /* Returns the index, from 0, of a coordinate whose value overlaps the value of an
  * earlier coordinate, as in the same column or JSON element; 0 if there is none. */
@@ -47,5 +45,3 @@ bool field_is_name(struct span f);
 /* Returns whether a first line is a header: the fields at the indexes of coordinates
  * include at least one name and no number. */
 bool lookup_is_header(const struct layout *, struct cursor);
-
-#endif

@@ -15,8 +15,8 @@ char *put_rare_number(const struct layout *l, int k, double v, char *out)
 
 const struct flags *flags_word(struct flag_words *words, unsigned outside)
 {
-	static const char *const names[] = { "left", "right", "bottom", "top",
-		"near", "far", "behind", "nan" };
+	static const char *const names[] = { "left", "right", "bottom", "top", "near",
+		"far", "behind", "nan" };
 	struct flags *w = &words->word[outside];
 	char *at = w->s;
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Puts the values of a point into a line: its numbers, and the word of --flags. */
-#ifndef PUT_H
-#define PUT_H
+#pragma once
 
 #include "../number/vector/loops.h"
 #include "layout.h"
@@ -35,8 +34,8 @@ const struct flags *flags_word(struct flag_words *, unsigned outside);
  * becomes the nan_text of the output's format. Returns the end of the output. */
 char *put_rare_number(const struct layout *, int k, double v, char *out);
 
-static inline char *put_flags_word(const struct layout *l,
-    const struct flags *w, char *out)
+static inline char *put_flags_word(const struct layout *l, const struct flags *w,
+    char *out)
 {
 	bool quoted = *format_of(l->out)->open != '\0';
 
@@ -47,22 +46,21 @@ static inline char *put_flags_word(const struct layout *l,
 	return out + quoted;
 }
 
-static inline char *put_coordinate(const struct layout *l,
-    struct image_numbers n, int k, char *out)
+static inline char *put_coordinate(const struct layout *l, struct image_numbers n,
+    int k, char *out)
 {
 	const struct number_text *text = &n.text[(size_t)k * n.text_stride];
 	double v = n.v[(size_t)k * n.stride];
 
 	if (__builtin_expect(text->layout == 0, 0))
 		return put_rare_number(l, k, v, out);
-	return number_text_put(out, text, v, l->output.single,
-	    l->output.style[k]);
+	return number_text_put(out, text, v, l->output.single, l->output.style[k]);
 }
 
 /* Writes the numbers from k on and, unless it is NULL, the word of --flags, each after
  * the separator. */
-static inline char *put_added(const struct layout *l, struct image_numbers n,
-    int k, char separator, const struct flags *flags, char *out)
+static inline char *put_added(const struct layout *l, struct image_numbers n, int k,
+    char separator, const struct flags *flags, char *out)
 {
 	for (; k < l->writes; k++) {
 		*out++ = separator;
@@ -84,5 +82,3 @@ static inline char *put_gap(const char *s, size_t n, char *out)
 		memcpy(out, s, n);
 	return out + n;
 }
-
-#endif

@@ -33,8 +33,8 @@ static const char rare[] = ";|\t", frequent[] = ";|\t, ";
  * adds the remedy for the mark. Otherwise, if f has one of the separators before its
  * last byte, adds the remedy for the separator.
  * Returns false if it adds nothing. */
-static bool say_mend(const struct layout *l, struct span f,
-    const char *separators, char reason[REASON_MAX])
+static bool say_mend(const struct layout *l, struct span f, const char *separators,
+    char reason[REASON_MAX])
 {
 	static const char *const marks[][2] = {
 		{ "[", "; is it JSON? say -i json; if not, tr -d '[]'" },
@@ -60,8 +60,7 @@ static bool say_mend(const struct layout *l, struct span f,
 	if (*c == '\0')
 		return false;
 	say_more(reason,
-	    *c == '\t' ? "; is a tab the separator? " :
-			 "; is '%c' the separator? ",
+	    *c == '\t' ? "; is a tab the separator? " : "; is '%c' the separator? ",
 	    *c);
 	say_more(reason,
 	    l->seen.header_fields > 1 ?
@@ -75,8 +74,7 @@ static bool say_mend(const struct layout *l, struct span f,
 
 /* Adds to the reason how to mend f, a field of text or csv that is no number. Returns
  * false if it adds nothing. */
-static bool say_remedy(const struct layout *l, struct span f,
-    char reason[REASON_MAX])
+static bool say_remedy(const struct layout *l, struct span f, char reason[REASON_MAX])
 {
 	const char *comma = find_byte(f, ','), *open = find_byte(f, '(');
 	double v;
@@ -88,14 +86,12 @@ static bool say_remedy(const struct layout *l, struct span f,
 		comma = find_byte(f, ' ');
 	if (after != NULL && comma != NULL &&
 	    number_read(comma + 1, f.end, &v) == f.end)
-		say_more(reason,
-		    "; write 1.5 for 1,5, and 1000 for 1,000 or 1 000");
+		say_more(reason, "; write 1.5 for 1,5, and 1000 for 1,000 or 1 000");
 	else if (open != NULL && f.end[-1] != ')')
 		say_more(reason, "; make brackets blanks: tr '()' '  '");
 	else if (f.s < f.end && f.end[-1] == ';')
 		say_more(reason, "; leave out each ; by tr -d ';'");
-	else if (open == NULL &&
-	    say_mend(l, f, two_numbers ? frequent : rare, reason))
+	else if (open == NULL && say_mend(l, f, two_numbers ? frequent : rare, reason))
 		return true;
 	else if (find_byte(f, '=') != NULL)
 		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
@@ -117,7 +113,7 @@ static const char *json_remedy(const struct field *f)
 	return number_read(f->value.s, f->value.end, &v) != NULL ?
 	    ", as JSON writes it" :
 	    first != '[' && first != '{' ? "" :
-	    f->name.s == NULL ? "; one array or object a line: jq -c '.[]'" :
+	    f->name.s == NULL            ? "; one array or object a line: jq -c '.[]'" :
 	    first == '[' ? "; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
 			   "; --columns takes pointers, such as /x/value";
 }
@@ -186,8 +182,7 @@ static void copy_names(struct cursor c, struct names *names)
 			names->omitted = true;
 			continue;
 		}
-		names->list[names->n] = memcpy(names->name[names->n], all.s,
-		    size);
+		names->list[names->n] = memcpy(names->name[names->n], all.s, size);
 		names->name[names->n++][size] = '\0';
 	}
 	names->list[names->n] = NULL;
@@ -220,19 +215,16 @@ static bool can_be_typed(const char *name)
  * columns: *k counts the tries, and is 0 before the first call. Returns false if there
  * are no more. Skips quaternions, such as qx, qy, qz and qw, and names such as px if x
  * is a name. */
-static bool guess_columns(const struct names *names, int reads, int *k,
-    int found[4])
+static bool guess_columns(const struct names *names, int reads, int *k, int found[4])
 {
 	static const char *const axes[][2] = { { "x", "y" },
-		{ "longitude", "latitude" }, { "lon", "lat" },
-		{ "long", "lat" }, { "lng", "lat" }, { "easting", "northing" },
-		{ "east", "north" }, { "rechtswert", "hochwert" }, { "e", "n" },
-		{ "u", "v" } };
-	static const char *const heights[] = { "z", "altitude", "alt",
-		"elevation", "elev", "ele", "height", "hoehe", "h", "up", "w" };
+		{ "longitude", "latitude" }, { "lon", "lat" }, { "long", "lat" },
+		{ "lng", "lat" }, { "easting", "northing" }, { "east", "north" },
+		{ "rechtswert", "hochwert" }, { "e", "n" }, { "u", "v" } };
+	static const char *const heights[] = { "z", "altitude", "alt", "elevation",
+		"elev", "ele", "height", "hoehe", "h", "up", "w" };
 	/* w, the last of heights[], is left out if points have a w */
-	const int usable = (int)(sizeof heights / sizeof *heights) -
-	    (reads > 3);
+	const int usable = (int)(sizeof heights / sizeof *heights) - (reads > 3);
 	const int pairs = sizeof axes / sizeof *axes;
 
 	while (*k < pairs * names->n) {
@@ -275,8 +267,7 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 		if (numbers != NULL &&
 		    (found[reads - 1] < 0 || (reads > 3 && found[2] < 0)))
 			continue;
-		say_more(reason,
-		    reason[was] == '\0' ? "; say --columns " : " or ");
+		say_more(reason, reason[was] == '\0' ? "; say --columns " : " or ");
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, i > 0 ? "," : "");
 			all &= found[i] >= 0;
@@ -285,8 +276,7 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 				*numbers |= 1u << found[i];
 			} else {
 				say_more(reason, "%s",
-				    found[i] < 0 ? "NAME" :
-						   names->list[found[i]]);
+				    found[i] < 0 ? "NAME" : names->list[found[i]]);
 			}
 		}
 	}
@@ -299,8 +289,8 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 
 /* Adds to the reason what to say instead of `typed`, a name in --columns that no column
  * or member has: "; did you mean 'x'?" */
-static void say_near(const struct layout *l, struct cursor c,
-    const struct names *names, const char *typed, char reason[REASON_MAX])
+static void say_near(const struct layout *l, struct cursor c, const struct names *names,
+    const char *typed, char reason[REASON_MAX])
 {
 	struct word_guess g = { .word = typed };
 	const char *s;
@@ -310,8 +300,7 @@ static void say_near(const struct layout *l, struct cursor c,
 	if (c.members && typed[head] != '\0' &&
 	    find_name(names, typed, head, "") >= 0) {
 		say_more(reason, "; say /");
-		for (s = escape_short(shown, typed, strlen(typed)); *s != '\0';
-		     s++)
+		for (s = escape_short(shown, typed, strlen(typed)); *s != '\0'; s++)
 			if (*s != ']')
 				say_more(reason, "%c",
 				    strchr(".[", *s) != NULL ? '/' : *s);
@@ -333,8 +322,8 @@ static void say_near(const struct layout *l, struct cursor c,
 /* Adds to the reason the result of say_near or, if typed is NULL, a guess, "; say
  * --columns lon,lat,h"; without a guess, the remedy of say_mend. If say_mend has no
  * remedy, adds the names of columns or members after the cursor, "; it has x, y". */
-static void say_names(const struct layout *l, struct cursor c,
-    const char *typed, char reason[REASON_MAX])
+static void say_names(const struct layout *l, struct cursor c, const char *typed,
+    char reason[REASON_MAX])
 {
 	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
 	const struct span header = { c.s, c.end };
@@ -348,8 +337,7 @@ static void say_names(const struct layout *l, struct cursor c,
 	} else if (!say_guess(&names, l->reads, NULL, reason)) {
 		if (say_mend(l, header, names.n == 1 ? ";|\t," : rare, reason))
 			return;
-		const bool blank = names.n == 1 &&
-		    say_mend(l, header, " ", reason);
+		const bool blank = names.n == 1 && say_mend(l, header, " ", reason);
 
 		if (!blank)
 			say_more(reason,
@@ -380,8 +368,7 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 	*reason = '\0';
 	if (name == NULL) {
 		if (l->columns.n == 0)
-			say_more(reason,
-			    "%s is missing; %d numbers are wanted%s",
+			say_more(reason, "%s is missing; %d numbers are wanted%s",
 			    coordinate_name(i), l->reads,
 			    i == 2 && l->z_hint != NULL ? l->z_hint : "");
 		else
@@ -395,8 +382,7 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 	escape_short(shown, name, strlen(name));
 	if (found->times[i] == 0) {
 		say_more(reason, "%s '%s'%s",
-		    c.names ? "the header has no column" : "has no member",
-		    shown,
+		    c.names ? "the header has no column" : "has no member", shown,
 		    c.names || l->columns.n > 0 ?
 			"" :
 			"; --columns names the coordinates, such as lon "
@@ -404,8 +390,7 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 		if (c.names && i == 2 && l->z_hint != NULL)
 			say_more(reason, "%s", l->z_hint);
 		else
-			say_names(l, c,
-			    c.names && l->columns.by_default ? NULL : name,
+			say_names(l, c, c.names && l->columns.by_default ? NULL : name,
 			    reason);
 	} else if (c.names) {
 		say_more(reason,
@@ -463,10 +448,8 @@ bool reason_needs_header(const struct layout *l, struct span row, bool lost,
 	for (size_t i = 0; fits && i < l->seen.comment_names; i++)
 		fits = cursor_next(&c, &f) &&
 		    ((l->seen.comment_numbers >> i & 1) == 0 ||
-			format_read(l->in, f.value.s, f.value.end, &v) ==
-			    f.value.end);
-	if (l->header != HEADER_MAYBE ||
-	    (!l->seen.reordered && (!fits || c.s != NULL)))
+			format_read(l->in, f.value.s, f.value.end, &v) == f.value.end);
+	if (l->header != HEADER_MAYBE || (!l->seen.reordered && (!fits || c.s != NULL)))
 		return false;
 	strcpy(reason,
 	    l->seen.reordered ?
@@ -491,6 +474,5 @@ void reason_text_header(const struct layout *l, struct span line,
 	strcpy(reason, "looks like a header");
 	say_more(reason,
 	    "%s leave it out by sed %zud, with --columns if x is not first",
-	    say_mend(l, line, frequent, reason) ? ", or" : ";",
-	    l->seen.first_line);
+	    say_mend(l, line, frequent, reason) ? ", or" : ";", l->seen.first_line);
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes the reason why a line is refused, and how to mend it: one sentence for the
  * message that names the place. */
-#ifndef REASON_H
-#define REASON_H
+#pragma once
 
 #include "lookup.h"
 
@@ -11,8 +10,8 @@ void reason_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
 
 /* Writes that coordinate i was not found after the cursor, or was found twice. */
-void reason_missing(const struct layout *, int i, struct cursor,
-    const struct lookup *, char reason[REASON_MAX]);
+void reason_missing(const struct layout *, int i, struct cursor, const struct lookup *,
+    char reason[REASON_MAX]);
 
 /* Sets comment_names, comment_numbers and comment_reason if `text`, a comment, names
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
@@ -29,5 +28,3 @@ bool reason_needs_header(const struct layout *, struct span row, bool lost,
  * first field is a number or NA, or the reason tells already how to mend this field. */
 void reason_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
-
-#endif

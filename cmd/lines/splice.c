@@ -18,8 +18,7 @@ enum { FLAGS = COORDINATES_MAX };
 struct splice {
 	const struct layout *l;
 	const struct line *line;
-	const struct image_numbers
-	    *numbers; /* NULL in a header: names are written */
+	const struct image_numbers *numbers; /* NULL in a header: names are written */
 	const struct flags *flags;
 	struct span separator; /* before each value that is added */
 	const char *done;      /* bytes before it are copied or left out */
@@ -140,9 +139,7 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 		return one;
 	if (f->previous_end == NULL)
 		found = (struct span){ f->whole.end, f->next };
-	return found.s < found.end && found.end - found.s <= PREFIX_ROOM ?
-	    found :
-	    one;
+	return found.s < found.end && found.end - found.s <= PREFIX_ROOM ? found : one;
 }
 
 /* Leaves out the field f and the separator before f, or after f if f is the first. */
@@ -276,8 +273,7 @@ static char *put_other_numbers(const struct layout *l, const struct line *line,
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 	const bool single = l->in.format == FORMAT_F32;
 
-	for (int i = 0; i < l->record && line->size == layout_record_size(l);
-	     i++) {
+	for (int i = 0; i < l->record && line->size == layout_record_size(l); i++) {
 		const char *s = line->s + format_point_size(l->in.format, i);
 		double v = little_get(s, !single);
 		bool coordinate = false;
@@ -288,8 +284,8 @@ static char *put_other_numbers(const struct layout *l, const struct line *line,
 			continue;
 		*out++ = l->out.separator;
 		out = !isfinite(v) ? stpcpy(out, format_of(l->out)->nan_text) :
-		    single ? number_write_float(out, (float)v, shortest) :
-			     number_write(out, v, shortest);
+		    single         ? number_write_float(out, (float)v, shortest) :
+				     number_write(out, v, shortest);
 	}
 	return out;
 }
@@ -312,16 +308,13 @@ static void put_other_fields(struct splice *w)
 	}
 	if (line->kind == LINE_LOST || line->object)
 		return;
-	if (line->kind == LINE_POINT && layout_in_order(l) &&
-	    !l->output.append) {
+	if (line->kind == LINE_POINT && layout_in_order(l) && !l->output.append) {
 		c.bracket = *in->open != '\0' ? line->s : NULL;
 		cursor_after(&c, line_field(line, l->reads - 1).end);
-		if (in->blanks && to->blanks && l->columns.n == 0 &&
-		    c.s != NULL) {
+		if (in->blanks && to->blanks && l->columns.n == 0 && c.s != NULL) {
 			*w->out++ = ' ';
 			w->done = c.s;
-			copy_to(w,
-			    trimmed(l->in, (struct span){ c.s, c.end }).end);
+			copy_to(w, trimmed(l->in, (struct span){ c.s, c.end }).end);
 			return;
 		}
 	} else {
@@ -388,11 +381,10 @@ char *splice_line(const struct layout *l, const struct line *line,
 	bool appends = l->output.append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->output.append)
-		return convert_point(l, line, *numbers,
-		    l->output.flags ? flags : NULL, out);
+		return convert_point(l, line, *numbers, l->output.flags ? flags : NULL,
+		    out);
 	if ((header || line->kind == LINE_COPY) &&
-	    (*format_of(l->in)->open != '\0' ||
-		*format_of(l->out)->open != '\0'))
+	    (*format_of(l->in)->open != '\0' || *format_of(l->out)->open != '\0'))
 		return out;
 	struct splice w = { .l = l,
 		.line = line,
@@ -401,8 +393,7 @@ char *splice_line(const struct layout *l, const struct line *line,
 		.separator = { &l->out.separator, &l->out.separator + 1 },
 		.done = line->s,
 		.out = out,
-		.due = ((1u << l->writes) - 1) |
-		    (unsigned)l->output.flags << FLAGS };
+		.due = ((1u << l->writes) - 1) | (unsigned)l->output.flags << FLAGS };
 
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes any line, field by field, with other numbers in the place of its coordinates.
  * All other bytes of the line stay, unless the format changes. */
-#ifndef SPLICE_H
-#define SPLICE_H
+#pragma once
 
 #include "line.h"
 #include "put.h"
@@ -24,5 +23,3 @@ char *splice_line(const struct layout *, const struct line *,
  * and the text after the coordinates. Returns the end of the output, which has at most
  * six bytes for each byte of the line plus three for each field. */
 char *splice_rest(const struct layout *, const struct line *, char *out);
-
-#endif

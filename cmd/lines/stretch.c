@@ -15,8 +15,7 @@ struct byte_set stretch_stops(struct dialect d)
 
 		if (c != '\n' && !is_blank(c) && c != d.separator &&
 		    !(row->blanks && c == ',') &&
-		    (row->quote == 0 ||
-			(c != row->quote && c != row->escape)) &&
+		    (row->quote == 0 || (c != row->quote && c != row->escape)) &&
 		    !(json && (b < ' ' || strchr("[]{}", c) != NULL)))
 			continue;
 		if (*bit == 0)
@@ -26,8 +25,8 @@ struct byte_set stretch_stops(struct dialect d)
 	return set;
 }
 
-bool stretch_open(struct stretch *s, const struct byte_set *stops,
-    const char *text, const char *end)
+bool stretch_open(struct stretch *s, const struct byte_set *stops, const char *text,
+    const char *end)
 {
 	size_t size = (size_t)(end - text), n;
 

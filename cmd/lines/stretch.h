@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A stretch of text with an index of its stops, which are the bytes that can end a field
  * or make a line not simple. Vector code makes the index. The text is the caller's. */
-#ifndef STRETCH_H
-#define STRETCH_H
+#pragma once
 
 #include "../number/vector/loops.h"
 #include "formats.h"
@@ -13,18 +12,16 @@ enum { STRETCH_MAX = 1 << 14 };
 
 /* A stretch of text with its index. Places are counted in bytes from text. */
 struct stretch {
-	const char *readable; /* vector code may read from here on */
-	const char *text;     /* the beginning of the stretch */
-	uint32_t at;          /* the place of the next line */
-	uint32_t end;         /* the place after the last line */
-	const uint16_t *next; /* the first stop at or after `at` */
+	const char *readable;             /* vector code may read from here on */
+	const char *text;                 /* the beginning of the stretch */
+	uint32_t at;                      /* the place of the next line */
+	uint32_t end;                     /* the place after the last line */
+	const uint16_t *next;             /* the first stop at or after `at` */
 	uint16_t stop[STRETCH_MAX + 128]; /* the places of the stops */
 };
 
 struct byte_set stretch_stops(struct dialect);
 
 /* Begins a stretch at text and makes its index. Returns false if it has no newline. */
-bool stretch_open(struct stretch *, const struct byte_set *stops,
-    const char *text, const char *end);
-
-#endif
+bool stretch_open(struct stretch *, const struct byte_set *stops, const char *text,
+    const char *end);

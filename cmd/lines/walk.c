@@ -15,11 +15,9 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	*w = (struct walk){ .in = l->in,
 		.stops = stretch_stops(l->in),
 		.n = l->reads,
-		.exact_fields = l->output.append ? (int)l->seen.header_fields :
-						   0,
-		.max_fields = l->seen.header_fields > 0 ?
-		    (int)l->seen.max_fields :
-		    STRETCH_MAX,
+		.exact_fields = l->output.append ? (int)l->seen.header_fields : 0,
+		.max_fields = l->seen.header_fields > 0 ? (int)l->seen.max_fields :
+							  STRETCH_MAX,
 		.added_names = l->output.append ? l->output.name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
@@ -49,14 +47,13 @@ struct target {
 
 /* Passes the number that is coordinate k. Returns false if it is too long for vector
  * code or, in JSON, not legal. */
-INLINE bool pass_number(struct walker *p, struct dialect d,
-    const struct target *t, int k)
+INLINE bool pass_number(struct walker *p, struct dialect d, const struct target *t,
+    int k)
 {
 	uint32_t from = p->at, to = *p->stop;
 
 	if (to - from - 1 >= PLAIN_MAX ||
-	    (d.format == FORMAT_JSON &&
-		!is_json_number(p->text + from, p->text + to)))
+	    (d.format == FORMAT_JSON && !is_json_number(p->text + from, p->text + to)))
 		return false;
 	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
 	t->places[k].end[t->i] = p->text + to;
@@ -66,8 +63,8 @@ INLINE bool pass_number(struct walker *p, struct dialect d,
 	return true;
 }
 
-INLINE bool pass_coordinate(struct walker *p, struct dialect d,
-    const struct target *t, int k)
+INLINE bool pass_coordinate(struct walker *p, struct dialect d, const struct target *t,
+    int k)
 {
 	bool quoted = d.format == FORMAT_CSV && stop_is(p, '"');
 
@@ -129,8 +126,7 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	if (stop_is(p, '"'))
 		return pass_string(p, true);
 	p->at = *p->stop;
-	return json_scalar_end(p->text + from, p->text + p->at) ==
-	    p->text + p->at;
+	return json_scalar_end(p->text + from, p->text + p->at) == p->text + p->at;
 }
 
 /* Passes the name of a member and the colon. Sets *name to the name without quotes. */
@@ -228,16 +224,14 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 	if (d.format == FORMAT_CSV)
 		return t->walk->exact_fields != 0 ?
 		    k == t->walk->exact_fields :
-		    k - (p->text[p->at - 1] == d.separator) <=
-			t->walk->max_fields;
+		    k - (p->text[p->at - 1] == d.separator) <= t->walk->max_fields;
 	if (d.format != FORMAT_TEXT)
 		return true;
 	return (f.commas == 0 || f.commas == f.separators) &&
 	    has_no_decimal_comma(p, d, f.n, f.commas > 0);
 }
 
-INLINE bool pass_brackets(struct walker *p, struct fields f,
-    const struct target *t)
+INLINE bool pass_brackets(struct walker *p, struct fields f, const struct target *t)
 {
 	const struct dialect json = { FORMAT_JSON, ',' };
 	const char close = f.members ? '}' : ']';
@@ -246,8 +240,7 @@ INLINE bool pass_brackets(struct walker *p, struct fields f,
 		return false;
 	pass_stop(p);
 	pass_blanks(p, json);
-	if (!stop_is(p, close) &&
-	    (!pass_fields(p, json, f, t) || !stop_is(p, close)))
+	if (!stop_is(p, close) && (!pass_fields(p, json, f, t) || !stop_is(p, close)))
 		return false;
 	pass_stop(p);
 	pass_blanks(p, json);
@@ -274,8 +267,8 @@ static bool pass_nested(struct walker *p, const struct target *t,
 enum { LEVELS_MAX = 8 };
 
 /* Passes the line up to its end or, in the format text, to its last coordinate. */
-INLINE bool pass_line(struct walker *p, struct dialect d, int n,
-    enum walk_way lookup, const struct target *t)
+INLINE bool pass_line(struct walker *p, struct dialect d, int n, enum walk_way lookup,
+    const struct target *t)
 {
 	const struct fields f = { .n = n,
 		.lookup = lookup,
@@ -287,8 +280,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 	t->line->object = f.members;
 	pass_blanks(p, d);
 	if (d.format == FORMAT_JSON)
-		return pass_brackets(p, f, t) && p->found == n &&
-		    stop_is(p, '\n');
+		return pass_brackets(p, f, t) && p->found == n && stop_is(p, '\n');
 	return p->text[p->at] != '#' && pass_fields(p, d, f, t) &&
 	    (d.format == FORMAT_TEXT || stop_is(p, '\n'));
 }
@@ -304,9 +296,9 @@ static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
-INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
-    struct dialect d, int n, enum walk_way lookup, size_t max,
-    struct line *lines, struct plain_places places[4], uint64_t *left)
+INLINE size_t walk_batch(struct stretch *s, const struct walk *walk, struct dialect d,
+    int n, enum walk_way lookup, size_t max, struct line *lines,
+    struct plain_places places[4], uint64_t *left)
 {
 	struct walker p = { s->text, s->at, s->next, false, 0 };
 	uint32_t end = s->end;
@@ -342,15 +334,12 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk,
 
 /* Calls a copy of walk_batch for points of three coordinates that are the first fields,
  * or a copy for all other points. */
-INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk,
-    struct dialect d, size_t max, struct line *lines,
-    struct plain_places places[4], uint64_t *left)
+INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk, struct dialect d,
+    size_t max, struct line *lines, struct plain_places places[4], uint64_t *left)
 {
 	if (walk->n == 3 && !walk->by_column)
-		return walk_batch(s, walk, d, 3, BY_ORDER, max, lines, places,
-		    left);
-	return walk_batch(s, walk, d, walk->n, BY_COLUMN, max, lines, places,
-	    left);
+		return walk_batch(s, walk, d, 3, BY_ORDER, max, lines, places, left);
+	return walk_batch(s, walk, d, walk->n, BY_COLUMN, max, lines, places, left);
 }
 
 /* Calls walk_batch for objects of JSON. This copy of walk_batch is not inlined into
@@ -359,16 +348,14 @@ static __attribute__((noinline)) size_t walk_objects(struct stretch *s,
     const struct walk *walk, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
-	return walk_batch(s, walk, (struct dialect){ FORMAT_JSON, ',' },
-	    walk->n, BY_PATH, max, lines, places, left);
+	return walk_batch(s, walk, (struct dialect){ FORMAT_JSON, ',' }, walk->n,
+	    BY_PATH, max, lines, places, left);
 }
 
 size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
-    struct line lines[PLAIN_BATCH], struct plain_places places[4],
-    uint64_t *left)
+    struct line lines[PLAIN_BATCH], struct plain_places places[4], uint64_t *left)
 {
-	const struct dialect json = { FORMAT_JSON, ',' },
-			     text = { FORMAT_TEXT, ' ' },
+	const struct dialect json = { FORMAT_JSON, ',' }, text = { FORMAT_TEXT, ' ' },
 			     csv = { FORMAT_CSV, walk->in.separator };
 
 	/* In each copy of walk_batch the format is a constant. The first of n lines of
@@ -382,9 +369,8 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 	return walk_dialect(s, walk, json, n, lines, places, left);
 }
 
-uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
-    size_t n, const struct plain_places at[4], uint64_t left,
-    double v[4][PLAIN_BATCH])
+uint64_t walk_numbers(const struct walk *walk, const struct line *lines, size_t n,
+    const struct plain_places at[4], uint64_t left, double v[4][PLAIN_BATCH])
 {
 	uint64_t unread[4], any = 0;
 
@@ -398,8 +384,7 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
 
 			/* a number such as 1e-300 that vector code does not read */
 			if ((unread[k] >> i & 1) != 0 &&
-			    (format_read(walk->in, f.s, f.end, &v[k][i]) !=
-				    f.end ||
+			    (format_read(walk->in, f.s, f.end, &v[k][i]) != f.end ||
 				fabs(v[k][i]) > SCENE_MAGNITUDE_MAX))
 				left |= (uint64_t)1 << i;
 		}

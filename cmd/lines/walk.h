@@ -3,8 +3,7 @@
  * stops, which are the bytes that can end a field. A walk goes from stop to stop and
  * finds the coordinates without looking at the bytes between the stops; vector code
  * then reads many numbers at once. A line that is not simple is left to line_read. */
-#ifndef WALK_H
-#define WALK_H
+#pragma once
 
 #include "line.h"
 #include "stretch.h"
@@ -15,10 +14,10 @@ struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
-	int exact_fields; /* fields that a line must have; 0: up to max_fields */
-	int max_fields;   /* the most fields of a row of csv */
-	bool arrays;      /* lines may be JSON arrays */
-	bool objects;     /* lines may be JSON objects */
+	int exact_fields;        /* fields that a line must have; 0: up to max_fields */
+	int max_fields;          /* the most fields of a row of csv */
+	bool arrays;             /* lines may be JSON arrays */
+	bool objects;            /* lines may be JSON objects */
 	struct walk_paths paths; /* the paths to the coordinates in an object */
 	/* NULL or, by --append, the names that an object must not have */
 	const char (*added_names)[NAME_ROOM];
@@ -40,5 +39,3 @@ size_t walk_lines(struct stretch *, const struct walk *, size_t n,
  * are left to line_read; all other lines are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The paths from a JSON value to coordinates, by names and indexes with / between. */
-#ifndef WALK_PATHS_H
-#define WALK_PATHS_H
+#pragma once
 
 #include <stdint.h>
 #include <string.h>
@@ -16,8 +15,7 @@ struct walk_paths {
 };
 
 /* Returns path i without its first name or index, for each bit i set in leads. */
-static inline struct walk_paths paths_inside(const struct walk_paths *t,
-    unsigned leads)
+static inline struct walk_paths paths_inside(const struct walk_paths *t, unsigned leads)
 {
 	struct walk_paths rest;
 
@@ -33,8 +31,7 @@ static inline struct walk_paths paths_inside(const struct walk_paths *t,
 /* Returns the coordinate whose path ends at the field with this name or index, or
  * -1. Sets bit i of *leads if path i leads to the field or into it. */
 static inline __attribute__((always_inline)) int
-follow_paths(const struct walk_paths *t, int n, struct span name,
-    unsigned *leads)
+follow_paths(const struct walk_paths *t, int n, struct span name, unsigned *leads)
 {
 	size_t size = (size_t)(name.end - name.s);
 
@@ -51,5 +48,3 @@ follow_paths(const struct walk_paths *t, int n, struct span name,
 	}
 	return -1;
 }
-
-#endif

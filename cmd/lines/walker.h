@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A walker is a position in a stretch. A function pass_x moves the position behind x, or
  * returns false if the line has to be left to line_read. */
-#ifndef WALKER_H
-#define WALKER_H
+#pragma once
 
 #include "../json/text.h"
 #include "stretch.h"
@@ -122,8 +121,7 @@ INLINE bool pass_other_field(struct walker *p, struct dialect d)
 /* Returns false if the separator after the n coordinates of a line in the format text
  * shows that a comma may be decimal: "1 2 3,5" may be 1, 2, 3.5; if n is 2, "1,5 2" may
  * be 1.5, 2. The parameter comma says whether commas are between the coordinates. */
-INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
-    bool comma)
+INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n, bool comma)
 {
 	if (*p->stop != p->at || stop_is(p, '\n'))
 		return *p->stop == p->at;
@@ -132,5 +130,3 @@ INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n,
 	pass_separator(p, d);
 	return stop_is(p, '\n') || p->comma == comma;
 }
-
-#endif

@@ -32,8 +32,8 @@ static inline bool is_in_order(const struct line *line, int n)
 static void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
-		for (int k = i; k > 0 &&
-		     line->at[order[k - 1]].from > line->at[order[k]].from;
+		for (int k = i;
+		     k > 0 && line->at[order[k - 1]].from > line->at[order[k]].from;
 		     k--) {
 			int after = order[k];
 
@@ -61,8 +61,7 @@ static bool can_add_in_place(const struct layout *l, const struct line *line)
 		line->s[last->to] != '"');
 }
 
-static inline char added_separator(const struct layout *l,
-    const struct line *line)
+static inline char added_separator(const struct layout *l, const struct line *line)
 {
 	return format_of(l->out)->blanks ? line->s[line->at[l->reads - 2].to] :
 					   l->out.separator;
@@ -91,8 +90,7 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 		out = put_gap(line->s, done, out);
 	}
 	if (written < l->writes || flags != NULL)
-		out = put_added(l, n, written, added_separator(l, line), flags,
-		    out);
+		out = put_added(l, n, written, added_separator(l, line), flags, out);
 	out = put_gap(line->s + done, line->size - done, out);
 	*out = '\n';
 	return out + line->newline;
@@ -109,8 +107,8 @@ static void writer_make_texts(struct writer *w, size_t p)
 		return;
 	for (int k = 0; k < w->layout->writes; k++)
 		number_texts(&b->image[k][from],
-		    rest < NUMBER_BATCH ? rest : NUMBER_BATCH, o->single,
-		    o->style[k], w->text[k]);
+		    rest < NUMBER_BATCH ? rest : NUMBER_BATCH, o->single, o->style[k],
+		    w->text[k]);
 	w->first_of_batch = from;
 }
 
@@ -122,8 +120,7 @@ static inline struct image_numbers image_of(const struct writer *w, size_t p)
 
 /* Writes the line of point p with the point's image. Returns the end of the line. Each
  * branch calls image_of, as a single call takes 3 % more time in the format text. */
-static char *put_image(struct writer *w, const struct line *line, size_t p,
-    char *at)
+static char *put_image(struct writer *w, const struct line *line, size_t p, char *at)
 {
 	const struct layout *l = w->layout;
 	const struct flags *flags = l->output.flags ?
@@ -133,18 +130,16 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	writer_make_texts(w, p);
 	if (w->in_place && is_in_order(line, l->reads) &&
 	    (!w->adds_values || can_add_in_place(l, line)))
-		return l->output.append ? write_in_place(l, line, true, NULL,
-					      image_of(w, p), flags, at) :
-					  write_in_place(l, line, false, NULL,
-					      image_of(w, p), flags, at);
+		return l->output.append ?
+		    write_in_place(l, line, true, NULL, image_of(w, p), flags, at) :
+		    write_in_place(l, line, false, NULL, image_of(w, p), flags, at);
 	if (!w->in_place || w->adds_values) {
 		const struct image_numbers n = image_of(w, p);
 
 		return splice_line(l, line, &n, flags, at);
 	}
 	find_order(line, l->reads, w->order);
-	return write_in_place(l, line, false, w->order, image_of(w, p), flags,
-	    at);
+	return write_in_place(l, line, false, w->order, image_of(w, p), flags, at);
 }
 
 char *writer_put_block(const struct written_block *b, char *at)
@@ -160,16 +155,14 @@ char *writer_put_block(const struct written_block *b, char *at)
 	w.first_of_batch = SIZE_MAX;
 	for (int k = 0; k < 4; k++)
 		w.order[k] = k;
-	w.adds_values = l->output.append || l->output.flags ||
-	    l->reads < l->writes;
+	w.adds_values = l->output.append || l->output.flags || l->reads < l->writes;
 	w.in_place = same_dialect(l->in, l->out) &&
 	    (l->output.append || l->reads <= l->writes);
 	for (size_t i = 0, p = 0; i < b->n; i++) {
 		const struct line *line = &b->line[i];
 		const bool point = line->kind == LINE_POINT;
 
-		if (!b->visible ||
-		    !(point ? b->outside[p] != 0 : line_is_bad(line)))
+		if (!b->visible || !(point ? b->outside[p] != 0 : line_is_bad(line)))
 			at = point ? put_image(&w, line, p, at) :
 				     splice_line(l, line, &bad,
 					 flags_word(b->words, OUT_NAN), at);

@@ -2,8 +2,7 @@
 /* Writes the lines of a block of points with the images of the points. A writer belongs
  * to the block's thread; it has the digits of a batch of images. Most lines are written
  * in place: only their numbers change, or are added. splice.h writes all others. */
-#ifndef WRITER_H
-#define WRITER_H
+#pragma once
 
 #include "../../core/points/transform.h"
 #include "line.h"
@@ -24,5 +23,3 @@ struct written_block {
 /* Writes the lines of a block; in a bad line each coordinate becomes nan. Returns the
  * end of the output, which needs splice_room (splice.h). */
 char *writer_put_block(const struct written_block *, char *out);
-
-#endif

@@ -13,14 +13,14 @@ static bool is_unseen(unsigned code)
 {
 	return code < 0x20 || (code >= 0x7f && code <= 0xa0) || code == 0xad ||
 	    code == 0x061c || (code >= 0x200b && code <= 0x200f) ||
-	    (code >= 0x2028 && code <= 0x202e) ||
-	    (code >= 0x2060 && code <= 0x2069) || code == 0xfeff;
+	    (code >= 0x2028 && code <= 0x202e) || (code >= 0x2060 && code <= 0x2069) ||
+	    code == 0xfeff;
 }
 
 /* Writes the character at *s, escaped if necessary, and moves *s past it. Returns the
  * number of bytes written. */
-static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s,
-    const char *end, bool json)
+static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s, const char *end,
+    bool json)
 {
 	unsigned code;
 	int n = utf8_read(*s, end, &code);

@@ -2,8 +2,7 @@
 /* Messages show text of the user with escapes: control characters and invisible
  * characters become \u001b, and bytes that are not UTF-8 become \xff. So the text can't
  * move a terminal's cursor, end the line, or change the direction of writing. */
-#ifndef ESCAPE_H
-#define ESCAPE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -20,5 +19,3 @@ size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
 /* escape_short copies s[0..n) to out with escapes; a cut copy ends in "...". Returns out. */
 enum { ESCAPED_MAX = 64 };
 const char *escape_short(char out[ESCAPED_MAX], const char *s, size_t n);
-
-#endif

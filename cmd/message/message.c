@@ -47,8 +47,7 @@ static void __attribute__((format(printf, 1, 2))) addf(const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	line.n += (size_t)vsnprintf(line.s + line.n, LINE_ROOM - line.n, format,
-	    args);
+	line.n += (size_t)vsnprintf(line.s + line.n, LINE_ROOM - line.n, format, args);
 	va_end(args);
 }
 
@@ -59,8 +58,8 @@ static void add_escaped(const char *s)
 }
 
 /* Adds the message to `line` as text; the place is last if p->before_place is set. */
-static void add_text(int status, const struct place *p,
-    struct scene_place scene, const char *message)
+static void add_text(int status, const struct place *p, struct scene_place scene,
+    const char *message)
 {
 	static const char *const colors[] = { "\033[1m", "\033[1;31m" };
 	bool colored = output_is_colored(STDERR_FILENO);
@@ -98,8 +97,7 @@ static const char *cut_hint(char *message)
 	for (char *s = message; *s != '\0'; s++)
 		if (quote != '\0') {
 			quote = *s == quote ? '\0' : quote;
-		} else if (strchr("'\"", *s) &&
-		    (s == message || s[-1] == ' ')) {
+		} else if (strchr("'\"", *s) && (s == message || s[-1] == ' ')) {
 			quote = *s;
 		} else if (strncmp(s, "; ", 2) == 0) {
 			*s = '\0';
@@ -116,15 +114,13 @@ static void add_member(const char *name, const char *s)
 }
 
 /* Adds the message to `line` as a JSON object without its end: status and bracket. */
-static void add_json(const struct place *p, struct scene_place scene,
-    char *message)
+static void add_json(const struct place *p, struct scene_place scene, char *message)
 {
 	const char *hint = cut_hint(message);
 
 	addf("{");
 	if (scene.number > 0)
-		addf("\"scene\":%ld,\"scene_line\":%ld", scene.number,
-		    scene.line);
+		addf("\"scene\":%ld,\"scene_line\":%ld", scene.number, scene.line);
 	if (p->file != NULL)
 		add_member("file", p->file);
 	if (p->line > 0)
@@ -138,13 +134,12 @@ static void add_json(const struct place *p, struct scene_place scene,
 		add_member("hint", hint);
 }
 
-static void print_line(int status, const struct place *place,
-    const char *format, va_list args)
+static void print_line(int status, const struct place *place, const char *format,
+    va_list args)
 {
 	static const struct place nowhere;
 	const struct place *p = place != NULL ? place : &nowhere;
-	struct scene_place scene = p->scene.number > 0 ? p->scene :
-							 message_state.scene;
+	struct scene_place scene = p->scene.number > 0 ? p->scene : message_state.scene;
 	char message[MESSAGE_MAX];
 
 	vsnprintf(message, sizeof message, format, args);
@@ -180,11 +175,9 @@ static void wait_unless_first(void)
 		pause();
 }
 
-void vdie_at(int status, const struct place *place, const char *format,
-    va_list args)
+void vdie_at(int status, const struct place *place, const char *format, va_list args)
 {
-	if (place != NULL && place->of_scene &&
-	    message_state.on_refusal != NULL) {
+	if (place != NULL && place->of_scene && message_state.on_refusal != NULL) {
 		print_line(EXIT_INPUT, place, format, args);
 		longjmp(*message_state.on_refusal, 1);
 	}

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Messages on standard error, the end of the program, memory, and standard output. */
-#ifndef MESSAGE_H
-#define MESSAGE_H
+#pragma once
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -40,8 +39,8 @@ void say_at(int status, const struct place *, const char *format, ...)
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
 
 extern struct message_state {
-	unsigned json;  /* 1: a message is a JSON object in one line */
-	unsigned color; /* an enum color */
+	unsigned json;            /* 1: a message is a JSON object in one line */
+	unsigned color;           /* an enum color */
 	struct scene_place scene; /* the current scene of --scenes */
 	/* If set, die_at reports a place that is of_scene with status EXIT_INPUT, and
 	 * jumps here. Only the first thread jumps, while no other thread works. */
@@ -55,8 +54,8 @@ bool output_is_colored(int fd);
 /* die_at and vdie_at do what say_at does, and exit with status, from any thread. */
 _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-_Noreturn void vdie_at(int status, const struct place *, const char *format,
-    va_list) __attribute__((format(printf, 3, 0)));
+_Noreturn void vdie_at(int status, const struct place *, const char *format, va_list)
+    __attribute__((format(printf, 3, 0)));
 #define die(status, ...) die_at(status, NULL, __VA_ARGS__)
 _Noreturn void quit(int status); /* without a message */
 
@@ -77,11 +76,8 @@ void output_write(const char *s, size_t size);
 
 /* Appends text, formatted as by printf, to a buffer that output_close writes. stdio is
  * not used, because it loses text if a non-blocking pipe is full. */
-void output_printf(const char *format, ...)
-    __attribute__((format(printf, 1, 2)));
+void output_printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes the buffer of output_printf, and closes standard output. Exits with status 3 if an
  * earlier write failed and the system reports it only when the output is closed. */
 void output_close(void);
-
-#endif

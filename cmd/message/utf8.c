@@ -22,9 +22,7 @@ int utf8_read(const char *s, const char *end, unsigned *code)
 			return 0;
 		*code = *code << 6 | (s[i] & 0x3f);
 	}
-	return *code >= least[n] && *code <= 0x10ffff && *code >> 11 != 0x1b ?
-	    n :
-	    0;
+	return *code >= least[n] && *code <= 0x10ffff && *code >> 11 != 0x1b ? n : 0;
 }
 
 int utf8_write(unsigned code, char out[4])

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Spans of text, and characters of UTF-8. A span borrows its bytes from its owner. */
-#ifndef UTF8_H
-#define UTF8_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -17,5 +16,3 @@ int utf8_read(const char *s, const char *end, unsigned *code);
 
 /* Writes a character whose code is not half of a surrogate pair. Returns its length. */
 int utf8_write(unsigned code, char out[4]);
-
-#endif

@@ -107,8 +107,7 @@ static bool edits_reach(const char *a, const char *b, int n)
 		return true;
 	return *a != '\0' && *b != '\0' &&
 	    (edits_reach(a + 1, b + 1, n - 1) ||
-		(strncasecmp(a, b + 1, 1) == 0 &&
-		    strncasecmp(a + 1, b, 1) == 0 &&
+		(strncasecmp(a, b + 1, 1) == 0 && strncasecmp(a + 1, b, 1) == 0 &&
 		    edits_reach(a + 2, b + 2, n - 1)));
 }
 
@@ -120,8 +119,7 @@ int word_closeness(const char *word, const char *name)
 	for (int edits = 0; edits <= most; edits++)
 		if (edits_reach(word, name, edits))
 			return WORD_EDITED + 3 - edits;
-	return least > 2 && strncasecmp(word, name, least) == 0 ? WORD_BEGINS :
-								  0;
+	return least > 2 && strncasecmp(word, name, least) == 0 ? WORD_BEGINS : 0;
 }
 
 void word_offer(struct word_guess *g, int closeness, const char *format, ...)
@@ -136,8 +134,7 @@ void word_offer(struct word_guess *g, int closeness, const char *format, ...)
 	g->closeness = closeness;
 }
 
-void word_offer_list(struct word_guess *g, const char *const *words,
-    const char *format)
+void word_offer_list(struct word_guess *g, const char *const *words, const char *format)
 {
 	const char *hint = word_hint(g->word, WORD_VALUE, '\0');
 
@@ -145,8 +142,7 @@ void word_offer_list(struct word_guess *g, const char *const *words,
 		word_offer(g, WORD_KNOWN, "%s", hint + 2);
 	for (; *words != NULL; words++)
 		word_offer(g,
-		    hint != NULL &&
-			    strcmp(strrchr(hint, ' ') + 1, *words) == 0 ?
+		    hint != NULL && strcmp(strrchr(hint, ' ') + 1, *words) == 0 ?
 			WORD_KNOWN :
 			word_closeness(g->word, *words),
 		    format, *words);

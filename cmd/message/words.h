@@ -4,8 +4,7 @@
  * the word offers all meanings to a struct word_guess, which keeps the remedy of the
  * closest, for the end of one message. The table of words.c has words of other programs
  * that are no aliases in the tables of members. */
-#ifndef WORDS_H
-#define WORDS_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -30,8 +29,7 @@ void word_offer(struct word_guess *, int closeness, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Offers each of words[], which NULL ends, by a format with one %s. */
-void word_offer_list(struct word_guess *, const char *const *words,
-    const char *format);
+void word_offer_list(struct word_guess *, const char *const *words, const char *format);
 
 /* Returns how close `word` is to `name`, or 0. An edit changes, adds or drops a letter,
  * or swaps two neighbours; a word of two to five letters may have one edit, of six to
@@ -60,5 +58,3 @@ const char *word_hint(const char *word, enum word_place, char first);
  * Returns out. */
 const char *words_join(char out[LIST_ROOM], const char *const *words,
     const char *before_last, const char *quote);
-
-#endif

@@ -37,10 +37,9 @@ const char *number_read(const char *s, const char *end, double *v)
 /* The most digits that the shortest text of a double needs. */
 enum { DOUBLE_DIGITS = 17 };
 
-static const uint64_t ten_to[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
-	10000000, 100000000, 1000000000, 10000000000, 100000000000,
-	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
-	10000000000000000, 100000000000000000 };
+static const uint64_t ten_to[] = { 1, 10, 100, 1000, 10000, 100000, 1000000, 10000000,
+	100000000, 1000000000, 10000000000, 100000000000, 1000000000000, 10000000000000,
+	100000000000000, 1000000000000000, 10000000000000000, 100000000000000000 };
 
 /* The texts 000 to 999. */
 struct triples {
@@ -127,8 +126,7 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 	if (0 < point && point <= 21)
 		return put_with_point<room>(s, d, n, point);
 	if (point <= -6 || point > 0)
-		return put_exponent(put_with_point<room>(s, d, n, 1),
-		    point - 1);
+		return put_exponent(put_with_point<room>(s, d, n, 1), point - 1);
 	memcpy(s, "0.000000", 8);
 	memcpy(s + 2 - point, d, room);
 	return s + 2 - point + n;
@@ -137,12 +135,10 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 /* Writes the shortest text of v > 0. Returns its end. A loop multiplies the digits by
  * 10 until there are 17. The processor predicts how many turns it takes from branches
  * that Dragonbox took; a formula would wait for Dragonbox's result. */
-template <class Float>
-[[gnu::flatten]] static char *write_shortest(char *s, Float v)
+template <class Float> [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
 	using namespace jkj::dragonbox;
-	auto r = to_decimal(v, policy::sign::ignore,
-	    policy::trailing_zero::ignore);
+	auto r = to_decimal(v, policy::sign::ignore, policy::trailing_zero::ignore);
 	uint64_t digits = r.significand;
 	int point = DOUBLE_DIGITS + r.exponent;
 	char d[64];
@@ -238,8 +234,7 @@ static char *write_decimals(char *s, double v, int n)
 	while (zeros < point - 1 && d[zeros] == '0')
 		zeros++;
 	*s = '-';
-	s += v < 0 &&
-	    (d[zeros] != '0' || strpbrk(d + zeros, "123456789") != nullptr);
+	s += v < 0 && (d[zeros] != '0' || strpbrk(d + zeros, "123456789") != nullptr);
 	memcpy(s, d + zeros, DOUBLE_DIGITS);
 	s += point - zeros;
 	*s = '.';

@@ -2,8 +2,7 @@
 /* Reads and writes doubles as decimal text. Reading rounds to the nearest double.
  * Writing gives the shortest text that reads back as the same double, or rounds the
  * double's exact value to a number of digits. */
-#ifndef NUMBER_H
-#define NUMBER_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -41,6 +40,4 @@ char *number_write_float(char *s, float v, struct number_style style);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

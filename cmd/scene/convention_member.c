@@ -6,8 +6,8 @@
 #include "types.h"
 
 /* in the order of the enum that begins with CONVENTION_D3D */
-const char *const convention_names[] = { "d3d", "gl", "vulkan", "webgpu",
-	"opencv", NULL };
+const char *const convention_names[] = { "d3d", "gl", "vulkan", "webgpu", "opencv",
+	NULL };
 
 const struct convention conventions[] = {
 	{ 0 },
@@ -33,8 +33,8 @@ static const char *const origin_names[] = { "top-left", "bottom-left", NULL };
 	    .fallback = "\"" first "\"", .aliases = alias, .about = text)
 
 const struct member convention_members[] = {
-	CHOICE("handedness", hand_names, right_handed, "left",
-	    "hand handed hands", "handedness of view space"),
+	CHOICE("handedness", hand_names, right_handed, "left", "hand handed hands",
+	    "handedness of view space"),
 	CHOICE("view_y", y_names, view_y_down, "up", "view y",
 	    "direction of y in view space"),
 	CHOICE("depth", depths, depth_minus_one, "zero_to_one",
@@ -50,14 +50,13 @@ const struct member convention_members[] = {
 	{ .name = NULL },
 };
 
-static void read_convention_member(const struct value *v,
-    const struct member *row, void *out)
+static void read_convention_member(const struct value *v, const struct member *row,
+    void *out)
 {
 	if (value_is(v, JSON_OBJECT))
 		object_read(v, row, 0, out);
 	else
-		*(struct convention *)out =
-		    conventions[value_word(v, row->words)];
+		*(struct convention *)out = conventions[value_word(v, row->words)];
 }
 
 /* Prints a convention's name or, if it has none, the members that differ from d3d's. */

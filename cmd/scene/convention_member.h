@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The member "convention": the conventions that have a name, and the choices of one
  * that is an object. It is read to struct convention of core/scene. */
-#ifndef CONVENTION_MEMBER_H
-#define CONVENTION_MEMBER_H
+#pragma once
 
 #include "../../core/scene/scene.h"
 #include "../json/object.h"
@@ -30,5 +29,3 @@ extern const struct member_type type_convention;
 /* Refuses the object's member `name`, whose numbers depend on the view axes, if neither
  * the document nor the command line gives a convention. */
 void convention_require(const struct value *object, const char *name);
-
-#endif

@@ -48,8 +48,8 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 		s = json_next_item(stop, end);
 	}
 	if (n < coordinates)
-		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
-		    n, n == 1 ? "" : "s", coordinates,
+		value_refuse(v, "has %d element%s; %d coordinates are wanted%s", n,
+		    n == 1 ? "" : "s", coordinates,
 		    n == 2 && v->source->two_numbers_hint != NULL ?
 			v->source->two_numbers_hint :
 			"");
@@ -77,8 +77,7 @@ static size_t write_points(const struct value *v, const struct span *array,
 		s = array->s;
 	}
 	for (; s < end && *s != ']'; e.index++)
-		s = json_next_item(write_point(&e, s, end, coordinates, &out),
-		    end);
+		s = json_next_item(write_point(&e, s, end, coordinates, &out), end);
 	return (size_t)(out - array->s);
 }
 
@@ -113,8 +112,8 @@ unsigned document_used_members(const struct document_wants *w)
 	    (w->flat_members != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
-static void check_needed(const struct value *root,
-    const struct document_wants *w, unsigned seen)
+static void check_needed(const struct value *root, const struct document_wants *w,
+    unsigned seen)
 {
 	unsigned missing = w->needed & ~seen;
 
@@ -122,8 +121,8 @@ static void check_needed(const struct value *root,
 		return;
 	const struct member *row = &scene_members[__builtin_ctz(missing)];
 
-	value_refuse(VALUE_MISSING(root, row->name),
-	    "missing; add \"%s\": %s%s", row->name, row->example,
+	value_refuse(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
+	    row->name, row->example,
 	    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" :
 		missing == SCENE_DEVICE && (seen & SCENE_VIEWPORT) != 0 ?
 				   "; \"viewport\" is for three dimensions" :
@@ -131,13 +130,12 @@ static void check_needed(const struct value *root,
 }
 
 /* Refuses a document of two dimensions if the command needs three. */
-static void refuse_flat(const struct value *root,
-    const struct document_wants *w, unsigned seen)
+static void refuse_flat(const struct value *root, const struct document_wants *w,
+    unsigned seen)
 {
 	const char *name = seen & SCENE_WINDOW ? "window" : "device";
 
-	if (w->flat_members == 0 &&
-	    (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
+	if (w->flat_members == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 &&
 	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
 		value_refuse(VALUE_MISSING(root, name),
@@ -146,8 +144,8 @@ static void refuse_flat(const struct value *root,
 }
 
 /* Reads into *d the members m[i] whose bits i are set. */
-static void read_members(struct document *d,
-    const struct value m[SCENE_MEMBERS], unsigned bits)
+static void read_members(struct document *d, const struct value m[SCENE_MEMBERS],
+    unsigned bits)
 {
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		if (bits >> i & 1)
@@ -160,8 +158,7 @@ static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))
 		return v->item != NULL ? ALL_MEMBERS : 0;
-	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL)
-	    .given;
+	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL).given;
 }
 
 /* Sets fields of *d that depend on several members. A device without "origin" takes it
@@ -178,8 +175,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	d->has_eye = s->has_camera &&
 	    (s->camera.way >= CAMERA_TRANSLATION ||
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
-	if (s->camera.way == CAMERA_RVEC ||
-	    s->camera.way == CAMERA_RVEC_TRANSLATION)
+	if (s->camera.way == CAMERA_RVEC || s->camera.way == CAMERA_RVEC_TRANSLATION)
 		convention_require(&m[ROW_OF(CAMERA)], "rvec");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
@@ -195,8 +191,8 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		s->margin = 0;
 }
 
-void document_read(struct document *d, const char *name, char *text,
-    size_t size, const struct document_wants *wants)
+void document_read(struct document *d, const char *name, char *text, size_t size,
+    const struct document_wants *wants)
 {
 	struct document_wants w = *wants;
 	struct json_source source = wants->source;
@@ -213,26 +209,22 @@ void document_read(struct document *d, const char *name, char *text,
 	unsigned seen = find_members(d, &root, wants, m);
 
 	refuse_flat(&root, wants, seen);
-	d->flat = (seen & SCENE_PROJECTION) == 0 &&
-	    (seen & w.flat_members) != 0;
+	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat_members) != 0;
 	source.flat = d->flat;
 	if (d->flat) {
 		w.needed = 0;
-		w.used = document_used_members(wants) &
-		    ~(unsigned)SCENE_SPATIAL;
+		w.used = document_used_members(wants) & ~(unsigned)SCENE_SPATIAL;
 		w.coordinates = w.coordinates > 0 ? 2 : 0;
 	}
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		m[i].unused = (w.used >> i & 1) == 0;
-	d->scene.convention = w.convention != NULL ?
-	    *w.convention :
-	    conventions[CONVENTION_D3D];
+	d->scene.convention = w.convention != NULL ? *w.convention :
+						     conventions[CONVENTION_D3D];
 	read_members(d, m, seen & first);
 	source.has_axes = w.convention != NULL ||
 	    given_by_convention(&m[ROW_OF(CONVENTION)]) != 0;
 	if (w.convention != NULL &&
-	    memcmp(w.convention, &d->scene.convention,
-		sizeof d->scene.convention) != 0)
+	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
 	source.column_vectors = d->scene.convention.column_vectors;
 	source.unit = d->unit;
@@ -246,16 +238,15 @@ void document_read(struct document *d, const char *name, char *text,
 	}
 }
 
-char *document_read_points(const char *name, char *text, size_t size,
-    int coordinates, const char *two_numbers_hint, size_t *points_size)
+char *document_read_points(const char *name, char *text, size_t size, int coordinates,
+    const char *two_numbers_hint, size_t *points_size)
 {
 	struct json_source source = { .name = name,
 		.two_numbers_hint = two_numbers_hint,
 		.is_operand = true,
 		.scene_members = scene_members };
 	struct span points;
-	struct value root = value_parse_document(&source, "", text, size,
-	    &points);
+	struct value root = value_parse_document(&source, "", text, size, &points);
 
 	*points_size = write_points(&root, &points, coordinates);
 	return (char *)points.s;
@@ -287,8 +278,7 @@ void document_refuse_if(const struct document *d, const char *reason)
 }
 
 /* Prints those members of a document whose bits are set. */
-static void put_document(struct printer *p, const struct document *d,
-    unsigned bits)
+static void put_document(struct printer *p, const struct document *d, unsigned bits)
 {
 	p->column_vectors = d->scene.convention.column_vectors;
 	object_print(p, &scene_row, 0, bits, d);
@@ -303,8 +293,7 @@ void put_scene(struct printer *p, const struct scene *s)
 
 void put_device(struct printer *p, const struct device *d)
 {
-	scene_members[ROW_OF(DEVICE)].type->print(p,
-	    &scene_members[ROW_OF(DEVICE)], d);
+	scene_members[ROW_OF(DEVICE)].type->print(p, &scene_members[ROW_OF(DEVICE)], d);
 }
 
 void document_print(const struct document *d, bool compact)

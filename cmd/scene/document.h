@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads JSON documents as scenes, and prints scenes. A wrong document is refused with a
  * message that says where it is wrong, and exit status 1. */
-#ifndef DOCUMENT_H
-#define DOCUMENT_H
+#pragma once
 
 #include <stddef.h>
 
@@ -19,7 +18,7 @@ struct pick {
 
 struct document {
 	struct scene scene;
-	bool flat; /* the scene is 2D: see document_wants.flat_members */
+	bool flat;            /* the scene is 2D: see document_wants.flat_members */
 	enum angle_unit unit; /* of all angles */
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */
@@ -64,14 +63,14 @@ struct document_wants {
 unsigned document_used_members(const struct document_wants *);
 
 /* Reads the document text[0..size) into *d; changes `text`. Messages show `name`. */
-void document_read(struct document *d, const char *name, char *text,
-    size_t size, const struct document_wants *wants);
+void document_read(struct document *d, const char *name, char *text, size_t size,
+    const struct document_wants *wants);
 
 /* Replaces text[0..size), a point or a list of points in JSON, by lines, and returns
  * the lines; sets *points_size to their size. Each line is a point's array without
  * blanks. The first `coordinates` elements of an array must be numbers or null. */
-char *document_read_points(const char *name, char *text, size_t size,
-    int coordinates, const char *two_numbers_hint, size_t *points_size);
+char *document_read_points(const char *name, char *text, size_t size, int coordinates,
+    const char *two_numbers_hint, size_t *points_size);
 
 /* Prints "projcalc: FILE: REASON" and ends as value_refuse does. The reason, from a
  * function of core/, may begin with a JSON pointer: "/camera/up: ...". */
@@ -89,5 +88,3 @@ void document_print(const struct document *, bool compact);
  * scene. put_device prints a device as an object. */
 void put_scene(struct printer *, const struct scene *);
 void put_device(struct printer *, const struct device *);
-
-#endif

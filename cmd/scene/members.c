@@ -12,8 +12,7 @@ static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,
-	    .aliases = "position pos from origin location",
-	    .unit = "world units",
+	    .aliases = "position pos from origin location", .unit = "world units",
 	    .about = "position of the camera in world space"),
 	ROW(camera, "at", type_numbers, at, .n = 3,
 	    .aliases = "target center centre lookat", .unit = "world units",
@@ -30,8 +29,7 @@ static const struct member camera_members[] = {
 	    .aliases = "rotationvector rodrigues",
 	    .hint = " (world to view, its length the angle)", .unit = "radians",
 	    .about = "rotation vector that turns world axes into view axes"),
-	ROW(camera, "translation", type_numbers, eye, .n = 3,
-	    .aliases = "tvec t",
+	ROW(camera, "translation", type_numbers, eye, .n = 3, .aliases = "tvec t",
 	    .hint = " (where the world's origin is in view space)",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
@@ -48,11 +46,10 @@ static const struct member camera_members[] = {
 	    .about = "affine matrix from world to view space, such as [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .shown = true, .about = "direction that points up in the image"),
-	ROW(camera, "roll", type_numbers, roll, .range = &range_any,
-	    .unit = "degrees", .fallback = "0",
+	ROW(camera, "roll", type_numbers, roll, .range = &range_any, .unit = "degrees",
+	    .fallback = "0",
 	    .about = "angle by which the image is turned counterclockwise"),
-	ROW(camera, "orthonormalize", type_flag, orthonormalize,
-	    .fallback = "false",
+	ROW(camera, "orthonormalize", type_flag, orthonormalize, .fallback = "false",
 	    .about = "replace the matrix's 3x3 part by the nearest rotation"),
 	{ .name = NULL },
 };
@@ -67,29 +64,26 @@ static const struct rule camera_rules[] = {
 	{ .ways = NULL },
 };
 
-#define SIZE(object, label, field, ...)                                   \
-	ROW(object, label, type_numbers, field, .range = &range_positive, \
-	    __VA_ARGS__)
+#define SIZE(object, label, field, ...) \
+	ROW(object, label, type_numbers, field, .range = &range_positive, __VA_ARGS__)
 
-static const struct value_range height_range = { SCENE_SIZE_MIN,
-	SCENE_MAGNITUDE_MAX,
+static const struct value_range height_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted; for a flipped "
 		  "viewport of Vulkan write \"webgpu\", y + height for y, and "
 		  "-height for height" };
 
-#define RECTANGLE(object)                                               \
-	ROW(object, "x", type_numbers, x, .aliases = "left",            \
-	    .unit = "device units", .fallback = "0", .shown = true,     \
-	    .about = "least device x of the rectangle"),                \
-	    ROW(object, "y", type_numbers, y, .aliases = "top",         \
-		.unit = "device units", .fallback = "0", .shown = true, \
-		.about = "least device y of the rectangle"),            \
-	    SIZE(object, "width", width, .unit = "device units",        \
-		.aliases = "w imagewidth",                              \
-		.about = "width of the rectangle, required"),           \
-	    ROW(object, "height", type_numbers, height,                 \
-		.range = &height_range, .aliases = "h imageheight",     \
-		.unit = "device units",                                 \
+#define RECTANGLE(object)                                                            \
+	ROW(object, "x", type_numbers, x, .aliases = "left", .unit = "device units", \
+	    .fallback = "0", .shown = true,                                          \
+	    .about = "least device x of the rectangle"),                             \
+	    ROW(object, "y", type_numbers, y, .aliases = "top",                      \
+		.unit = "device units", .fallback = "0", .shown = true,              \
+		.about = "least device y of the rectangle"),                         \
+	    SIZE(object, "width", width, .unit = "device units",                     \
+		.aliases = "w imagewidth",                                           \
+		.about = "width of the rectangle, required"),                        \
+	    ROW(object, "height", type_numbers, height, .range = &height_range,      \
+		.aliases = "h imageheight", .unit = "device units",                  \
 		.about = "height of the rectangle, required")
 
 /* The fields `scale` and `scales` of struct viewport, both set by "scale" in JSON. */
@@ -102,8 +96,7 @@ _Static_assert(offsetof(struct viewport, scales) ==
 	offsetof(struct viewport, scale) + offsetof(struct scale_value, units),
     "scales is next to scale");
 
-static void read_scale(const struct value *v, const struct member *row,
-    void *out)
+static void read_scale(const struct value *v, const struct member *row, void *out)
 {
 	struct scale_value *s = out;
 
@@ -116,8 +109,7 @@ static void read_scale(const struct value *v, const struct member *row,
 		s->by = (unsigned)value_word(v, row->words);
 }
 
-static void print_scale(struct printer *p, const struct member *row,
-    const void *at)
+static void print_scale(struct printer *p, const struct member *row, const void *at)
 {
 	const struct scale_value *s = at;
 
@@ -127,17 +119,17 @@ static void print_scale(struct printer *p, const struct member *row,
 		put_string(p, row->words[s->by]);
 }
 
-static const struct member_type type_scale = { "fill, uniform or 2 sizes",
-	read_scale, print_scale, sizeof(unsigned) };
+static const struct member_type type_scale = { "fill, uniform or 2 sizes", read_scale,
+	print_scale, sizeof(unsigned) };
 
 static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
-	ROW(viewport, "min_z", type_numbers, min_z,
-	    .aliases = "near mindepth zmin", .unit = "device units",
-	    .fallback = "0", .about = "device z of the least depth in ndc"),
-	ROW(viewport, "max_z", type_numbers, max_z,
-	    .aliases = "far maxdepth zmax", .unit = "device units",
-	    .fallback = "1", .about = "device z of the greatest depth in ndc"),
+	ROW(viewport, "min_z", type_numbers, min_z, .aliases = "near mindepth zmin",
+	    .unit = "device units", .fallback = "0",
+	    .about = "device z of the least depth in ndc"),
+	ROW(viewport, "max_z", type_numbers, max_z, .aliases = "far maxdepth zmax",
+	    .unit = "device units", .fallback = "1",
+	    .about = "device z of the greatest depth in ndc"),
 	ROW(viewport, "scale", type_scale, scale, .words = scale_names,
 	    .fallback = "\"fill\"",
 	    .about = "device units (pixels) for one unit of ndc x and y"),
@@ -174,8 +166,7 @@ static const struct member window_members[] = {
 	    .about = "right edge of the window, greater than left"),
 	ROW(window, "bottom", type_numbers, bottom, .aliases = "ymin",
 	    .unit = "window units", .about = "bottom edge of the window"),
-	ROW(window, "top", type_numbers, top, .aliases = "ymax",
-	    .unit = "window units",
+	ROW(window, "top", type_numbers, top, .aliases = "ymax", .unit = "window units",
 	    .about = "top edge of the window, greater than bottom"),
 	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
 	    .fallback = "[0, 0]",
@@ -212,9 +203,8 @@ static void read_bounds_point(const struct value *v, const struct member *row,
 	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
 }
 
-static const struct member_type type_bounds_point = {
-	"3 numbers, or 2 of a window", read_bounds_point, NULL, 0
-};
+static const struct member_type type_bounds_point = { "3 numbers, or 2 of a window",
+	read_bounds_point, NULL, 0 };
 
 #define POINT(label, field, alias, text)                               \
 	ROW(bounds, label, type_bounds_point, field, .aliases = alias, \
@@ -230,8 +220,7 @@ static const struct member bounds_members[] = {
 };
 
 static const struct rule bounds_rules[] = {
-	{ .ways = WAYS("min max", "center radius"),
-	    .field = FIELD(bounds, sphere) },
+	{ .ways = WAYS("min max", "center radius"), .field = FIELD(bounds, sphere) },
 	{ .ways = NULL },
 };
 
@@ -257,8 +246,7 @@ static const struct value_range margin_range = { .min = 0,
  * scene, and sets the bool there whose name is has_ and `field`. */
 #define SCENE_OBJECT(label, field, table, sample, ...)                    \
 	ROW(document, label, type_object, scene.field, .example = sample, \
-	    .flag = FIELD(document, scene.has_##field), .members = table, \
-	    __VA_ARGS__)
+	    .flag = FIELD(document, scene.has_##field), .members = table, __VA_ARGS__)
 
 const struct member scene_members[] = {
 	ROW(document, "convention", type_convention, scene.convention,
@@ -271,8 +259,7 @@ const struct member scene_members[] = {
 	ROW(document, "angle_unit", type_word, unit,
 	    .aliases = "angleunits unit units angles radians degrees",
 	    .words = angle_unit_names, .in_any_document = true,
-	    .fallback = "\"degrees\"",
-	    .about = "unit of all angles of the scene",
+	    .fallback = "\"degrees\"", .about = "unit of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_affine, scene.world, .aliases = "model",
@@ -310,22 +297,20 @@ const struct member scene_members[] = {
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
 	    .flag = FIELD(document, has_bounds), .aliases = "extent",
-	    .members = bounds_members, .rules = bounds_rules,
-	    .example = BOUNDS_EXAMPLE, .unit = "model units",
+	    .members = bounds_members, .rules = bounds_rules, .example = BOUNDS_EXAMPLE,
+	    .unit = "model units",
 	    .about = "volume that the picture of fit holds, in place of points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
-	ROW(document, "pick", type_object, pick,
-	    .flag = FIELD(document, has_pick), .members = pick_members,
-	    .example = PICK_EXAMPLE,
+	ROW(document, "pick", type_object, pick, .flag = FIELD(document, has_pick),
+	    .members = pick_members, .example = PICK_EXAMPLE,
 	    .about = "circle in which pick finds points; or --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"projection\": " PERSP_EXAMPLE
-		       ", \"viewport\": " RECTANGLE_EXAMPLE
-		       ", \"pick\": " PICK_EXAMPLE "}' '[[0,0,0], [1,1,1]]'"),
-	ROW(document, "margin", type_numbers, scene.margin,
-	    .aliases = "padding border", .example = "0.1",
-	    .range = &margin_range, .fallback = "0",
+		       ", \"viewport\": " RECTANGLE_EXAMPLE ", \"pick\": " PICK_EXAMPLE
+		       "}' '[[0,0,0], [1,1,1]]'"),
+	ROW(document, "margin", type_numbers, scene.margin, .aliases = "padding border",
+	    .example = "0.1", .range = &margin_range, .fallback = "0",
 	    .about = "share of the picture that fit leaves free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE ", \"margin\": 0.1}'"),

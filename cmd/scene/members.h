@@ -2,8 +2,7 @@
 /* The table of the members of a scene, with the tables of the objects among them. From
  * these rows come the reading and printing of scenes, help, completions and the schema.
  * The rows are constants; their fields are in struct document of document.h. */
-#ifndef MEMBERS_H
-#define MEMBERS_H
+#pragma once
 
 #include "../json/object.h"
 
@@ -23,8 +22,7 @@ enum scene_member {
 	SCENE_MARGIN = 2048,
 	SCENE_ALL = 2 * SCENE_MARGIN - 1,
 	/* members of a 3D scene, which map model space to the device */
-	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
-	    SCENE_VIEWPORT,
+	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION | SCENE_VIEWPORT,
 };
 
 /* The members of struct document; row i has bit i in enum scene_member. */
@@ -38,10 +36,7 @@ extern const struct member scene_members[];
 #define RECTANGLE_EXAMPLE "{\"width\": 640, \"height\": 480}"
 #define WINDOW_EXAMPLE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
 
-#define SCENE_EXAMPLE                                \
-	"{\"camera\": " CAMERA_EXAMPLE               \
-	", \"projection\": {\"type\": \"persp\","    \
-	" \"fovy\": 60, \"near\": 1, \"far\": 10}, " \
+#define SCENE_EXAMPLE                                                            \
+	"{\"camera\": " CAMERA_EXAMPLE ", \"projection\": {\"type\": \"persp\"," \
+	" \"fovy\": 60, \"near\": 1, \"far\": 10}, "                             \
 	"\"viewport\": " RECTANGLE_EXAMPLE "}"
-
-#endif

@@ -16,8 +16,8 @@
 
 ANGLE_RANGE(fov_range, SCENE_SIZE_MIN, 180, "above 0 and below 180",
     "above 0 and below pi", .max_excluded = true);
-ANGLE_RANGE(volume_angle_range, 0, 180, "from 0 to below 180",
-    "from 0 to below pi", .max_excluded = true);
+ANGLE_RANGE(volume_angle_range, 0, 180, "from 0 to below 180", "from 0 to below pi",
+    .max_excluded = true);
 ANGLE_RANGE(projector_angle_range, SCENE_SIZE_MIN, 90, "above 0 and up to 90",
     "above 0 and up to pi/2", .max_excluded = false);
 ANGLE_RANGE(edge_angle_range, -90, 90, "above -90 and below 90",
@@ -38,8 +38,7 @@ const char *const projection_type_names[] = {
 	[TYPE(MATRIX)] = "matrix",
 	[PROJECTION_TYPES - 1] = NULL,
 };
-_Static_assert(sizeof projection_type_names / sizeof(char *) ==
-	PROJECTION_TYPES,
+_Static_assert(sizeof projection_type_names / sizeof(char *) == PROJECTION_TYPES,
     "every type but PROJECTION_NONE has a name");
 
 static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
@@ -76,8 +75,7 @@ const struct member projection_members[] = {
 	    .word_0 = OBLIQUE_CAVALIER,
 	    .about = "cavalier keeps the length of lines along the gaze, "
 		     "cabinet halves it"),
-	ANGLE(OBLIQUE, "angle", shear.projector_angle,
-	    .range = &projector_angle_range,
+	ANGLE(OBLIQUE, "angle", shear.projector_angle, .range = &projector_angle_range,
 	    .about = "angle between projectors and picture, in place of kind"),
 	ANGLE(OBLIQUE, "direction", shear.direction, .range = &range_any,
 	    .fallback = "45", .shown = true,
@@ -86,8 +84,7 @@ const struct member projection_members[] = {
 	    .about = "distance along the gaze of points that do not shear"),
 	ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
 	    .aliases = "fov yfov vfov verticalfov fieldofview cameraangley",
-	    .hint = GLTF,
-	    .about = "angle between the bottom and the top plane"),
+	    .hint = GLTF, .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", section.angle, .range = &fov_range,
 	    .aliases = "xfov horizontalfov hfov cameraanglex", .hint = GLTF,
 	    .about = "angle between the left and the right plane"),
@@ -105,8 +102,7 @@ const struct member projection_members[] = {
 	SIZE(SECTIONED, "width", section.width, .aliases = "orthoscale xmag",
 	    .hint = " (ortho_scale, or twice xmag)",
 	    .about = "width of the view volume; persp: at near or edges_at"),
-	SIZE(SECTIONED, "height", section.height,
-	    .aliases = "orthographicsize ymag",
+	SIZE(SECTIONED, "height", section.height, .aliases = "orthographicsize ymag",
 	    .hint = " (twice orthographicSize or ymag)",
 	    .about = "height of the view volume; persp: at near or edges_at"),
 	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
@@ -120,8 +116,7 @@ const struct member projection_members[] = {
 	    .about = "bottom edge of the view volume, in place of height"),
 	LENGTH(SECTIONED, "top", section.top,
 	    .about = "top edge of the view volume, other than bottom"),
-	ANGLE(PERSP, "angles", section.angles, .n = 4,
-	    .range = &edge_angle_range,
+	ANGLE(PERSP, "angles", section.angles, .n = 4, .range = &edge_angle_range,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .hint = " ([left, right, bottom, top] from the gaze; for OpenXR "
 		    "with \"angle_unit\": \"radians\")",
@@ -136,8 +131,7 @@ const struct member projection_members[] = {
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
 	SIZE(PERSP, "edges_at", section.edges_at, .aliases = "distance",
 	    .about = "distance from the eye where edges are; if absent, near"),
-	SIZE(PERSP, "near", near,
-	    .aliases = "znear nearplane nearfar clipstart",
+	SIZE(PERSP, "near", near, .aliases = "znear nearplane nearfar clipstart",
 	    .about = "distance of the near plane from the eye"),
 	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane clipstart",
 	    .about = "distance of the near plane from the eye"),
@@ -146,8 +140,8 @@ const struct member projection_members[] = {
 	    .about = "distance of the far plane from the eye"),
 	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane clipend",
 	    .about = "distance of the far plane from the eye"),
-	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
-	    .aliases = "reversed", .fallback = "false",
+	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z, .aliases = "reversed",
+	    .fallback = "false",
 	    .about = "make depth greater at the near than at the far plane"),
 	LENGTH(VOLUME, "z_near", volume.z_near, .aliases = "near nearplane",
 	    .about = "z of the near plane in view space"),
@@ -155,8 +149,8 @@ const struct member projection_members[] = {
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", volume.eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
-	ANGLE(VOLUME, "view_angle", volume.view_angle,
-	    .range = &volume_angle_range, .aliases = "angle",
+	ANGLE(VOLUME, "view_angle", volume.view_angle, .range = &volume_angle_range,
+	    .aliases = "angle",
 	    .about = "angle across the smaller side; 0: parallel projection"),
 	NUMBER(VOLUME, "inverse_eye_z", volume.inverse_eye_z, .fallback = "0",
 	    .about = "1/z of the eye in view space; 0: parallel projection"),
@@ -165,8 +159,8 @@ const struct member projection_members[] = {
 	    .about = "x/z and y/z of the axis of the view volume"),
 	MEMBER(MATRIX, "matrix", type_matrix, matrix,
 	    .about = "matrix from view to clip space"),
-	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio,
-	    .range = &near_ratio_range, .fallback = "0.0005",
+	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio, .range = &near_ratio_range,
+	    .fallback = "0.0005",
 	    .about = "least near that fit finds, as a fraction of far"),
 	{ .name = NULL },
 };
@@ -181,8 +175,8 @@ const struct rule projection_rules[] = {
 	{ RULE(PERSP, "fovy aspect|viewport", "fovx aspect|viewport",
 	      "view_angle aspect|viewport", "field aspect|viewport",
 	      "width height edges_at?", "width aspect|viewport edges_at?",
-	      "height aspect|viewport edges_at?",
-	      "left right bottom top edges_at?", "angles", "intrinsics"),
+	      "height aspect|viewport edges_at?", "left right bottom top edges_at?",
+	      "angles", "intrinsics"),
 	    .field = FIELD(projection, section.way) },
 	{ RULE(PARALLEL, "width~ height~", "width~ aspect~|viewport",
 	      "height~ aspect~|viewport", "left right bottom top"),
@@ -190,8 +184,8 @@ const struct rule projection_rules[] = {
 	{ RULE(OBLIQUE, "kind", "angle") },
 	{ RULE(PERSP | PARALLEL, "near far"), .tasks = TASK(WHOLE),
 	    .with = "intrinsics!" },
-	{ RULE(PERSP, "near far? reverse_z?", ""),
-	    .tasks = TASK(WHOLE) | TASK(PLANE), .with = "intrinsics" },
+	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(WHOLE) | TASK(PLANE),
+	    .with = "intrinsics" },
 	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(PLANE),
 	    .with = "fovy fovx view_angle field angles edges_at" },
 	{ RULE(PERSP, "near"), .tasks = TASK(FIT) | TASK(PLANE),
@@ -199,20 +193,16 @@ const struct rule projection_rules[] = {
 	    .hint = "the section is on the near plane, unless \"edges_at\" "
 		    "says where" },
 	{ RULE(VOLUME, "half_width half_height", "size aspect|viewport") },
-	{ RULE(VOLUME, "inverse_eye_z? tan_skew?", "eye",
-	      "view_angle tan_skew?"),
+	{ RULE(VOLUME, "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?"),
 	    .field = FIELD(projection, volume.eye_given_by) },
 	{ RULE(VOLUME, "z_near~ z_far~") },
 	{ RULE(MATRIX, "matrix~") },
 	{ .ways = NULL },
 };
 
-static bool is_given(const struct projection *p, uint64_t given,
-    const char *name)
+static bool is_given(const struct projection *p, uint64_t given, const char *name)
 {
-	return (given &
-		   member_bits(projection_members, (int)p->type - 1, name)) !=
-	    0;
+	return (given & member_bits(projection_members, (int)p->type - 1, name)) != 0;
 }
 
 /* Refuses a projection without a type; lists the types that fit its members best. */
@@ -254,14 +244,12 @@ static void read_type(const struct value *v, struct projection *p)
 	else if (implied == PROJECTION_NONE)
 		refuse_missing_type(v);
 	if (implied != PROJECTION_NONE && p->type != implied)
-		value_refuse(&m,
-		    "is \"%s\", not \"%s\"; project takes any type",
+		value_refuse(&m, "is \"%s\", not \"%s\"; project takes any type",
 		    projection_type_names[p->type - 1],
 		    projection_type_names[implied - 1]);
 }
 
-static void read_projection(const struct value *v, const struct member *row,
-    void *out)
+static void read_projection(const struct value *v, const struct member *row, void *out)
 {
 	struct projection *p = out;
 
@@ -305,8 +293,8 @@ static void read_projection(const struct value *v, const struct member *row,
 
 /* Sets the image size of intrinsics to the size of the viewport. Refuses intrinsics
  * without a viewport, or with a viewport whose scale is not fill. */
-static void set_image_size(const struct value *v,
-    const struct viewport *viewport, struct projection *p)
+static void set_image_size(const struct value *v, const struct viewport *viewport,
+    struct projection *p)
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
@@ -361,8 +349,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 		const char *names;
 	} groups[] = {
 		{ p.aspect[1] != 1, "aspect" },
-		{ p.shear.direction == 45 &&
-			p.shear.direction_unit == ANGLE_DEGREES,
+		{ p.shear.direction == 45 && p.shear.direction_unit == ANGLE_DEGREES,
 		    "direction" },
 		{ projection_is_open(&p), "near far reverse_z" },
 		{ true, p.shear.kind == OBLIQUE_ANGLE ? "kind" : "angle" },
@@ -371,12 +358,11 @@ static void print_projection(struct printer *printer, const struct member *row,
 
 	for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
 		if (groups[i].is_hidden)
-			bits &= ~member_bits(row->members, variant,
-			    groups[i].names);
+			bits &= ~member_bits(row->members, variant, groups[i].names);
 	if (sized)
 		p.volume.half_width *= 2; /* "size" is twice half_width */
 	object_print(printer, row, variant, bits, &p);
 }
 
-const struct member_type type_projection = { NULL, read_projection,
-	print_projection, 0 };
+const struct member_type type_projection = { NULL, read_projection, print_projection,
+	0 };

@@ -2,8 +2,7 @@
 /* The member "projection": the table of its members, which of them go together, and
  * what it takes from the rest of the scene. It is read to struct projection of
  * core/scene, which keeps nothing of the document. */
-#ifndef PROJECTION_MEMBER_H
-#define PROJECTION_MEMBER_H
+#pragma once
 
 #include "../../core/scene/scene.h"
 #include "../json/object.h"
@@ -20,5 +19,3 @@ extern const char *const projection_type_names[];
  * intrinsics, the size of the image from the viewport, which may be NULL. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
-
-#endif

@@ -8,11 +8,9 @@
 
 const char *const angle_unit_names[] = { "degrees", "radians", NULL };
 
-static void read_numbers(const struct value *v, const struct member *row,
-    void *out)
+static void read_numbers(const struct value *v, const struct member *row, void *out)
 {
-	const struct value_range *range = row->range != NULL ? row->range :
-							       &range_any;
+	const struct value_range *range = row->range != NULL ? row->range : &range_any;
 
 	if (row->n == 0)
 		*(double *)out = value_number(v, range);
@@ -20,8 +18,7 @@ static void read_numbers(const struct value *v, const struct member *row,
 		value_numbers(v, range, row->n, out);
 }
 
-static void print_numbers(struct printer *p, const struct member *row,
-    const void *at)
+static void print_numbers(struct printer *p, const struct member *row, const void *at)
 {
 	put_numbers(p, at, (int)row->n);
 }
@@ -29,19 +26,16 @@ static void print_numbers(struct printer *p, const struct member *row,
 const struct member_type type_numbers = { NULL, read_numbers, print_numbers,
 	sizeof(double) };
 
-static void read_flag(const struct value *v, const struct member *row,
-    void *out)
+static void read_flag(const struct value *v, const struct member *row, void *out)
 {
 	const bool flag = value_is(v, JSON_TRUE);
 
 	if (row->words == NULL && !flag && !value_is(v, JSON_FALSE))
 		value_refuse_type(v, "true or false");
-	*(bool *)out = row->words != NULL ? value_word(v, row->words) == 1 :
-					    flag;
+	*(bool *)out = row->words != NULL ? value_word(v, row->words) == 1 : flag;
 }
 
-static void print_flag(struct printer *p, const struct member *row,
-    const void *at)
+static void print_flag(struct printer *p, const struct member *row, const void *at)
 {
 	const bool is = *(const bool *)at;
 
@@ -51,23 +45,19 @@ static void print_flag(struct printer *p, const struct member *row,
 		put_literal(p, is ? "true" : "false");
 }
 
-const struct member_type type_flag = { NULL, read_flag, print_flag,
-	sizeof(bool) };
+const struct member_type type_flag = { NULL, read_flag, print_flag, sizeof(bool) };
 
-static void read_word(const struct value *v, const struct member *row,
-    void *out)
+static void read_word(const struct value *v, const struct member *row, void *out)
 {
 	*(unsigned *)out = row->word_0 + (unsigned)value_word(v, row->words);
 }
 
-static void print_word(struct printer *p, const struct member *row,
-    const void *at)
+static void print_word(struct printer *p, const struct member *row, const void *at)
 {
 	put_string(p, row->words[*(const unsigned *)at - row->word_0]);
 }
 
-const struct member_type type_word = { NULL, read_word, print_word,
-	sizeof(unsigned) };
+const struct member_type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
 const struct member_type type_points = { "a point or a list", NULL, NULL, 0 };
 
@@ -83,15 +73,14 @@ static void read_far(const struct value *v, const struct member *row, void *out)
 		read_numbers(v, row, out);
 }
 
-static void print_far(struct printer *p, const struct member *row,
-    const void *at)
+static void print_far(struct printer *p, const struct member *row, const void *at)
 {
 	(void)row;
 	put_distance(p, *(const double *)at);
 }
 
-const struct member_type type_far = { "size or \"infinity\"", read_far,
-	print_far, sizeof(double) };
+const struct member_type type_far = { "size or \"infinity\"", read_far, print_far,
+	sizeof(double) };
 
 const char *const vector_names[] = { "row", "column", NULL };
 
@@ -121,8 +110,7 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 	bool given = value_word(&vectors, vector_names) == 1;
 
 	if (!square && given != column)
-		value_refuse(&vectors,
-		    "is \"%s\"; %zu rows of %zu are for %s vectors",
+		value_refuse(&vectors, "is \"%s\"; %zu rows of %zu are for %s vectors",
 		    vector_names[given], rows, columns, vector_names[column]);
 	return given;
 }
@@ -140,8 +128,7 @@ static void check_transposed(const struct value *v, const double m[4][4])
 }
 
 /* Reads an array of rows of numbers, or an array of the numbers row after row. */
-static void read_rows(const struct value *v, size_t rows, size_t columns,
-    double *out)
+static void read_rows(const struct value *v, size_t rows, size_t columns, double *out)
 {
 	struct value row = value_child(v);
 
@@ -164,14 +151,12 @@ static void read_any_matrix(const struct value *v, bool affine, double m[4][4])
 	}
 	if (!value_is(&all, JSON_ARRAY))
 		value_refuse_type(&all,
-		    affine ? "an array of " AFFINE_FORMS :
-			     "an array of " MATRIX_FORMS);
+		    affine ? "an array of " AFFINE_FORMS : "an array of " MATRIX_FORMS);
 	struct value row = value_child(&all);
 	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
 	bool narrow = affine && n == rows && value_count(&row) == 3;
 	size_t columns = narrow ? 3 : 4;
-	bool column = is_for_columns(v, rows, columns),
-	     swap = column && n == rows;
+	bool column = is_for_columns(v, rows, columns), swap = column && n == rows;
 	double e[16];
 
 	if (narrow && n == 3)
@@ -183,8 +168,7 @@ static void read_any_matrix(const struct value *v, bool affine, double m[4][4])
 	read_rows(&all, rows, columns, e);
 	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)
-			m[swap ? j : i][swap ? i : j] = i < rows &&
-				j < columns ?
+			m[swap ? j : i][swap ? i : j] = i < rows && j < columns ?
 			    e[i * columns + j] :
 			    i == j;
 	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
@@ -194,22 +178,19 @@ static void read_any_matrix(const struct value *v, bool affine, double m[4][4])
 		check_transposed(v, m);
 }
 
-static void read_matrix(const struct value *v, const struct member *row,
-    void *out)
+static void read_matrix(const struct value *v, const struct member *row, void *out)
 {
 	(void)row;
 	read_any_matrix(v, false, out);
 }
 
-static void read_affine(const struct value *v, const struct member *row,
-    void *out)
+static void read_affine(const struct value *v, const struct member *row, void *out)
 {
 	(void)row;
 	read_any_matrix(v, true, out);
 }
 
-static void print_affine(struct printer *p, const struct member *row,
-    const void *at)
+static void print_affine(struct printer *p, const struct member *row, const void *at)
 {
 	const double(*m)[4] = at;
 
@@ -226,8 +207,7 @@ static void print_affine(struct printer *p, const struct member *row,
 }
 
 const struct member_type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct member_type type_affine = { "matrix", read_affine, print_affine,
-	0 };
+const struct member_type type_affine = { "matrix", read_affine, print_affine, 0 };
 
 #define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
@@ -251,8 +231,7 @@ static void check_k(const struct value *v, const double k[3][4])
 				value_refuse(v, "fx and fy of K are positive");
 }
 
-static void read_intrinsics(const struct value *v, const struct member *row,
-    void *out)
+static void read_intrinsics(const struct value *v, const struct member *row, void *out)
 {
 	double(*k)[4] = out, e[12];
 	struct value first = value_child(v);
@@ -282,8 +261,8 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	if (nested ? n != 3 : n != 9 && n != 12)
 		value_refuse(v, "is none of " INTRINSICS_FORMS);
 	read_rows(v, 3, columns, e);
-	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 &&
-	    e[5] == 0 && e[8] == 1 && !v->unused)
+	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 && e[5] == 0 &&
+	    e[8] == 1 && !v->unused)
 		value_refuse(v,
 		    "looks like a P column after column; write it row after "
 		    "row, or as 3 rows of 4 if its rows are right");
@@ -291,8 +270,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		memcpy(k[i], e + i * columns, columns * sizeof *e);
 	if (columns == 3 && !v->unused)
 		check_k(v, k);
-	if (columns == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
-	    !v->unused)
+	if (columns == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 && !v->unused)
 		value_refuse(v,
 		    "the last row of P begins 0, 0, 0; a perspective divides "
 		    "by more than one number");
@@ -304,8 +282,8 @@ static void print_intrinsics(struct printer *p, const struct member *row,
 {
 	const double(*k)[4] = at;
 	const double four[4] = { k[0][0], k[1][1], k[0][2], k[1][2] };
-	bool is_p = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0 ||
-	    k[1][0] != 0 || k[2][0] != 0 || k[2][1] != 0 || k[2][2] != 1 ||
+	bool is_p = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0 || k[1][0] != 0 ||
+	    k[2][0] != 0 || k[2][1] != 0 || k[2][2] != 1 ||
 	    !(k[0][0] > 0 && k[1][1] > 0);
 
 	(void)row;
@@ -319,5 +297,5 @@ static void print_intrinsics(struct printer *p, const struct member *row,
 	put_close(p, "]");
 }
 
-const struct member_type type_intrinsics = { "4 numbers, K or P",
-	read_intrinsics, print_intrinsics, 0 };
+const struct member_type type_intrinsics = { "4 numbers, K or P", read_intrinsics,
+	print_intrinsics, 0 };

@@ -3,8 +3,7 @@
  * read to a field and printed again (struct member_type in object.h). Types are constants, and
  * a field owns its value: nothing points to the document. The comment on a type says
  * what its members are in JSON and, after "in the struct", what their fields are. */
-#ifndef TYPES_H
-#define TYPES_H
+#pragma once
 
 #include "../json/object.h"
 
@@ -39,5 +38,3 @@ extern const struct member_type type_far;
 
 /* A point or a list of points. document.c makes lines of them for the job. */
 extern const struct member_type type_points;
-
-#endif

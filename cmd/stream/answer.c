@@ -74,8 +74,8 @@ static void show_progress(double time)
 	if (progress.size > 0)
 		snprintf(share, sizeof share, ", %.0f %%",
 		    100 * (double)progress.bytes / (double)progress.size);
-	snprintf(text, sizeof text, "%lld lines, %.3g a second%s",
-	    progress.lines, rate, share);
+	snprintf(text, sizeof text, "%lld lines, %.3g a second%s", progress.lines, rate,
+	    share);
 	if (progress.to_terminal)
 		fprintf(stderr, "\r\033[Kprojcalc: %s", text);
 	else

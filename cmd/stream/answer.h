@@ -2,8 +2,7 @@
 /* Prints the output of chunks in the order of their source, reports bad lines and points
  * without image, and shows progress on standard error. To answer a chunk is to print its
  * output. The totals of the call are kept here. */
-#ifndef ANSWER_H
-#define ANSWER_H
+#pragma once
 
 #include "job.h"
 
@@ -24,5 +23,3 @@ void answer_refused_scene(enum format);
 /* Reports how many lines are bad, how many points have no image and, by --progress, all
  * lines. Closes standard output, and returns the exit status. */
 int answer_end(void);
-
-#endif

@@ -22,11 +22,10 @@ static size_t binary_size(const struct layout *l)
 
 /* Copies the coordinates of n points, each coordinate of `size` bytes, from records to
  * rows or, if to_records is set, from rows to records. */
-static inline void copy_numbers(const struct layout *l, size_t size,
-    char *records, char *rows, bool to_records, size_t n)
+static inline void copy_numbers(const struct layout *l, size_t size, char *records,
+    char *rows, bool to_records, size_t n)
 {
-	const size_t record = layout_record_size(l),
-		     row = size * (size_t)l->reads;
+	const size_t record = layout_record_size(l), row = size * (size_t)l->reads;
 
 	for (int k = 0; k < l->reads; k++) {
 		char *in_record = records + size * (size_t)layout_field(l, k);
@@ -79,8 +78,7 @@ static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 }
 
 /* Makes line c->line[c->block_lines] bad. Returns what chunk_complain returns. */
-static bool binary_refuse(const struct job *j, struct chunk *c,
-    const char *reason)
+static bool binary_refuse(const struct job *j, struct chunk *c, const char *reason)
 {
 	c->line[c->block_lines].kind = LINE_LOST;
 	return chunk_complain(j, c, reason);
@@ -106,11 +104,10 @@ static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 		*kept += within;
 		if (!within &&
 		    !binary_refuse(j, c,
-			infinite ?
-			    "a coordinate is infinite; a number up to 1e150 "
-			    "is wanted, or nan" :
-			    "a coordinate is beyond 1e150 in magnitude; "
-			    "choose another unit"))
+			infinite ? "a coordinate is infinite; a number up to 1e150 "
+				   "is wanted, or nan" :
+				   "a coordinate is beyond 1e150 in magnitude; "
+				   "choose another unit"))
 			return;
 	}
 }
@@ -134,8 +131,7 @@ void binary_read_block(const struct job *j, struct chunk *c)
 		c->block_lines = binary_refuse(j, c, reason);
 		return;
 	}
-	bool within = kernels_chosen()->to_columns[wide][l->reads](next_rows(l,
-								       c, n),
+	bool within = kernels_chosen()->to_columns[wide][l->reads](next_rows(l, c, n),
 	    c->in, n, SCENE_MAGNITUDE_MAX);
 
 	c->text += n * size;
@@ -188,8 +184,7 @@ bool binary_write_rows(const struct job *j, struct chunk *c, const char *text)
 static char *put_record(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {
-	size_t size = format_point_size(l->out.format, 1),
-	       written = binary_size(l);
+	size_t size = format_point_size(l->out.format, 1), written = binary_size(l);
 	bool copied = l->output.keeps && line->size == written;
 
 	if (copied)

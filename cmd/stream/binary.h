@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads and writes blocks of binary points. A record is a binary point that may have
  * other numbers beside the coordinates; a row is the coordinates alone. */
-#ifndef BINARY_H
-#define BINARY_H
+#pragma once
 
 #include "job.h"
 
@@ -27,5 +26,3 @@ bool binary_write_rows(const struct job *, struct chunk *, const char *text);
  * or nan. If only visible points are printed, leaves out the others and bad lines. */
 void binary_write_lines(const struct job *, struct chunk *,
     const unsigned char *outside);
-
-#endif

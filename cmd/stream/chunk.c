@@ -16,8 +16,7 @@ struct chunk *chunk_new(void)
 
 	if (memory == NULL)
 		die(EXIT_SYSTEM, "out of memory");
-	struct chunk *c = (void *)(memory + alignment -
-	    (uintptr_t)memory % alignment);
+	struct chunk *c = (void *)(memory + alignment - (uintptr_t)memory % alignment);
 
 	piece_resize(&c->piece, PIECE_ROOM);
 	/* Most output fits into this room. If a thread allocates more, the C library

@@ -2,8 +2,7 @@
 /* A chunk is a piece of a source and its output. Chunks are independent, so that
  * several threads work on them at the same time; at any time one thread owns a chunk.
  * */
-#ifndef CHUNK_H
-#define CHUNK_H
+#pragma once
 
 #include "../../core/points/transform.h"
 #include "../lines/put.h"
@@ -28,9 +27,9 @@ struct chunk {
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
 	size_t n_lines;         /* lines before the block */
-	enum next_part first; /* whether the first byte, line or row is next */
-	bool refused;         /* no line can be read, as after a bad header */
-	bool done;            /* ready for answer_chunk */
+	enum next_part first;   /* whether the first byte, line or row is next */
+	bool refused;           /* no line can be read, as after a bad header */
+	bool done;              /* ready for answer_chunk */
 
 	char *out;
 	size_t size, room; /* bytes of out: used, allocated */
@@ -58,5 +57,3 @@ char *chunk_reserve(struct chunk *, size_t n);
 
 /* Adds a complaint on the block's next line. Returns false if the chunk ends there. */
 bool chunk_complain(const struct job *, struct chunk *, const char *reason);
-
-#endif

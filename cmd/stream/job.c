@@ -37,8 +37,8 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 
 /* Adds n lines from walk_lines to the block, with their numbers v. Reads line i with
  * line_read if bit i of unread is set. Returns false if a bad line ends the chunk. */
-static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
-    uint64_t unread, double v[4][PLAIN_BATCH])
+static bool block_add_lines(struct job *j, struct chunk *c, size_t n, uint64_t unread,
+    double v[4][PLAIN_BATCH])
 {
 	for (size_t i = 0; i < n; i++) {
 		size_t end = unread >> i == 0 ?
@@ -52,8 +52,7 @@ static bool block_add_lines(struct job *j, struct chunk *c, size_t n,
 		c->block_lines += end - i;
 		i = end;
 		if (end < n &&
-		    !block_read_line(j, c, line_text(&c->line[c->block_lines]),
-			true))
+		    !block_read_line(j, c, line_text(&c->line[c->block_lines]), true))
 			return false;
 	}
 	return true;
@@ -69,8 +68,8 @@ static bool block_walk(struct job *j, struct chunk *c)
 	double v[4][PLAIN_BATCH];
 	uint64_t unread;
 
-	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
-	    line, at, &unread);
+	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH, line, at,
+	    &unread);
 	unread = walk_numbers(walk, line, n, at, unread, v);
 	c->text = c->stretch.text + c->stretch.at;
 	return block_add_lines(j, c, n, unread, v);
@@ -95,10 +94,8 @@ static void block_read(struct job *j, struct chunk *c)
 			more = block_walk(j, c);
 			continue;
 		}
-		const char *newline = memchr(c->text, '\n',
-		    (size_t)(c->end - c->text));
-		struct span text = { c->text,
-			newline != NULL ? newline : c->end };
+		const char *newline = memchr(c->text, '\n', (size_t)(c->end - c->text));
+		struct span text = { c->text, newline != NULL ? newline : c->end };
 
 		c->text = newline != NULL ? newline + 1 : c->end;
 		more = block_read_line(j, c, text, newline != NULL);
@@ -112,8 +109,8 @@ static bool block_transform(const struct job *j, struct chunk *c)
 	bool single = j->precision == PRECISION_SINGLE ||
 	    j->layout.out.format == FORMAT_F32;
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
-	double *const out[6] = { c->image[0], c->image[1], c->image[2],
-		c->image[3], c->image[4], c->image[5] };
+	double *const out[6] = { c->image[0], c->image[1], c->image[2], c->image[3],
+		c->image[4], c->image[5] };
 
 	return j->rays ?
 	    rays_cast(&j->ray, single, in, out, out + 3, c->block_points) :
@@ -133,10 +130,8 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 	for (int k = 0; k < j->layout.writes; k++) {
 		double *v = &c->image[k][p];
 
-		if (narrow && !isnan(*v) && !j->rays &&
-		    j->precision == PRECISION_EXACT)
-			*v = (double)point_exact_float(&j->transform, in, k,
-			    *v);
+		if (narrow && !isnan(*v) && !j->rays && j->precision == PRECISION_EXACT)
+			*v = (double)point_exact_float(&j->transform, in, k, *v);
 		if (!isfinite(narrow ? (double)(float)*v : *v)) {
 			*v = (double)NAN;
 			nan = true;
@@ -158,8 +153,8 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 		return;
 	if (!finite || l->out.format == FORMAT_F32)
 		for (size_t i = 0, p = 0; i < n; i++)
-			if (c->line[i].kind == LINE_POINT &&
-			    mark_nan(j, c, p++) && c->imageless++ == 0)
+			if (c->line[i].kind == LINE_POINT && mark_nan(j, c, p++) &&
+			    c->imageless++ == 0)
 				c->first_imageless = c->n_lines + i;
 	if (l->output.flags || j->visible)
 		frustum_outside_all(&j->frustum, in, outside, c->block_points);
@@ -176,8 +171,7 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 		.words = &c->words,
 		.visible = j->visible };
 	const char *end = c->line[n - 1].s + c->line[n - 1].size;
-	char *at = chunk_reserve(c,
-	    splice_room(l, n, (size_t)(end - c->line[0].s)));
+	char *at = chunk_reserve(c, splice_room(l, n, (size_t)(end - c->line[0].s)));
 
 	c->size = (size_t)(writer_put_block(&block, at) - c->out);
 }
@@ -195,8 +189,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "\x1f\x8b", "is gzip; zcat makes it text" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
-		{ "ply\n",
-		    "is PLY; sed 1,/end_header/d | head -n N keeps N points" },
+		{ "ply\n", "is PLY; sed 1,/end_header/d | head -n N keeps N points" },
 		{ "<?xm", "is XML; make a line of numbers of each point" },
 		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
 	};

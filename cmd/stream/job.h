@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A job says what is done with every point. The threads share it, and none changes it
  * but for its layout (layout.h). */
-#ifndef JOB_H
-#define JOB_H
+#pragma once
 
 #include "../../core/derive/frustum.h"
 #include "../../core/derive/ray.h"
@@ -12,8 +11,8 @@ struct job {
 	struct transform transform;
 	enum precision precision;
 	struct layout layout;
-	const char *space; /* the name of the space of images, for --append */
-	const char *from;  /* the name of the space of points, or NULL */
+	const char *space;      /* the name of the space of images, for --append */
+	const char *from;       /* the name of the space of points, or NULL */
 	struct frustum frustum; /* used if layout.flags or visible is set */
 	struct ray_maker ray;   /* used if rays is set */
 	bool visible;           /* print only points in the view volume */
@@ -36,5 +35,3 @@ struct job {
 /* Does the job on the chunk's piece and writes the output to the chunk's out. Stops at
  * the first bad line or binary point unless the job keeps going. */
 void job_do(struct job *, struct chunk *);
-
-#endif

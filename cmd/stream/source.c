@@ -32,8 +32,7 @@ static size_t begin_piece(struct piece *p, const struct point_source *s)
 {
 	size_t n = (size_t)(s->rest.end - s->rest.s), full = PIECE_FIRST;
 
-	while (full < n ||
-	    (full < PIECE_ROOM && full * PIECE_SHARE < s->bytes_read))
+	while (full < n || (full < PIECE_ROOM && full * PIECE_SHARE < s->bytes_read))
 		full *= 2;
 	size_t room = full > PIECE_ROOM ? full : PIECE_ROOM;
 
@@ -93,8 +92,8 @@ static void update_sizes(struct piece *p, const struct layout *l, size_t n)
 
 /* Reads until the source ends. Stops earlier if p has a whole line or point, and either
  * p is full or the next read would wait. */
-static enum piece_state fill_piece(struct point_source *s,
-    const struct layout *l, struct piece *p)
+static enum piece_state fill_piece(struct point_source *s, const struct layout *l,
+    struct piece *p)
 {
 	size_t full = begin_piece(p, s);
 
@@ -133,16 +132,14 @@ struct point_source source_of_file(const char *name, int fd)
 	return s;
 }
 
-struct point_source source_of_text(const char *name, const char *text,
-    size_t size)
+struct point_source source_of_text(const char *name, const char *text, size_t size)
 {
 	return (struct point_source){ .name = name,
 		.text = { text, text + size },
 		.size = (off_t)size };
 }
 
-void source_read(struct point_source *s, const struct layout *l,
-    struct piece *p)
+void source_read(struct point_source *s, const struct layout *l, struct piece *p)
 {
 	p->state = fill_piece(s, l, p);
 	p->error = errno;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads a source of points in pieces of whole lines or whole binary points. */
-#ifndef SOURCE_H
-#define SOURCE_H
+#pragma once
 
 #include <sys/types.h>
 
@@ -51,11 +50,8 @@ struct point_source {
 void piece_resize(struct piece *, size_t room);
 
 struct point_source source_of_file(const char *name, int fd);
-struct point_source source_of_text(const char *name, const char *text,
-    size_t size);
+struct point_source source_of_text(const char *name, const char *text, size_t size);
 
 /* Reads the next piece, and may wait for input. Copies `rest` from the previous piece,
  * whose text must still exist. Only one thread at a time may call source_read. */
 void source_read(struct point_source *, const struct layout *, struct piece *);
-
-#endif

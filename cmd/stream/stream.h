@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Does a job on sources of points, with several threads. Each thread works on chunks of
  * its own; stream.c owns the threads and the chunks. */
-#ifndef STREAM_H
-#define STREAM_H
+#pragma once
 
 #include "job.h"
 
@@ -10,5 +9,3 @@
  * output for all points that were read. Prints errors and ends the program after them.
  * Each call must get the same struct job; its contents may change between calls. */
 void stream_points(struct job *, struct point_source);
-
-#endif

@@ -42,19 +42,16 @@ static const struct text refused[] = {
 	TEXT("[1.]", "1: expected a value, not '1.'; a number is like -1.5e-3"),
 	TEXT("[+1]", "1: expected a value, not '+1'; a number is like -1.5e-3"),
 	TEXT("[.5]", "1: expected a value, not '.5'; a number is like -1.5e-3"),
-	TEXT("[1.e5]",
-	    "1: expected a value, not '1.e5'; a number is like -1.5e-3"),
+	TEXT("[1.e5]", "1: expected a value, not '1.e5'; a number is like -1.5e-3"),
 	TEXT("[-]", "1: expected a value, not '-'; a number is like -1.5e-3"),
 	TEXT("[1e]", "1: expected a value, not '1e'; a number is like -1.5e-3"),
-	TEXT("[0x1]",
-	    "1: expected a value, not '0x1'; a number is like -1.5e-3"),
+	TEXT("[0x1]", "1: expected a value, not '0x1'; a number is like -1.5e-3"),
 	TEXT("[6\xc2\xb0]",
 	    "1: expected a value, not '6\xc2\xb0'; a number is like -1.5e-3"),
 	TEXT("[NaN]",
 	    "1: expected a value, not 'NaN'; a word is true, false, null or "
 	    "\"text\" in quotes"),
-	TEXT("[-nan]",
-	    "1: expected a value, not '-nan'; a number is like -1.5e-3"),
+	TEXT("[-nan]", "1: expected a value, not '-nan'; a number is like -1.5e-3"),
 	TEXT("[Infinity]",
 	    "1: expected a value, not 'Infinity'; a word is true, false, null "
 	    "or \"text\" in quotes"),
@@ -75,48 +72,39 @@ static const struct text refused[] = {
 	TEXT("[truefalse]",
 	    "1: expected a value, not 'truefalse'; a word is true, false, null "
 	    "or \"text\" in quotes"),
-	TEXT("['a']",
-	    "1: expected a value, not '''; JSON has \"double quotes\" alone"),
+	TEXT("['a']", "1: expected a value, not '''; JSON has \"double quotes\" alone"),
 	TEXT("{'a':1}",
 	    "1: expected a member's name in \"double quotes\", not '''; JSON "
 	    "has \"double quotes\" alone"),
-	TEXT("{eye:1}",
-	    "1: expected a member's name in \"double quotes\", not 'eye'"),
-	TEXT("{1:1}",
-	    "1: expected a member's name in \"double quotes\", not '1'"),
+	TEXT("{eye:1}", "1: expected a member's name in \"double quotes\", not 'eye'"),
+	TEXT("{1:1}", "1: expected a member's name in \"double quotes\", not '1'"),
 	TEXT("{\"a\":0,\n 1}",
 	    "2: expected a member's name in \"double quotes\", not '1'; "
 	    "several numbers stand in brackets: [1,2,3]"),
-	TEXT("{\"a\":16/9}",
-	    "1: expected ',' or '}', not '/'; JSON has no arithmetic"),
+	TEXT("{\"a\":16/9}", "1: expected ',' or '}', not '/'; JSON has no arithmetic"),
 	TEXT("{\"a\":1,\n}",
 	    "2: expected a member's name in \"double quotes\", not '}'; remove "
 	    "the comma before it"),
-	TEXT("[1,]",
-	    "1: expected a value, not ']'; remove the comma before it"),
+	TEXT("[1,]", "1: expected a value, not ']'; remove the comma before it"),
 	TEXT("[1,,2]", "1: expected a value, not ','"),
 	TEXT("[,]", "1: expected a value, not ','"),
-	TEXT("{,}",
-	    "1: expected a member's name in \"double quotes\", not ','"),
+	TEXT("{,}", "1: expected a member's name in \"double quotes\", not ','"),
 	TEXT("{\"a\" 1}", "1: expected ':' after the member's name, not '1'"),
 	TEXT("{\"a\":}", "1: expected a value, not '}'"),
 	TEXT("{\"a\":1\n\"b\":2}", "2: expected ',' or '}', not '\"'"),
 	TEXT("[1 2]", "1: expected ',' or ']', not '2'"),
 	TEXT("[1}", "1: expected ',' or ']', not '}'"),
-	TEXT("[1/2]",
-	    "1: expected ',' or ']', not '/'; JSON has no arithmetic"),
+	TEXT("[1/2]", "1: expected ',' or ']', not '/'; JSON has no arithmetic"),
 	TEXT("[\x01]", "1: expected a value, not '\\u0001'"),
 	TEXT("[\xff]", "1: expected a value, not '\\xff'; JSON is UTF-8 text"),
 	TEXT("[\xc2\xa0]", "1: expected a value, not '\\u00a0'"),
 	TEXT("[\f1]", "1: expected a value, not '\\u000c'"),
-	TEXT("{\n[1",
-	    "2: expected a member's name in \"double quotes\", not '['"),
+	TEXT("{\n[1", "2: expected a member's name in \"double quotes\", not '['"),
 	TEXT("{\n\"a\":[1\n\n",
 	    "4: expected ',' or ']', but the text ends; the '[' is on line 2"),
 	TEXT("{\"a\":1",
 	    "1: expected ',' or '}', but the text ends; the '{' is on line 1"),
-	TEXT("{\"a\"",
-	    "1: expected ':' after the member's name, but the text ends"),
+	TEXT("{\"a\"", "1: expected ':' after the member's name, but the text ends"),
 	TEXT("{\"a\":", "1: expected a value, but the text ends"),
 	TEXT("[", "1: expected a value, but the text ends"),
 	TEXT("{}\n{}",
@@ -178,8 +166,7 @@ static const struct text refused[] = {
 	TEXT("[\"\t\"]",
 	    "1: expected text or '\"' in a string, not '\\u0009'; write a "
 	    "control character as this escape"),
-	TEXT("\n{\"a\":\0}",
-	    "2: expected a value, not '\\u0000'; JSON is UTF-8 text"),
+	TEXT("\n{\"a\":\0}", "2: expected a value, not '\\u0000'; JSON is UTF-8 text"),
 	TEXT("[\"\x80\"]",
 	    "1: expected text or '\"' in a string, not '\\x80'; JSON is UTF-8 "
 	    "text"),
@@ -228,8 +215,7 @@ static void test_accepted(void **state)
 		TEXT("null", NULL),
 		TEXT("\xef\xbb\xbf \t\r\n{ \"a\" : [ true , false ] }\n", NULL),
 		TEXT("[0,-0,-0.0e-0,1E+5,10.25e01,1e999,1e-999]", NULL),
-		TEXT("[\"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e9\\ud83d\\uDE00\"]",
-		    NULL),
+		TEXT("[\"\\\"\\\\\\/\\b\\f\\n\\r\\t\\u00e9\\ud83d\\uDE00\"]", NULL),
 		TEXT("[\"\x7f\xc2\x80\xe0\xa0\x80\xed\x9f\xbf\xee\x80\x80"
 		     "\xf0\x90\x80\x80\xf4\x8f\xbf\xbf // # '\"]",
 		    NULL),
@@ -239,8 +225,7 @@ static void test_accepted(void **state)
 	for (size_t i = 0; i < sizeof accepted / sizeof *accepted; i++) {
 		int status;
 
-		assert_text(output_of(parse, &accepted[i], &status), "",
-		    accepted[i].s);
+		assert_text(output_of(parse, &accepted[i], &status), "", accepted[i].s);
 		assert_int_equal(status, 0);
 	}
 }
@@ -311,9 +296,7 @@ static void test_lines(void **state)
 	(void)state;
 	for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
 		const char *s = lines[i].text, *end = s + strlen(s);
-		struct json_check c = { .is_line = true,
-			.text = s,
-			.end = end };
+		struct json_check c = { .is_line = true, .text = s, .end = end };
 
 		assert_text(json_check(&c) ? NULL : c.at, lines[i].rest, s);
 	}

@@ -2,8 +2,7 @@
 #include "read_text.h"
 #include "../scene/convention_member.h"
 
-static const struct document_wants w2d = { .needed = SCENE_WINDOW |
-	    SCENE_DEVICE,
+static const struct document_wants w2d = { .needed = SCENE_WINDOW | SCENE_DEVICE,
 	.used = ~0u,
 	.coordinates = 2 };
 static const struct document_wants project = { WANTS };
@@ -34,10 +33,8 @@ static const struct refusal scenes[] = {
 	{ &w2d, "{\"window\":{}}",
 	    "/device: missing; add \"device\": {\"width\": 640, \"height\": "
 	    "480}" },
-	{ &project, "{\"bounds\":1}",
-	    "/bounds: is a number; an object is wanted" },
-	{ &project, "{\"pick\":[]}",
-	    "/pick: is an array; an object is wanted" },
+	{ &project, "{\"bounds\":1}", "/bounds: is a number; an object is wanted" },
+	{ &project, "{\"pick\":[]}", "/pick: is an array; an object is wanted" },
 	{ &project, "{\"points\":{}}",
 	    "/points: is an object; an array of points is wanted" },
 	{ &project, "{\"points\":[[0,0,0],[0,0]]}",
@@ -67,8 +64,8 @@ REFUSES(scenes)
 
 static void test_bare(void **state)
 {
-	const struct document_wants lookat = { WANTS,
-		.lone_member = SCENE_CAMERA, .needed = SCENE_CAMERA };
+	const struct document_wants lookat = { WANTS, .lone_member = SCENE_CAMERA,
+		.needed = SCENE_CAMERA };
 	struct document d = read_as(&lookat,
 	    "{\"$schema\":1,\"_a\":[{\"\":1e999}],\"_a\":2,\"eye\":[1,2,3],"
 	    "\"gaze\":[4,5,6]}");
@@ -105,16 +102,14 @@ static void test_numbers(void **state)
 		strcpy(document,
 		    "{\"camera\":{\"eye\":[0,0,0],\"at\":[0,0,1],\"roll\":");
 		strcat(strcat(document, texts[i]), "}}");
-		assert_true(
-		    scene_of(document).camera.roll == strtod(texts[i], NULL));
+		assert_true(scene_of(document).camera.roll == strtod(texts[i], NULL));
 	}
 }
 
 static void assert_convention(const struct convention *c, const char *bits)
 {
-	const bool members[] = { c->right_handed, c->depth_minus_one,
-		c->column_vectors, c->ndc_y_down, c->origin_bottom_left,
-		c->view_y_down };
+	const bool members[] = { c->right_handed, c->depth_minus_one, c->column_vectors,
+		c->ndc_y_down, c->origin_bottom_left, c->view_y_down };
 	char got[7] = "";
 
 	for (int i = 0; i < 6; i++)
@@ -126,9 +121,9 @@ static void assert_convention(const struct convention *c, const char *bits)
  * bit is 1 where the member differs from d3d. */
 static void test_convention(void **state)
 {
-	static const char *const table[][2] = { { "d3d", "000000" },
-		{ "gl", "111010" }, { "vulkan", "101100" },
-		{ "webgpu", "101000" }, { "opencv", "101101" } };
+	static const char *const table[][2] = { { "d3d", "000000" }, { "gl", "111010" },
+		{ "vulkan", "101100" }, { "webgpu", "101000" },
+		{ "opencv", "101101" } };
 	struct convention c;
 	char text[40];
 
@@ -136,8 +131,7 @@ static void test_convention(void **state)
 	for (int i = 0; i < CONVENTIONS; i++) {
 		assert_string_equal(convention_names[i], table[i][0]);
 		assert_convention(&conventions[i], table[i][1]);
-		strcat(strcat(strcpy(text, "{\"convention\":\""), table[i][0]),
-		    "\"}");
+		strcat(strcat(strcpy(text, "{\"convention\":\""), table[i][0]), "\"}");
 		c = scene_of(text).convention;
 		assert_convention(&c, table[i][1]);
 	}
@@ -168,8 +162,8 @@ static void test_convention(void **state)
 }
 
 /* Asserts that the number 2 of the text of a matrix becomes element i, j of world. */
-static void assert_world(const struct convention *option,
-    const char *convention, const char *matrix, int i, int j)
+static void assert_world(const struct convention *option, const char *convention,
+    const char *matrix, int i, int j)
 {
 	const struct document_wants wants = { WANTS, .convention = option };
 	char text[300] = "{\"world\":";
@@ -178,8 +172,7 @@ static void assert_world(const struct convention *option,
 	struct scene s = read_as(&wants, text).scene;
 
 	if (!s.has_world || s.world[i][j] != 2 || s.world[j][i] != 0)
-		fail_msg("%s: expected 2 as element %d, %d of world", text, i,
-		    j);
+		fail_msg("%s: expected 2 as element %d, %d of world", text, i, j);
 }
 
 static void test_matrix(void **state)
@@ -193,20 +186,16 @@ static void test_matrix(void **state)
 	(void)state;
 	assert_world(NULL, "", NESTED, 3, 1);
 	assert_world(NULL, GL, NESTED, 1, 3);
-	assert_world(NULL, ",\"convention\":{\"vectors\":\"column\"}", NESTED,
-	    1, 3);
+	assert_world(NULL, ",\"convention\":{\"vectors\":\"column\"}", NESTED, 1, 3);
 	assert_world(gl, "", NESTED, 1, 3);
 	assert_world(gl, ",\"convention\":\"d3d\"", NESTED, 3, 1);
 	assert_world(d3d, GL, NESTED, 1, 3);
 	assert_world(NULL, "", FLAT, 3, 1);
 	assert_world(NULL, GL, FLAT, 3, 1);
 	assert_world(NULL, GL, "{\"matrix\":" NESTED "}", 1, 3);
-	assert_world(NULL, GL, "{\"matrix\":" NESTED ",\"vectors\":\"row\"}", 3,
-	    1);
-	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" NESTED "}",
-	    1, 3);
-	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" FLAT "}",
-	    3, 1);
+	assert_world(NULL, GL, "{\"matrix\":" NESTED ",\"vectors\":\"row\"}", 3, 1);
+	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" NESTED "}", 1, 3);
+	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" FLAT "}", 3, 1);
 	assert_true(scene_of("{\"projection\":{\"type\":\"matrix\","
 			     "\"matrix\":" NESTED "}}")
 			.projection.matrix[3][1] == 2);
@@ -220,8 +209,7 @@ static void assert_points(const char *typed, const char *lines)
 	struct document d;
 
 	memcpy(text, typed, size);
-	const char *points = document_read_points("POINTS", text, size, 3, NULL,
-	    &n);
+	const char *points = document_read_points("POINTS", text, size, 3, NULL, &n);
 
 	assert_int_equal(n, strlen(lines));
 	assert_memory_equal(points, lines, n);
@@ -262,8 +250,8 @@ static void test_points(void **state)
 #define TEN "1234567890"
 	assert_points("[[" TEN TEN TEN TEN TEN TEN TEN
 		      ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]]",
-	    "[" TEN TEN TEN TEN TEN TEN TEN
-	    ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]\n");
+	    "[" TEN TEN TEN TEN TEN TEN TEN ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN
+	    "]\n");
 	assert_null(read_as(&no_points, "{\"points\":[[0]]}").points);
 	assert_null(read_as(&no_points, "{}").points);
 }

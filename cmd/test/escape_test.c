@@ -10,8 +10,7 @@ static void test_escaped(void **state)
 	char out[ESCAPED_MAX], text[200];
 
 	(void)state;
-	assert_string_equal(escape_short(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9",
-				10),
+	assert_string_equal(escape_short(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9", 10),
 	    "a\\u001b[m\\u007f\\u009b\\xff\xc3\xa9");
 	assert_string_equal(escape_short(out, "abc", 0), "");
 	memset(text, 'a', sizeof text);

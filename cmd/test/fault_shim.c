@@ -111,8 +111,7 @@ ssize_t read(int fd, void *to, size_t n)
 	static ssize_t (*real)(int, void *, size_t);
 
 	if (real == NULL)
-		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT,
-		    "read");
+		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT, "read");
 	ssize_t some = before_read(n);
 
 	return some < 0 ? -1 : real(fd, to, (size_t)some);
@@ -126,8 +125,7 @@ ssize_t write(int fd, const void *from, size_t n)
 	static ssize_t (*real)(int, const void *, size_t);
 
 	if (real == NULL)
-		real = (ssize_t(*)(int, const void *, size_t))dlsym(RTLD_NEXT,
-		    "write");
+		real = (ssize_t(*)(int, const void *, size_t))dlsym(RTLD_NEXT, "write");
 	if (fd == STDOUT_FILENO && shall_fail("write"))
 		return -1;
 	if (is_fault("short") && n > 0 && (n = few_bytes(n)) == 0)
@@ -140,8 +138,7 @@ int poll(struct pollfd *p, nfds_t n, int wait)
 	static int (*real)(struct pollfd *, nfds_t, int);
 
 	if (real == NULL)
-		real = (int (*)(struct pollfd *, nfds_t, int))dlsym(RTLD_NEXT,
-		    "poll");
+		real = (int (*)(struct pollfd *, nfds_t, int))dlsym(RTLD_NEXT, "poll");
 	if (is_fault("short") && few_bytes(7) < 3)
 		return errno == EINTR ? -1 : 0;
 	return real(p, n, wait);
@@ -152,8 +149,7 @@ int open(const char *name, int flags, ...)
 	static int (*real)(const char *, int, ...);
 
 	if (real == NULL)
-		real = (int (*)(const char *, int, ...))dlsym(RTLD_NEXT,
-		    "open");
+		real = (int (*)(const char *, int, ...))dlsym(RTLD_NEXT, "open");
 	return shall_fail("open") ? -1 : real(name, flags);
 }
 
@@ -171,13 +167,12 @@ int close(int fd)
 int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
     void *with)
 {
-	static int (*real)(pthread_t *, const pthread_attr_t *,
-	    void *(*)(void *), void *);
+	static int (
+	    *real)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);
 
 	if (real == NULL)
-		real = (int (*)(pthread_t *, const pthread_attr_t *,
-		    void *(*)(void *), void *))dlsym(RTLD_NEXT,
-		    "pthread_create");
+		real = (int (*)(pthread_t *, const pthread_attr_t *, void *(*)(void *),
+		    void *))dlsym(RTLD_NEXT, "pthread_create");
 	size_t stack = 0;
 
 	if (a != NULL)
@@ -213,6 +208,5 @@ int isatty(int fd)
 		real = (int (*)(int))dlsym(RTLD_NEXT, "isatty");
 	if (!is_fault("clock"))
 		return real(fd);
-	return fd == STDERR_FILENO ? error > 0 :
-				     fd == STDOUT_FILENO && error > 1;
+	return fd == STDERR_FILENO ? error > 0 : fd == STDOUT_FILENO && error > 1;
 }

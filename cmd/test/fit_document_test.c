@@ -25,8 +25,7 @@ static const struct refusal refusals[] = {
 	{ &project, "{\"bounds\":{\"center\":[0,0,0],\"radius\":0}}",
 	    "/bounds/radius: 0 is not positive; a number from 1e-150 to 1e150 "
 	    "is wanted" },
-	{ &project,
-	    "{\"bounds\":{\"center\":[0,0,0],\"radius\":1,\"max\":[1,1,1]}}",
+	{ &project, "{\"bounds\":{\"center\":[0,0,0],\"radius\":1,\"max\":[1,1,1]}}",
 	    "/bounds/max: does not go with \"center\" and "
 	    "\"radius\"; " BOUNDS_HINT },
 	{ &fit, "{\"projection\":{\"type\":\"ortho\"},\"camera\":{}}",
@@ -62,8 +61,7 @@ static const struct refusal refusals[] = {
 	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
 	{ &fit, "{\"projection\":{\"type\":\"persp\",\"fovy\":60}}",
 	    "/projection/aspect: missing; give it, or a \"viewport\"" },
-	{ &fit,
-	    "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",
+	{ &fit, "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",
 	    "/projection/near: missing; the section is on the near plane, "
 	    "unless \"edges_at\" says where" },
 	{ &either, "{\"camera\":{}}",
@@ -81,8 +79,7 @@ static const struct refusal refusals[] = {
 	    "\"left\"" },
 	{ &either, "{\"device\":{\"width\":1,\"height\":1},\"points\":[[1]]}",
 	    "/points/0: has 1 element; 2 coordinates are wanted" },
-	{ &project, "{\"window\":{}}",
-	    "/window/center: missing; " WINDOW_HINT },
+	{ &project, "{\"window\":{}}", "/window/center: missing; " WINDOW_HINT },
 	{ &project,
 	    "{\"device\":{\"width\":1,\"height\":1},\"bounds\":"
 	    "{\"min\":[0,0],\"max\":[1,1]}}",
@@ -163,8 +160,7 @@ static void test_flat(void **state)
 	assert_false(d.flat);
 	assert_numbers(d.bounds.max, 2, 3.0, 4.0);
 	d = read_as(&unused,
-	    "{\"window\":{\"left\":0,\"right\":1,\"bottom\":0,\"top\":1}," BOX
-	    "}");
+	    "{\"window\":{\"left\":0,\"right\":1,\"bottom\":0,\"top\":1}," BOX "}");
 	assert_true(d.flat);
 	assert_numbers(d.bounds.max, 3, 1.0, 2.0, 3.0);
 }

@@ -91,8 +91,7 @@ static const struct refusal cameras[] = {
 	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
 	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
-	{ &lookat,
-	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
+	{ &lookat, "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
 	    "/translation: does not go with \"eye\"; give \"eye\" and "
 	    "\"at\", or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", "
 	    "or \"eye\" and \"rvec\", or \"orientation\" and \"translation\", "
@@ -146,8 +145,7 @@ static const struct refusal cameras[] = {
 	    "/matrix/vectors: is \"rows\"; did you mean \"row\"?" },
 	{ &project, "{\"world\":1}",
 	    "/world: is a number; an array of " AFFINE " is wanted" },
-	{ &project, "{\"world\":{}}",
-	    "/world/matrix: missing; give \"matrix\"" },
+	{ &project, "{\"world\":{}}", "/world/matrix: missing; give \"matrix\"" },
 	{ &project, "{\"world\":[[0,0,0,0],[0,0,0,\"a\"],[],[]]}",
 	    "/world/1/3: is a string; a number is wanted" },
 	{ &lookat, "{\"eye\":[0,0,true]," AT "}",
@@ -162,8 +160,7 @@ static const struct refusal cameras[] = {
 	    "/eye/0: is beyond the range of doubles; numbers go up to 1e150" },
 	{ &lookat, "{\"orthonormalize\":1}",
 	    "/orthonormalize: is a number; true or false is wanted" },
-	{ &lookat, "{\"camera\":[]}",
-	    "/camera: is an array; an object is wanted" },
+	{ &lookat, "{\"camera\":[]}", "/camera: is an array; an object is wanted" },
 	{ &lookat, "{\"convention\":\"gl\"}",
 	    "/camera: missing; add \"camera\": {\"eye\": [0,0,-5], \"at\": [0,"
 	    "0,0]}" },
@@ -230,8 +227,7 @@ static void test_camera(void **state)
 	 * convention */
 	static const char *const shapes[] = { "\"camera\":{\"matrix\":" M34 "}",
 		"\"camera\":{\"matrix\":" M43 "}",
-		"\"camera\":{\"matrix\":{\"matrix\":" M34
-		",\"vectors\":\"column\"}}" };
+		"\"camera\":{\"matrix\":{\"matrix\":" M34 ",\"vectors\":\"column\"}}" };
 
 	for (int i = 0; i < 6; i++) {
 		char text[200] = "{\"convention\":\"gl\",";
@@ -239,8 +235,8 @@ static void test_camera(void **state)
 		if (i % 2)
 			strcpy(text, "{");
 		c = scene_of(strcat(strcat(text, shapes[i / 2]), "}")).camera;
-		assert_numbers(c.matrix[0], 16, 1.0, 5.0, 9.0, 0.0, 2.0, 6.0,
-		    10.0, 0.0, 3.0, 7.0, 11.0, 0.0, 4.0, 8.0, 12.0, 1.0);
+		assert_numbers(c.matrix[0], 16, 1.0, 5.0, 9.0, 0.0, 2.0, 6.0, 10.0, 0.0,
+		    3.0, 7.0, 11.0, 0.0, 4.0, 8.0, 12.0, 1.0);
 	}
 }
 

@@ -30,8 +30,7 @@ static double random_double(void)
 	case 1: /* up to 15 decimals, of at most ten digits */
 		return floor(v * 1e10) / pow(10, random_below(16));
 	case 2: /* integers, and numbers that are ties for few decimals */
-		return floor(v * pow(2, random_below(70))) /
-		    pow(2, random_below(30));
+		return floor(v * pow(2, random_below(70))) / pow(2, random_below(30));
 	case 3: /* powers of two: the next double below is half as far as the next above */
 		return ldexp(v < 0 ? -1 : 1, random_below(2098) - 1074);
 	default:
@@ -54,31 +53,29 @@ static void check_read(const char *text)
 		return;
 	}
 	assert_ptr_equal(end, start + (expected_end - text));
-	if (memcmp(&v, &expected, sizeof v) != 0 &&
-	    !(isnan(v) && isnan(expected)))
+	if (memcmp(&v, &expected, sizeof v) != 0 && !(isnan(v) && isnan(expected)))
 		fail_msg("%s: expected %a, came %a", text, expected, v);
 }
 
 static void reads_as_strtod(void **unused)
 {
-	static const char *const texts[] = { "0", "-0", "+0", "1", "+1.5",
-		"-12.25", ".5", "-.5", "5.", "5.e1", ".", "-", "+", "+-1",
-		"-+1", "--1", "", "e5", ".e5", "1e", "1e+", "1e-", "1ex", "1E5",
-		"1e+05", "1e5.5", "1.2.3", "1,5", "12 13", "1-2",
-		"1234567.12345678 ", "12345678.1234567 ", "1.5e3xxxxxxxxxxxxxx",
-		"-0.000000 -1.000000 xxxxx", "1234567.1234567 xxxxxx",
-		".1234567e1xxxxxxxxxxx", ". xxxxxxxxxxxxxxxxxxx",
-		"-. xxxxxxxxxxxxxxxxxxx", "5.xxxxxxxxxxxxxxxxxxx",
-		"7xxxxxxxxxxxxxxxxxxx", "1/2xxxxxxxxxxxxxxxxxxx",
-		"1:2xxxxxxxxxxxxxxxxxxx", "1\xff\xb1 xxxxxxxxxxxxxxxx",
-		"1.\xb1\xff\xba xxxxxxxxxxxxxxx", "nan", "NaN", "-nan", "inf",
-		"+Inf", "-INFINITY", "infinit", "infinityx", "nano", "1e400",
-		"-1e400", "1e-400", "-1e-400", "1e99999999999999999999",
-		"1e-99999999999999999999", "0e99999999999999999999", "4.9e-324",
-		"2.4703282292062327e-324", "2.4703282292062328e-324",
-		"2.2250738585072011e-308", "1.7976931348623158e308",
-		"1.7976931348623159e308", "9007199254740993", "1e23",
-		"9007199254740993.00000000000000001",
+	static const char *const texts[] = { "0", "-0", "+0", "1", "+1.5", "-12.25",
+		".5", "-.5", "5.", "5.e1", ".", "-", "+", "+-1", "-+1", "--1", "", "e5",
+		".e5", "1e", "1e+", "1e-", "1ex", "1E5", "1e+05", "1e5.5", "1.2.3",
+		"1,5", "12 13", "1-2", "1234567.12345678 ", "12345678.1234567 ",
+		"1.5e3xxxxxxxxxxxxxx", "-0.000000 -1.000000 xxxxx",
+		"1234567.1234567 xxxxxx", ".1234567e1xxxxxxxxxxx",
+		". xxxxxxxxxxxxxxxxxxx", "-. xxxxxxxxxxxxxxxxxxx",
+		"5.xxxxxxxxxxxxxxxxxxx", "7xxxxxxxxxxxxxxxxxxx",
+		"1/2xxxxxxxxxxxxxxxxxxx", "1:2xxxxxxxxxxxxxxxxxxx",
+		"1\xff\xb1 xxxxxxxxxxxxxxxx", "1.\xb1\xff\xba xxxxxxxxxxxxxxx", "nan",
+		"NaN", "-nan", "inf", "+Inf", "-INFINITY", "infinit", "infinityx",
+		"nano", "1e400", "-1e400", "1e-400", "-1e-400",
+		"1e99999999999999999999", "1e-99999999999999999999",
+		"0e99999999999999999999", "4.9e-324", "2.4703282292062327e-324",
+		"2.4703282292062328e-324", "2.2250738585072011e-308",
+		"1.7976931348623158e308", "1.7976931348623159e308", "9007199254740993",
+		"1e23", "9007199254740993.00000000000000001",
 		"0.500000000000000166533453693773481063544750213623046875",
 		"00000000000000000000000000000000000001.25", "8.5e22" };
 	const char hex[] = "0x10", sequence[] = "-nan(1)", blank[] = " 1";
@@ -99,8 +96,8 @@ static void reads_as_strtod(void **unused)
 
 static void reads_doubles(void **unused)
 {
-	static const char *const formats[] = { "%.17g", "%.6f", "%.3f", "%.25e",
-		"%g", "%.0f", "%+.9g", "%.16e" };
+	static const char *const formats[] = { "%.17g", "%.6f", "%.3f", "%.25e", "%g",
+		"%.0f", "%+.9g", "%.16e" };
 	char text[TEXT_MAX];
 
 	(void)unused;
@@ -170,11 +167,9 @@ static void write_as_javascript(char *s, const char *text)
 	while (n > 1 && digits[n - 1] == '0')
 		n--;
 	if (n <= point && point <= 21)
-		sprintf(s, "%.*s%.*s", n, digits, point - n,
-		    "000000000000000000000");
+		sprintf(s, "%.*s%.*s", n, digits, point - n, "000000000000000000000");
 	else if (0 < point && point <= 21)
-		sprintf(s, "%.*s.%.*s", point, digits, n - point,
-		    digits + point);
+		sprintf(s, "%.*s.%.*s", point, digits, n - point, digits + point);
 	else if (-6 < point && point <= 0)
 		sprintf(s, "0.%.*s%.*s", -point, "000000", n, digits);
 	else
@@ -194,18 +189,17 @@ static const char *text_of(double v, unsigned kind, int n)
 
 static void lays_out_as_javascript(void **unused)
 {
-	static const char *const texts[] = { "0", "1", "-1", "0.1", "123.456",
-		"100", "4294967296", "100000000000000000000", "1e+21", "-1e+21",
-		"1.5e+22", "123456789012345680000", "999999999999999900000",
+	static const char *const texts[] = { "0", "1", "-1", "0.1", "123.456", "100",
+		"4294967296", "100000000000000000000", "1e+21", "-1e+21", "1.5e+22",
+		"123456789012345680000", "999999999999999900000",
 		"1.2345678901234568e+21", "0.000001", "0.0000012",
-		"0.0000012345678901234567", "1e-7", "-1.5e-7",
-		"9.999999999999997e-7", "5e-324", "1.7976931348623157e+308",
-		"1e+23", "1e+100", "1e-10", "0.30000000000000004", "nan" };
+		"0.0000012345678901234567", "1e-7", "-1.5e-7", "9.999999999999997e-7",
+		"5e-324", "1.7976931348623157e+308", "1e+23", "1e+100", "1e-10",
+		"0.30000000000000004", "nan" };
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-		assert_string_equal(text_of(strtod(texts[i], NULL),
-					NUMBER_SHORTEST, 0),
+		assert_string_equal(text_of(strtod(texts[i], NULL), NUMBER_SHORTEST, 0),
 		    texts[i]);
 	assert_string_equal(text_of(-0.0, NUMBER_SHORTEST, 0), "0");
 	assert_string_equal(text_of(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
@@ -224,8 +218,8 @@ static void writes_the_shortest(void **unused)
 		const char *text = text_of(v, NUMBER_SHORTEST, 0);
 
 		if (strtod(text, NULL) != v)
-			fail_msg("%a: expected a text that reads back, came %s",
-			    v, text);
+			fail_msg("%a: expected a text that reads back, came %s", v,
+			    text);
 		if (i % 8 != 0 || v == 0)
 			continue;
 		for (int n = 0; n == 0 || strtod(c, NULL) != v; n++)
@@ -279,16 +273,13 @@ static void rounds_what_the_double_is(void **unused)
 		{ 1.23456e-6, 3, "0.000", "0.00000123" },
 		{ 9.9999e20, 3, "999990000000000065536.000", "1e+21" },
 		{ 0.1, 20, "0.10000000000000000555", "0.10000000000000000555" },
-		{ (double)NAN, 3, "nan", "nan" },
-		{ HUGE_VAL, 3, "nan", "nan" } };
+		{ (double)NAN, 3, "nan", "nan" }, { HUGE_VAL, 3, "nan", "nan" } };
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-		assert_string_equal(text_of(cases[i].v, NUMBER_DECIMALS,
-					cases[i].n),
+		assert_string_equal(text_of(cases[i].v, NUMBER_DECIMALS, cases[i].n),
 		    cases[i].decimals);
-		assert_string_equal(text_of(cases[i].v, NUMBER_DIGITS,
-					cases[i].n),
+		assert_string_equal(text_of(cases[i].v, NUMBER_DIGITS, cases[i].n),
 		    cases[i].digits);
 	}
 }
@@ -304,8 +295,7 @@ static void rounds_as_printf(void **unused)
 
 		snprintf(text, sizeof text, "%.*f", n, v);
 		assert_string_equal(text_of(v, NUMBER_DECIMALS, n),
-		    text +
-			(*text == '-' && strspn(text, "-0.") == strlen(text)));
+		    text + (*text == '-' && strspn(text, "-0.") == strlen(text)));
 		if (n == 0 || v == 0)
 			continue;
 		snprintf(text, sizeof text, "%.*e", n - 1, v);

@@ -22,8 +22,7 @@ static const struct document_wants w2n = { .lone_member = SCENE_WINDOW,
 	.needed = SCENE_WINDOW,
 	.used = ~0u,
 	.coordinates = 2 };
-static const struct document_wants w2d = { .needed = SCENE_WINDOW |
-	    SCENE_DEVICE,
+static const struct document_wants w2d = { .needed = SCENE_WINDOW | SCENE_DEVICE,
 	.used = ~0u,
 	.coordinates = 2 };
 static const struct document_wants project = { WANTS };
@@ -91,8 +90,7 @@ static const struct refusal names[] = {
 	    "/camra: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "
 	    "\"up\", \"roll\" and \"orthonormalize\"" },
-	{ &volume, "{\"near\":1}",
-	    "/near: unknown member; did you mean \"z_near\"?" },
+	{ &volume, "{\"near\":1}", "/near: unknown member; did you mean \"z_near\"?" },
 	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"left\"?" },
 	{ &lookat, "{\"convention\":\"gl\"," EYE "}",
 	    "/eye: unknown member; it belongs in \"camera\" or "

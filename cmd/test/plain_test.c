@@ -34,8 +34,7 @@ static int put_decimal(char *s, int n, int more)
  * midpoint. */
 static int put_midway(char *s)
 {
-	static const char *const fractions[] = { "5", "49", "51", "499",
-		"501" };
+	static const char *const fractions[] = { "5", "49", "51", "499", "501" };
 	unsigned long long k = 1ull << 52 | next_random() >> 12;
 
 	if (random_below(2))
@@ -48,9 +47,7 @@ static int put_any_text(char *s)
 	int n = 1 + random_below(PLAIN_MAX);
 
 	for (int i = 0; i < n; i++)
-		s[i] =
-		    "0123456789012345678901234567890123.-+e/:\xb9"[random_below(
-			41)];
+		s[i] = "0123456789012345678901234567890123.-+e/:\xb9"[random_below(41)];
 	return n;
 }
 
@@ -80,8 +77,7 @@ static int put_of_sort(int sort, char *s)
 	case 8: {
 		int size = put_decimal(s, 1, 18);
 
-		return size +
-		    sprintf(s + size, "e%+03d", random_below(60) - 30);
+		return size + sprintf(s + size, "e%+03d", random_below(60) - 30);
 	}
 	default:
 		return put_any_text(s);
@@ -98,8 +94,7 @@ static bool is_exponent(const char *s)
 {
 	return *s == '\0' ||
 	    ((*s == 'e' || *s == 'E') && (s[1] == '-' || s[1] == '+') &&
-		strspn(s + 2, "0123456789") == 2 && s[4] == '\0' &&
-		s[-1] != '.');
+		strspn(s + 2, "0123456789") == 2 && s[4] == '\0' && s[-1] != '.');
 }
 
 /* Returns whether the loops may read s: [-] digits with at most one point, and an
@@ -111,8 +106,7 @@ static bool is_plain(const char *s)
 	size_t point = s[whole] == '.';
 	size_t decimals = strspn(s + whole + point, "0123456789");
 
-	return whole + decimals > 0 &&
-	    is_exponent(s + whole + point + decimals);
+	return whole + decimals > 0 && is_exponent(s + whole + point + decimals);
 }
 
 static void check_number(const char *text, bool left, double v)
@@ -172,8 +166,7 @@ static void reads_as_strtod(void **unused)
 			int left = 0;
 
 			for (int i = 0; i < ROUNDS; i++)
-				left += check_batch(number_loops(), sort,
-				    guard);
+				left += check_batch(number_loops(), sort, guard);
 			if (sort < ALL_READ)
 				assert_in_range(left, 0, 10);
 		}
@@ -182,8 +175,8 @@ static void reads_as_strtod(void **unused)
 
 /* Compares the places at which the loops find bytes of the set with those that the
  * definition of struct byte_set gives. */
-static void check_places(const struct number_loops *r,
-    const struct byte_set *set, const char *s, size_t size)
+static void check_places(const struct number_loops *r, const struct byte_set *set,
+    const char *s, size_t size)
 {
 	static uint16_t at[4096 + 128];
 	size_t n = r->find(set, s, size, at), k = 0;
@@ -208,15 +201,14 @@ static void finds_what_is_in_the_set(void **unused)
 		if (!kernels_choose(copies[c]) || number_loops() == NULL)
 			continue;
 		for (int round = 0; round < 2000; round++) {
-			size_t size = (size_t)random_below(
-			    round % 2 ? 200 : 4096);
+			size_t size = (size_t)random_below(round % 2 ? 200 : 4096);
 			struct byte_set set;
 			char *s = guard - size;
 
 			for (int i = 0; i < 16; i++) {
 				set.low[i] = (uint8_t)next_random();
-				set.high[i] = (uint8_t)(next_random() &
-				    next_random() & next_random());
+				set.high[i] = (uint8_t)(next_random() & next_random() &
+				    next_random());
 			}
 			for (size_t i = 0; i < size; i++)
 				s[i] = (char)next_random();

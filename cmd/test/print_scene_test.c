@@ -105,10 +105,8 @@ static void test_reads_back(void **state)
 		assert_number(d.scene.has_viewport, r.scene.has_viewport);
 		assert_number(d.scene.has_window, r.scene.has_window);
 		assert_number(d.scene.has_device, r.scene.has_device);
-		assert_true(
-		    projection_family(&r.scene.projection) != FAMILY_PERSP ||
-		    d.scene.projection.near_ratio ==
-			r.scene.projection.near_ratio);
+		assert_true(projection_family(&r.scene.projection) != FAMILY_PERSP ||
+		    d.scene.projection.near_ratio == r.scene.projection.near_ratio);
 		assert_number(d.scene.margin, r.scene.margin);
 		assert_number(d.pick.has_at, r.pick.has_at);
 		assert_number(d.pick.radius, r.pick.radius);
@@ -128,8 +126,8 @@ static void test_flat(void **state)
 		d.flat = d.scene.has_window = true;
 		r = read_as(&project, output_of(call_print, &d, &status));
 		assert_int_equal(status, 0);
-		assert_false(r.scene.has_camera || r.scene.has_world ||
-		    r.scene.has_viewport);
+		assert_false(
+		    r.scene.has_camera || r.scene.has_world || r.scene.has_viewport);
 		assert_true(r.scene.projection.type == PROJECTION_NONE);
 		assert_true(d.scene.has_device == r.scene.has_device);
 		assert_true(r.scene.window.width == d.scene.window.width ||

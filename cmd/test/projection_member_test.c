@@ -87,31 +87,25 @@ static const struct refusal projections[] = {
 	    "/fovx: 0 is not positive; an angle above 0 and below 180 degrees "
 	    "is wanted" },
 	{ &persp, "{\"near\":-1}", "/near: -1 is not positive; " POSITIVE },
-	{ &persp, "{\"near\":1e-151}",
-	    "/near: 1e-151 is out of range; " POSITIVE },
+	{ &persp, "{\"near\":1e-151}", "/near: 1e-151 is out of range; " POSITIVE },
 	{ &persp, "{\"aspect\":0}", "/aspect: 0 is not positive; " POSITIVE },
 	{ &persp, "{\"near_ratio\":1}",
 	    "/near_ratio: 1 is out of range; a number above 0 and below 1 is "
 	    "wanted" },
 	{ &persp, "{\"fovy\":60,\"far\":1}",
 	    "/near: missing; give \"near\" and \"far\"" },
-	{ &persp, "{\"near\":\"infinity\"}",
-	    "/near: is a string; a number is wanted" },
-	{ &persp, "{\"near\":\"1\"}",
-	    "/near: is a string; a number is wanted" },
-	{ &persp, "{\"far\":\"inf\"}",
-	    "/far: is \"inf\"; did you mean \"infinity\"?" },
+	{ &persp, "{\"near\":\"infinity\"}", "/near: is a string; a number is wanted" },
+	{ &persp, "{\"near\":\"1\"}", "/near: is a string; a number is wanted" },
+	{ &persp, "{\"far\":\"inf\"}", "/far: is \"inf\"; did you mean \"infinity\"?" },
 	{ &persp, "{\"far\":null}",
 	    "/far: is null; a number or \"infinity\" is wanted" },
-	{ &ortho, "{\"far\":\"infinity\"}",
-	    "/far: is a string; a number is wanted" },
+	{ &ortho, "{\"far\":\"infinity\"}", "/far: is a string; a number is wanted" },
 	{ &ortho, "{" PLANES "}",
 	    "/width: missing; give \"width\" and \"height\", or \"width\", or "
 	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &ortho, "{" PLANES ",\"height\":1}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
-#define OBLIQUE(rest) \
-	"{\"projection\":{\"type\":\"oblique\"," PLANES "," SIZE rest "}}"
+#define OBLIQUE(rest) "{\"projection\":{\"type\":\"oblique\"," PLANES "," SIZE rest "}}"
 #define OBLIQUE_HINT "give \"kind\", or \"angle\""
 	{ &project, OBLIQUE(),
 	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
@@ -124,8 +118,7 @@ static const struct refusal projections[] = {
 	    "/projection/angle: 90.5 is out of range; an angle above 0 and up "
 	    "to 90 degrees is wanted" },
 #define BOX "\"half_width\":1,\"half_height\":1,\"z_near\":1"
-	{ &volume, "{" BOX "}",
-	    "/z_far: missing; give \"z_near\" and \"z_far\"" },
+	{ &volume, "{" BOX "}", "/z_far: missing; give \"z_near\" and \"z_far\"" },
 	{ &volume, "{\"half_width\":1,\"z_near\":1,\"z_far\":0}",
 	    "/half_height: missing; give \"half_width\" and \"half_height\", "
 	    "or \"size\"" },
@@ -159,21 +152,18 @@ static const struct refusal projections[] = {
 	    "/projection/angle: 1.6 is out of range; an angle above 0 and up "
 	    "to "
 	    "pi/2 radians is wanted" },
-	{ &project,
-	    "{\"projection\":{\"type\":\"ortho\",\"angle_unit\":\"degrees\"}}",
+	{ &project, "{\"projection\":{\"type\":\"ortho\",\"angle_unit\":\"degrees\"}}",
 	    "/projection/angle_unit: unknown member; it stands beside "
 	    "\"projection\"" },
 	{ &project, "{\"projection\":{\"type\":\"matrix\"}}",
 	    "/projection/matrix: missing; give \"matrix\"" },
-#define PERSP_IN_VIEWPORT(members, rest)               \
-	"{\"projection\":{\"type\":\"persp\"," members \
-	"},\"viewport\":{" SIZE rest "}}"
+#define PERSP_IN_VIEWPORT(members, rest) \
+	"{\"projection\":{\"type\":\"persp\"," members "},\"viewport\":{" SIZE rest "}}"
 	{ &persp, "{\"intrinsics\":[1,1,0,0]}",
 	    "/intrinsics: needs a \"viewport\", in whose units it is; write "
 	    "{\"projection\": {...}, \"viewport\": {\"width\": 640, "
 	    "\"height\": 480}}" },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
 	    "/projection/intrinsics: not together with the viewport's "
 	    "\"scale\"; "
 	    "leave that out" },
@@ -181,46 +171,37 @@ static const struct refusal projections[] = {
 	    "/projection/intrinsics: needs a \"convention\"; of x, y and z in "
 	    "view space, opencv is right, down, forward and webgpu right, up, "
 	    "backward" },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
 	    "/projection/intrinsics: does not go with \"fovy\"; " PERSP_HINT },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
 	    "/projection/near: missing; give \"near\" and \"far\", or none of "
 	    "them" },
 	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"reverse_z\":true",
-		""),
+	    PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"reverse_z\":true", ""),
 	    "/projection/near: missing; give \"near\" and \"reverse_z\", or "
 	    "none of them" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0]", ""),
 	    "/projection/intrinsics: is none of " INTRINSICS_FORMS },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":1", ""),
-	    "/projection/intrinsics: is a number; " INTRINSICS_FORMS
-	    ", is wanted" },
+	    "/projection/intrinsics: is a number; " INTRINSICS_FORMS ", is wanted" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,0,0,0]", ""),
 	    "/projection/intrinsics/1: 0 is not positive; " POSITIVE },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics: fx and fy of K are positive" },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
 	    "/projection/intrinsics: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
 	    "/projection/intrinsics: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
 	    "/projection/intrinsics: looks like a P column after column; "
 	    "write it row after row, or as 3 rows of 4 if its rows are "
 	    "right" },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics: under the diagonal of K there is 0; is it "
 	    "transposed?" },
-	{ &project,
-	    PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,1,0]]", ""),
+	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,1,0]]", ""),
 	    "/projection/intrinsics/2: has 4 elements; an array of 3 numbers "
 	    "is "
 	    "wanted" },
@@ -232,8 +213,7 @@ static const struct refusal projections[] = {
 	    "/angles/0: -90 is out of range; an angle above -90 and below 90 "
 	    "degrees "
 	    "is wanted" },
-	{ &persp,
-	    "{\"angles\":[-1,1.6,-1,1]," PLANES ",\"angle_unit\":\"radians\"}",
+	{ &persp, "{\"angles\":[-1,1.6,-1,1]," PLANES ",\"angle_unit\":\"radians\"}",
 	    "/angles/1: 1.6 is out of range; an angle above -pi/2 and below "
 	    "pi/2 "
 	    "radians is wanted" },
@@ -285,10 +265,9 @@ REFUSES(projections)
 
 static void test_section(void **state)
 {
-#define PERSP(members)                                                     \
-	scene_of(                                                          \
-	    "{\"projection\":{\"type\":\"persp\",\"near\":1,\"far\":"      \
-	    "9," members "},\"viewport\":{\"width\":640,\"height\":480}}") \
+#define PERSP(members)                                                          \
+	scene_of("{\"projection\":{\"type\":\"persp\",\"near\":1,\"far\":"      \
+		 "9," members "},\"viewport\":{\"width\":640,\"height\":480}}") \
 	    .projection
 	struct projection p = PERSP("\"fovy\":60");
 
@@ -300,13 +279,11 @@ static void test_section(void **state)
 	assert_number(p.far, 9);
 	assert_true(!p.reverse_z && p.near_ratio == 0.0005);
 	assert_numbers(p.aspect, 2, 640.0, 480.0);
-	p = PERSP(
-	    "\"fovx\":179.99999999999997,\"aspect\":2,\"reverse_z\":true");
+	p = PERSP("\"fovx\":179.99999999999997,\"aspect\":2,\"reverse_z\":true");
 	assert_int_equal(p.section.way, SECTION_FOVX);
 	assert_numbers(p.aspect, 2, 2.0, 1.0);
 	assert_true(p.reverse_z);
-	assert_int_equal(PERSP("\"view_angle\":1").section.way,
-	    SECTION_VIEW_ANGLE);
+	assert_int_equal(PERSP("\"view_angle\":1").section.way, SECTION_VIEW_ANGLE);
 	p = PERSP("\"field\":1e-150");
 	assert_int_equal(p.section.way, SECTION_FIELD);
 	assert_number(p.section.field, 1e-150);
@@ -350,24 +327,20 @@ static void test_intrinsics(void **state)
 	struct projection p = CALIBRATED("[1,2,3,4]");
 
 	(void)state;
-	assert_rows(&p, 1, 1.0, 0.0, 3.0, 0.0, 0.0, 2.0, 4.0, 0.0, 0.0, 0.0,
-	    1.0, 0.0);
+	assert_rows(&p, 1, 1.0, 0.0, 3.0, 0.0, 0.0, 2.0, 4.0, 0.0, 0.0, 0.0, 1.0, 0.0);
 	assert_true(isinf(p.far) && p.reverse_z);
 	p = CALIBRATED("[[1,2,3],[0,4,5],[0,0,1]],\"near\":7");
-	assert_rows(&p, 0, 1.0, 2.0, 3.0, 0.0, 0.0, 4.0, 5.0, 0.0, 0.0, 0.0,
-	    1.0, 0.0);
+	assert_rows(&p, 0, 1.0, 2.0, 3.0, 0.0, 0.0, 4.0, 5.0, 0.0, 0.0, 0.0, 1.0, 0.0);
 	assert_true(p.near == 7 && isinf(p.far) && !p.reverse_z);
 	p = CALIBRATED("[[1,2,3,-4],[0,5,6,7],[0,0,1,8]],\"near\":7,\"far\":9,"
 		       "\"reverse_z\":true");
-	assert_rows(&p, 0, 1.0, 2.0, 3.0, -4.0, 0.0, 5.0, 6.0, 7.0, 0.0, 0.0,
-	    1.0, 8.0);
+	assert_rows(&p, 0, 1.0, 2.0, 3.0, -4.0, 0.0, 5.0, 6.0, 7.0, 0.0, 0.0, 1.0, 8.0);
 	assert_true(p.far == 9 && p.reverse_z);
 	p = CALIBRATED("[1,2,3, 0,4,5, 0,0,1]");
-	assert_rows(&p, 1, 1.0, 2.0, 3.0, 0.0, 0.0, 4.0, 5.0, 0.0, 0.0, 0.0,
-	    1.0, 0.0);
+	assert_rows(&p, 1, 1.0, 2.0, 3.0, 0.0, 0.0, 4.0, 5.0, 0.0, 0.0, 0.0, 1.0, 0.0);
 	p = CALIBRATED("[-1,2,3,4, 5,6,7,8, 9,10,11,12]");
-	assert_rows(&p, 1, -1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0,
-	    11.0, 12.0);
+	assert_rows(&p, 1, -1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0,
+	    12.0);
 }
 
 static void test_angles(void **state)
@@ -429,8 +402,7 @@ static void test_parallel(void **state)
 static void test_angle_unit(void **state)
 {
 #define LENS "\"fovy\":3,\"aspect\":1," PLANES
-	struct document d = read_as(&persp,
-	    "{" LENS ",\"angle_unit\":\"radians\"}");
+	struct document d = read_as(&persp, "{" LENS ",\"angle_unit\":\"radians\"}");
 
 	(void)state;
 	assert_number(d.scene.projection.unit, ANGLE_RADIANS);
@@ -505,11 +477,9 @@ static void every_type_has_rows(void **state)
 
 		if (projection_type_names[i] == NULL)
 			fail_msg("type %d has no name", i + 1);
-		for (const struct member *m = projection_members;
-		     m->name != NULL; m++)
+		for (const struct member *m = projection_members; m->name != NULL; m++)
 			member |= (m->variants >> i & 1) != 0;
-		for (const struct rule *r = projection_rules; r->ways != NULL;
-		     r++)
+		for (const struct rule *r = projection_rules; r->ways != NULL; r++)
 			rule |= (r->variants >> i & 1) != 0;
 		if (!member || !rule)
 			fail_msg("type %s lacks members or rules",

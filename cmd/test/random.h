@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Random numbers, the same in every run, and a guard page, for tests of numbers.
  * Includes cmocka. A test includes this header first. */
-#ifndef RANDOM_TEST_H
-#define RANDOM_TEST_H
+#pragma once
 
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 
@@ -41,5 +40,3 @@ static inline char *guard_page(void)
 	assert_int_equal(mprotect(start + PAGE, PAGE, PROT_NONE), 0);
 	return start + PAGE;
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads documents for tests, and asserts numbers and refusals. Includes cmocka. */
-#ifndef READ_TEXT_H
-#define READ_TEXT_H
+#pragma once
 
 #include "../scene/document.h"
 #include "refusal.h"
@@ -62,8 +61,8 @@ static inline struct scene scene_of(const char *text)
 /* Fails unless the first n numbers of got are the doubles that follow n. */
 #define assert_numbers(...) assert_numbers_at(__FILE__, __LINE__, __VA_ARGS__)
 
-static inline void assert_numbers_at(const char *file, int line,
-    const double *got, int n, ...)
+static inline void assert_numbers_at(const char *file, int line, const double *got,
+    int n, ...)
 {
 	va_list expected;
 	char name[40];
@@ -71,8 +70,7 @@ static inline void assert_numbers_at(const char *file, int line,
 	va_start(expected, n);
 	for (int i = 0; i < n; i++) {
 		snprintf(name, sizeof name, "number %d of %d", i, n);
-		assert_number_at(got[i], va_arg(expected, double), name, file,
-		    line);
+		assert_number_at(got[i], va_arg(expected, double), name, file, line);
 	}
 	va_end(expected);
 }
@@ -83,5 +81,3 @@ static inline void assert_numbers_at(const char *file, int line,
 		(void)state;                                             \
 		assert_all_refused(table, sizeof table / sizeof *table); \
 	}
-
-#endif

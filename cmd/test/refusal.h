@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Assertions about functions that print an error and exit. Includes cmocka. */
-#ifndef REFUSAL_TEST_H
-#define REFUSAL_TEST_H
+#pragma once
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,8 +11,8 @@
 
 /* Calls run in a child process. Returns what the child writes to standard output and
  * standard error, and sets *status to its exit status, which is 0 if run returns. */
-static inline const char *output_of(void (*run)(const void *),
-    const void *argument, int *status)
+static inline const char *output_of(void (*run)(const void *), const void *argument,
+    int *status)
 {
 	static char text[4096];
 	size_t n = 0;
@@ -45,8 +44,8 @@ static inline const char *output_of(void (*run)(const void *),
 
 /* Asserts that run, called for this input, prints the line after "projcalc: " and exits
  * with status 1. */
-static inline void assert_refused(void (*run)(const void *),
-    const void *argument, const char *input, const char *line)
+static inline void assert_refused(void (*run)(const void *), const void *argument,
+    const char *input, const char *line)
 {
 	char expected[4096];
 	int status;
@@ -58,5 +57,3 @@ static inline void assert_refused(void (*run)(const void *),
 			 "if the change is meant, write it into the test",
 		    input, expected, status, got);
 }
-
-#endif

@@ -55,10 +55,9 @@ static void test_digits(void **state)
 			for (int c = 0; c < 256; c++) {
 				memset(text, '9', n);
 				text[i] = (char)c;
-				if (strchr("0123456789.eE", c) == NULL ||
-				    c == 0)
-					assert_ptr_equal(json_number(text,
-							     text + n, NULL),
+				if (strchr("0123456789.eE", c) == NULL || c == 0)
+					assert_ptr_equal(json_number(text, text + n,
+							     NULL),
 					    text + i);
 			}
 }
@@ -102,8 +101,7 @@ static void test_skip(void **state)
 	for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
 		const char *s = values[i].text;
 
-		assert_text(json_item_end(s, s + strlen(s)), values[i].expected,
-		    s);
+		assert_text(json_item_end(s, s + strlen(s)), values[i].expected, s);
 	}
 }
 
@@ -133,8 +131,8 @@ static void test_unescape(void **state)
 		out[n] = '\0';
 		assert_text(out, escapes[i].expected, s);
 	}
-	assert_ptr_equal(json_unescape(two_high_surrogates,
-			     two_high_surrogates + 12, out, &n),
+	assert_ptr_equal(json_unescape(two_high_surrogates, two_high_surrogates + 12,
+			     out, &n),
 	    two_high_surrogates + 6);
 }
 

@@ -85,8 +85,7 @@ static double short_end(bool single)
 static double late_tie(bool single)
 {
 	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
-	double whole = (double)(next_random() >> (64 - digits) |
-	    1ull << (digits - 1));
+	double whole = (double)(next_random() >> (64 - digits) | 1ull << (digits - 1));
 
 	return ldexp(whole, -1 - random_below(6));
 }
@@ -101,26 +100,21 @@ static double any_number(bool single)
 	case 1: /* magnitudes that are written without an exponent */
 		return ldexp(v, random_below(92) - 20);
 	case 2: /* up to 15 decimals */
-		return floor(v * pow(10, random_below(16))) /
-		    pow(10, random_below(16));
+		return floor(v * pow(10, random_below(16))) / pow(10, random_below(16));
 	case 3:
-		return (
-		    double)(int64_t)(next_random() >> (1 + random_below(63)));
+		return (double)(int64_t)(next_random() >> (1 + random_below(63)));
 	case 4: /* integers, and numbers that are ties for few decimals */
-		return floor(ldexp(v, random_below(70))) /
-		    pow(2, random_below(30));
+		return floor(ldexp(v, random_below(70))) / pow(2, random_below(30));
 	case 5: /* powers of two: the next double below is half as far as the next above */
 		return neighbour_or_same(ldexp(v < 0 ? -1 : 1,
 					     random_below(2098) - 1074),
 		    single);
 	case 6:
-		return neighbour_or_same(ldexp(1, random_below(93) - 20),
-		    single);
+		return neighbour_or_same(ldexp(1, random_below(93) - 20), single);
 	case 7:
 		return neighbour_or_same(pow(10, random_below(32) - 9), single);
 	case 8: /* next to a tie of up to 15 decimals */
-		return neighbour_or_same((floor(v * pow(10, random_below(9))) +
-					     0.5) /
+		return neighbour_or_same((floor(v * pow(10, random_below(9))) + 0.5) /
 			pow(10, random_below(16)),
 		    single);
 	case 9:
@@ -135,12 +129,11 @@ static double any_number(bool single)
 		    single);
 	default: {
 		const double few[] = { 0, -0.0, 1, -1, 0.5, HUGE_VAL, -HUGE_VAL,
-			(double)NAN, 1e-6, 1e21, 1e-5, 0.1, 999999.5,
-			9007199254740992, 4503599627370496, 0.0000005, 2.5e-7,
-			9.5e-7, 0x1p57, 1e15 };
+			(double)NAN, 1e-6, 1e21, 1e-5, 0.1, 999999.5, 9007199254740992,
+			4503599627370496, 0.0000005, 2.5e-7, 9.5e-7, 0x1p57, 1e15 };
 
-		return neighbour_or_same(
-		    few[random_below(sizeof few / sizeof *few)], single);
+		return neighbour_or_same(few[random_below(sizeof few / sizeof *few)],
+		    single);
 	}
 	}
 }
@@ -156,15 +149,14 @@ static void fill_random(double v[BLOCK + SURPLUS], bool single)
 	}
 }
 
-static char *write_one(char *s, double v, bool single,
-    struct number_style style)
+static char *write_one(char *s, double v, bool single, struct number_style style)
 {
 	return single ? number_write_float(s, (float)v, style) :
 			number_write(s, v, style);
 }
 
-static void check_texts(const char *copy, const double *v, size_t n,
-    bool single, struct number_style style, char (*expected)[NUMBER_MAX + 1])
+static void check_texts(const char *copy, const double *v, size_t n, bool single,
+    struct number_style style, char (*expected)[NUMBER_MAX + 1])
 {
 	struct number_text t[BLOCK + SURPLUS], none;
 	size_t room = (n + 63) / 64 * 64;
@@ -181,8 +173,8 @@ static void check_texts(const char *copy, const double *v, size_t n,
 		if (strcmp(text, expected[i]) != 0)
 			fail_msg("%s, style %u %d%s: %a: came %s, "
 				 "expected %s",
-			    copy, style.kind, style.n, single ? ", float" : "",
-			    v[i], text, expected[i]);
+			    copy, style.kind, style.n, single ? ", float" : "", v[i],
+			    text, expected[i]);
 	}
 }
 
@@ -199,8 +191,7 @@ static void check_style(struct number_style style, bool single)
 			*write_one(expected[i], v[i], single, style) = '\0';
 		for (size_t c = 0; c < sizeof copies / sizeof *copies; c++)
 			if (kernels_choose(copies[c]))
-				check_texts(copies[c], v, n, single, style,
-				    expected);
+				check_texts(copies[c], v, n, single, style, expected);
 	}
 }
 
@@ -234,8 +225,7 @@ static void vector_makes_usual_texts(void **unused)
 			continue; /* this copy has no vector loops */
 		for (size_t k = 0; k < 6; k++) {
 			for (int i = 0; i < BLOCK; i++)
-				v[i] = (double)(float)ldexp(2 * random_unit() -
-					1,
+				v[i] = (double)(float)ldexp(2 * random_unit() - 1,
 				    random_below(42) - 18);
 			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
 			for (int i = 0; i < BLOCK; i++)

@@ -11,8 +11,8 @@ static double first_number(const char *array, size_t n)
 	char text[1024];
 
 	strcpy(text, array);
-	struct value v = value_parse_document(&source, "/none", text,
-	    strlen(text), &none);
+	struct value v = value_parse_document(&source, "/none", text, strlen(text),
+	    &none);
 	struct value e = value_child(&v), last = e;
 
 	assert_string_equal(text, array);
@@ -30,20 +30,17 @@ static void test_long_numbers(void **state)
 	(void)state;
 	assert_number(first_number("[0." NINES20 NINES20 NINES20 "9]", 1), 1);
 	assert_number(first_number("[0." NINES20 NINES20 NINES20 "99]", 1), 1);
-	assert_number(first_number("[-0.1" ZEROS20 ZEROS20 ZEROS20 "1e0 , 2]",
-			  2),
+	assert_number(first_number("[-0.1" ZEROS20 ZEROS20 ZEROS20 "1e0 , 2]", 2),
 	    -0.1);
 	assert_number(first_number("[1" ZEROS20 ZEROS20 ZEROS20 "e-60]", 1), 1);
-	assert_number(first_number("[-1" NINES20 NINES20 NINES20 "99e-999]", 1),
-	    0);
+	assert_number(first_number("[-1" NINES20 NINES20 NINES20 "99e-999]", 1), 0);
 }
 
 /* The value of a member whose name begins with _ becomes 0, and all else is kept. */
 static void test_hidden(void **state)
 {
 	(void)state;
-	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 2),
-	    0);
+	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 2), 0);
 	assert_number(first_number("{\"c\":3,\"_a\":{}, \"_\" :null}", 3), 3);
 	assert_number(first_number("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 3), 3);
 	assert_number(first_number("[4,\"_a\",{\"_\":1}]", 3), 4);

@@ -122,8 +122,7 @@ static const struct example columns_of_arrays[] = {
 
 static const struct example objects[] = {
 	{ "{\"x\":1,\"y\":2,\"z\":3}", "1|2|3|" },
-	{ " { \"z\" : 3 , \"x\":1,\"a\":\"b\",\"\":0, \"y\":-2.5 } ",
-	    "1|-2.5|3|" },
+	{ " { \"z\" : 3 , \"x\":1,\"a\":\"b\",\"\":0, \"y\":-2.5 } ", "1|-2.5|3|" },
 	{ "{\"x\":1,\"y\":2,\"z\":3,\"t\":true}", "1|2|3|" },
 	{ "{\"x\":1,\"y\":2}", NULL },
 	{ "{\"x\":1,\"y\":2,\"z\":3,\"x\":4}", NULL },
@@ -174,14 +173,12 @@ static const char *numbers_found(const struct layout *l, const char *line,
 	size_t n = 0, size = 0;
 
 	for (int i = 0; i <= BEFORE + 1; i++)
-		n += (size_t)sprintf(all + n, "%s\n",
-		    i == BEFORE ? line : usual);
+		n += (size_t)sprintf(all + n, "%s\n", i == BEFORE ? line : usual);
 
 	assert_true(walk_plan(l, &walk));
 	s.readable = all;
 	assert_true(stretch_open(&s, &walk.stops, all, all + n));
-	assert_int_equal(walk_lines(&s, &walk, PLAIN_BATCH, lines, places,
-			     &left),
+	assert_int_equal(walk_lines(&s, &walk, PLAIN_BATCH, lines, places, &left),
 	    BEFORE + 2);
 	assert_int_equal(s.at, n);
 	assert_int_equal(lines[BEFORE].size, strlen(line));
@@ -195,8 +192,8 @@ static const char *numbers_found(const struct layout *l, const char *line,
 
 		assert_ptr_equal(end, lines[BEFORE].s + at->to);
 		assert_int_equal(places[k].size[BEFORE], at->to - at->from);
-		size += (size_t)sprintf(out + size, "%.*s|",
-		    (int)(at->to - at->from), line + at->from);
+		size += (size_t)sprintf(out + size, "%.*s|", (int)(at->to - at->from),
+		    line + at->from);
 	}
 	return out;
 }
@@ -205,8 +202,7 @@ static void check_examples(const struct layout *l, const struct example *e,
     const char *usual)
 {
 	for (; e->line != NULL; e++)
-		assert_text(numbers_found(l, e->line, usual), e->numbers,
-		    e->line);
+		assert_text(numbers_found(l, e->line, usual), e->numbers, e->line);
 }
 
 static void numbers_are_found(void **state)
@@ -228,8 +224,7 @@ static void numbers_are_found(void **state)
 	l.columns = (struct columns){ .name = { "x", "y", "z" } };
 	check_examples(&l, arrays, "[11,12,13]");
 	check_examples(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
-	l.columns = (struct columns){ .n = 3,
-		.name = { "/p/x", "/p/q/1", "z" } };
+	l.columns = (struct columns){ .n = 3, .name = { "/p/x", "/p/q/1", "z" } };
 	check_examples(&l, paths, "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3}");
 }
 

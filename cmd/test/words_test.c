@@ -3,8 +3,8 @@
 
 #include "../../core/test/numbers.h"
 
-static const char *const words[] = { "eye", "at", "up", "orientation",
-	"near_ratio", "reverse_z", "persp", "x", "gl", NULL };
+static const char *const words[] = { "eye", "at", "up", "orientation", "near_ratio",
+	"reverse_z", "persp", "x", "gl", NULL };
 
 static void test_nearest(void **state)
 {
@@ -24,7 +24,7 @@ static void test_nearest(void **state)
 		{ "y", NULL }, /* not x */
 		{ "", NULL },
 		{ "parsap", "persp" }, /* two edits */
-		{ "parsx", NULL }, /* two edits, and five letters allow one */
+		{ "parsx", NULL },     /* two edits, and five letters allow one */
 		{ "bat", "at" },
 		{ "view", NULL },
 		{ "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", NULL },
@@ -35,8 +35,7 @@ static void test_nearest(void **state)
 		struct word_guess g = { .word = cases[i].word };
 
 		word_offer_list(&g, words, "%s");
-		assert_text(g.closeness > 0 ? g.remedy : NULL, cases[i].near,
-		    g.word);
+		assert_text(g.closeness > 0 ? g.remedy : NULL, cases[i].near, g.word);
 	}
 }
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* CPU time for the benchmarks. The minimum of many runs is the machine at its best, the
  * median its usual speed. */
-#ifndef CLOCK_BENCH_H
-#define CLOCK_BENCH_H
+#pragma once
 
 #include <stdlib.h>
 #include <time.h>
@@ -31,5 +30,3 @@ static inline struct timing timing_of(double *times, size_t n)
 	qsort(times, n, sizeof *times, clock_compare);
 	return (struct timing){ times[0], times[n / 2] };
 }
-
-#endif

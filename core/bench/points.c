@@ -10,8 +10,7 @@
 
 enum { RUNS = 101, CALLS = 4, PRECISIONS = 3, CASES = 4, COPIES = 4 };
 
-static const char *const copies[COPIES] = { "baseline", "avx2", "avx512",
-	"neon" };
+static const char *const copies[COPIES] = { "baseline", "avx2", "avx512", "neon" };
 
 static const struct scene scene = {
 	.has_camera = true,
@@ -28,10 +27,7 @@ static const struct scene scene = {
 	.has_viewport = true,
 	.viewport = { .width = 640, .height = 480, .max_z = 1 },
 	.has_window = true,
-	.window = { .center = { 0.1, 0.2 },
-	    .width = 4,
-	    .height = 3,
-	    .zoom = 1 },
+	.window = { .center = { 0.1, 0.2 }, .width = 4, .height = 3, .zoom = 1 },
 	.has_device = true,
 	.device = { .width = 640, .height = 480, .top_left = true },
 };
@@ -103,8 +99,8 @@ static void measure_all(int run)
 			continue;
 		for (int c = 0; c < CASES; c++)
 			for (int e = 0; e < PRECISIONS; e++)
-				cases[c].times[copy][e][run] =
-				    measure(&cases[c], (enum precision)e);
+				cases[c].times[copy][e][run] = measure(&cases[c],
+				    (enum precision)e);
 	}
 }
 

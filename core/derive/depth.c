@@ -40,8 +40,7 @@ void depth_of(const struct lens *l, struct depth *d)
 	}
 	if (!l->parallel) {
 		w[3] = sum_of_double(0);
-		z[3] = sum_quotient(sum_mul(eye_z[0], to_range.m[2][2]),
-		    eye_z[1]);
+		z[3] = sum_quotient(sum_mul(eye_z[0], to_range.m[2][2]), eye_z[1]);
 	} else if (s->projection.type == PROJECTION_MATRIX) {
 		against_n = l->reversed != negative_w;
 	} else {
@@ -66,8 +65,7 @@ static void depth_of_plane(const struct depth *d, bool far, struct sum z[2])
 	z[1] = sum_of_double(1);
 }
 
-void depth_quotient(const struct depth *d, bool far, struct sum *num,
-    struct sum *den)
+void depth_quotient(const struct depth *d, bool far, struct sum *num, struct sum *den)
 {
 	struct sum z[2];
 
@@ -117,8 +115,8 @@ static bool next_depth(const struct sum z[2], enum depth_buffer b, int up,
 
 	if (b == DEPTH_FLOAT32)
 		return next_float(z, up, next);
-	sum_dot(2, z, (struct sum[]){ sum_of_double(steps), sum_of_double(up) },
-	    1, next);
+	sum_dot(2, z, (struct sum[]){ sum_of_double(steps), sum_of_double(up) }, 1,
+	    next);
 	next[1] = sum_scale(z[1], steps);
 	return true;
 }
@@ -141,12 +139,10 @@ static double distance_between(const struct depth *d, const struct sum a[2],
 
 	sum_dot(2, d->den, a, 1, &den[0]);
 	sum_dot(2, d->den, b, 1, &den[1]);
-	if (sum_sign(difference) == 0 ||
-	    sum_sign(den[0]) * sum_sign(a[1]) <= 0 ||
+	if (sum_sign(difference) == 0 || sum_sign(den[0]) * sum_sign(a[1]) <= 0 ||
 	    sum_sign(den[1]) * sum_sign(b[1]) <= 0)
 		return (double)NAN;
-	return sum_ratio_or_nan(sum_abs(difference),
-	    sum_abs(sum_mul(den[0], den[1])));
+	return sum_ratio_or_nan(sum_abs(difference), sum_abs(sum_mul(den[0], den[1])));
 }
 
 /* Returns the distance between depth z and the next depth of the buffer above z or, if
@@ -171,11 +167,9 @@ double depth_step(const struct depth *d, enum depth_buffer b, bool far)
 	return step_length(d, b, from, compare_depths(to, from), to);
 }
 
-double depth_step_at(const struct depth *d, enum depth_buffer b,
-    double distance)
+double depth_step_at(const struct depth *d, enum depth_buffer b, double distance)
 {
-	const struct sum z[2] = { sum_sub(d->num[1],
-				      sum_scale(d->den[1], distance)),
+	const struct sum z[2] = { sum_sub(d->num[1], sum_scale(d->den[1], distance)),
 		sum_sub(sum_scale(d->den[0], distance), d->num[0]) };
 
 	return step_length(d, b, z, -sum_sign(depth_determinant(d)), NULL);

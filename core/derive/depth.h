@@ -1,18 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Distances in space that values of a depth buffer stand for, and the lengths of the
  * buffer's steps. */
-#ifndef DEPTH_H
-#define DEPTH_H
+#pragma once
 
 #include "lens.h"
 
 /* The formats of depth buffers. */
-enum depth_buffer {
-	DEPTH_UNORM16,
-	DEPTH_UNORM24,
-	DEPTH_FLOAT32,
-	DEPTH_BUFFERS
-};
+enum depth_buffer { DEPTH_UNORM16, DEPTH_UNORM24, DEPTH_FLOAT32, DEPTH_BUFFERS };
 
 /* A point of depth z has the distance D = (num[0] z + num[1]) / (den[0] z + den[1]). z
  * is device depth; without a viewport, z is 0 to 1. D is measured on the normal of the
@@ -30,8 +24,7 @@ struct depth {
 void depth_of(const struct lens *, struct depth *);
 
 /* Writes the distance of the near or far plane as the quotient num / den. */
-void depth_quotient(const struct depth *, bool far, struct sum *num,
-    struct sum *den);
+void depth_quotient(const struct depth *, bool far, struct sum *num, struct sum *den);
 
 /* Returns the distance of the near or far plane: infinite if the plane is at infinity,
  * nan if the plane is behind the eye or does not exist. */
@@ -46,5 +39,3 @@ double depth_step(const struct depth *, enum depth_buffer, bool far);
 /* Returns the length in space of one step of the buffer's depth, from points at the
  * given distance toward the eye. */
 double depth_step_at(const struct depth *, enum depth_buffer, double distance);
-
-#endif

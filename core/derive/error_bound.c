@@ -63,8 +63,8 @@ static void set_image_bounds(const struct scene *s, struct error_analysis *to)
 
 /* Returns S / w of column j in a corner: S is the sum of the magnitudes of the column's
  * products, as in kernel/approx.h, plus the largest errors by underflow. */
-static double column_bound(const struct kernel_map *k, const struct corner *c,
-    int j, double tiny)
+static double column_bound(const struct kernel_map *k, const struct corner *c, int j,
+    double tiny)
 {
 	double s = c->inverse_w * (k->offset[j] + tiny * (4 + 3 * k->slope[j]));
 

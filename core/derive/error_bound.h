@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bounds of the errors of images that the kernels compute in double or single
  * precision, for all points of the view volume. */
-#ifndef ERROR_BOUND_H
-#define ERROR_BOUND_H
+#pragma once
 
 #include "frustum.h"
 
@@ -13,5 +12,3 @@
  * precision. Returns NULL, or the member at fault and why. */
 const char *error_bound_of(const struct scene *, const struct volume *,
     double bound[3]);
-
-#endif

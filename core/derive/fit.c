@@ -11,8 +11,8 @@
 
 /* Sets the gaze and up of c to those without roll; for a matrix, those of the nearest
  * rotation. Takes an eye that is not given from to_world, the map from view space. */
-static const char *gaze_from_axes(struct camera *c,
-    const struct convention *convention, struct map *to_world)
+static const char *gaze_from_axes(struct camera *c, const struct convention *convention,
+    struct map *to_world)
 {
 	double along = convention_looks_back(convention) ? -1 : 1;
 	double upward = convention->view_y_down ? -1 : 1;
@@ -58,8 +58,7 @@ static const char *make_gaze_camera(struct scene *s)
 
 	if (!s->has_camera)
 		*c = (struct camera){ .way = CAMERA_GAZE,
-			.at = { 0, 0,
-			    convention_looks_back(convention) ? -1 : 1 },
+			.at = { 0, 0, convention_looks_back(convention) ? -1 : 1 },
 			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
 	const char *why = camera_map(c, convention, true, &to_world);
@@ -76,8 +75,7 @@ static const char *make_gaze_camera(struct scene *s)
 static void eye_after_step(const struct map *to_world, const struct sum step[3],
     double eye[3])
 {
-	const struct sum at[4] = { step[0], step[1], step[2],
-		sum_of_double(1) };
+	const struct sum at[4] = { step[0], step[1], step[2], sum_of_double(1) };
 	struct sum to;
 
 	for (int k = 0; k < 3; k++) {
@@ -95,8 +93,7 @@ static double ratio_up(struct sum n, struct sum d)
 }
 
 /* Returns n / d rounded upward or, if extents_widen has widened axis j, to nearest. */
-static double extent_ratio(const struct extents *r, int j, struct sum n,
-    struct sum d)
+static double extent_ratio(const struct extents *r, int j, struct sum n, struct sum d)
 {
 	return sum_sign(r->size[j]) > 0 ? ratio_up(n, d) : sum_ratio(n, d);
 }
@@ -115,8 +112,7 @@ static void depth_range(const struct extents *r, double *low, double *high)
 	*low = 0 -
 	    fmax(extent_ratio(r, 2, sum_neg(r->low[2]), one),
 		ratio_up(sum_neg(middle), one));
-	*high = fmax(extent_ratio(r, 2, r->high[2], one),
-	    ratio_up(middle, one));
+	*high = fmax(extent_ratio(r, 2, r->high[2], one), ratio_up(middle, one));
 	*high = fmax(*high, nextafter(*low, HUGE_VAL));
 }
 
@@ -164,8 +160,8 @@ static const char *find_plane_slopes(const struct scene *s, struct map *sides,
  * functions of two opposite planes have the same least value on the bounds. A step
  * lowers a least value by the dot product of the step and the plane's normal. The
  * functions of bottom and top do not depend on x, so step[1] is found first. */
-static void center_between_planes(const struct map *sides,
-    const struct sum lowest[4], struct sum step[3])
+static void center_between_planes(const struct map *sides, const struct sum lowest[4],
+    struct sum step[3])
 {
 	for (int j = 1; j >= 0; j--) {
 		struct sum normal[3];
@@ -288,8 +284,7 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 			return NULL;
 		for (int k = 0; k < 3 && tries == 0; k++)
 			retreat = fmax(retreat, 0x1p-54 * fabs(eye[k]));
-		retreat = retreat > 0 ? 2 * retreat :
-					0x1p-53 * fabs(sum_double(first));
+		retreat = retreat > 0 ? 2 * retreat : 0x1p-53 * fabs(sum_double(first));
 	}
 	return NOT_IN_RANGE;
 }
@@ -298,8 +293,7 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
  * false the eye also moves along the gaze, until its distance from the middle of the
  * bounds is the bounds' extent along the gaze. In an oblique projection a step along
  * the gaze shifts the image; a step across the gaze undoes the shift. */
-static const char *center_picture(struct scene *s, bool has_eye,
-    const struct hull *h)
+static const char *center_picture(struct scene *s, bool has_eye, const struct hull *h)
 {
 	const struct convention *c = &s->convention;
 	struct sum step[3] = { 0 };
@@ -345,8 +339,7 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 	for (int j = 0; j < 2; j++) {
 		struct sum most = larger(sum_neg(r.low[j]), r.high[j]);
 
-		*size[j] = 2 *
-		    extent_ratio(&r, j, sum_mul(most, scale[j]), half[j]);
+		*size[j] = 2 * extent_ratio(&r, j, sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";
@@ -533,8 +526,8 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 /* Sets the window's center along axis j to the rounded middle of the extent, and the
  * side to twice the distance from the center to the farther end, enlarged by the
  * margin. */
-static void enclose_axis(const struct extents *r, int j, double margin,
-    double *center, double *side)
+static void enclose_axis(const struct extents *r, int j, double margin, double *center,
+    double *side)
 {
 	*center = sum_double(extent_middle(r, j));
 	struct sum c = sum_of_double(*center);
@@ -565,9 +558,8 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 		widen_sides(&w->width, &w->height,
 		    (const double[]){ s->device.width, s->device.height });
 	s->has_window = true;
-	return scene_is_size(w->width) && scene_is_size(w->height) ?
-	    NULL :
-	    NOT_IN_RANGE;
+	return scene_is_size(w->width) && scene_is_size(w->height) ? NULL :
+								     NOT_IN_RANGE;
 }
 
 void fit_window_directions(struct directions *all)

@@ -2,8 +2,7 @@
 /* Fits a scene or a 2D window to bounds, so that its picture holds them, as the command
  * fit does. fit_bounds.h has the bounds; if they are points, the caller collects those
  * that matter by fit_points.h, along the directions that are found here. */
-#ifndef FIT_H
-#define FIT_H
+#pragma once
 
 #include "fit_points.h"
 
@@ -36,8 +35,7 @@ const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions for which fit_scene makes the same scene of the farthest points
  * along them as of all points. Returns NULL, or the member at fault and why. */
-const char *fit_directions(const struct scene *, bool has_eye,
-    struct directions *);
+const char *fit_directions(const struct scene *, bool has_eye, struct directions *);
 
 /* Replaces the scene's 2D window by one that holds x and y of the bounds, given by
  * center, width and height. The center is the double nearest to the middle of the
@@ -49,5 +47,3 @@ const char *fit_window(struct scene *, const struct bounds *);
 
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */
 void fit_window_directions(struct directions *);
-
-#endif

@@ -35,8 +35,8 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 /* Returns lowest - first, where lowest is the least value on the hull of column j or,
  * if `minus`, of its negative, and first the value at the hull's first point. A radius
  * lowers it by the radius times the length of the column's gradient. */
-static struct sum lowest_offset(const struct hull *h, const struct map *m,
-    int j, bool minus)
+static struct sum lowest_offset(const struct hull *h, const struct map *m, int j,
+    bool minus)
 {
 	struct sum slope[3], step[3], lowest = sum_of_double(0);
 
@@ -44,21 +44,18 @@ static struct sum lowest_offset(const struct hull *h, const struct map *m,
 		slope[i] = sum_negated_if(minus, m->m[i][j]);
 	for (int k = 1; k < h->n; k++) {
 		for (int i = 0; i < 3; i++)
-			step[i] = sum_difference(h->point[k][i],
-			    h->point[0][i]);
+			step[i] = sum_difference(h->point[k][i], h->point[0][i]);
 		struct sum value = vec3_dot(slope, step);
 
 		if (sum_compare(value, lowest) < 0)
 			lowest = value;
 	}
 	if (h->radius > 0)
-		lowest = sum_sub(lowest,
-		    sum_scale(vec3_length(slope), h->radius));
+		lowest = sum_sub(lowest, sum_scale(vec3_length(slope), h->radius));
 	return lowest;
 }
 
-struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
-    bool minus)
+struct sum hull_lowest(const struct hull *h, const struct map *m, int j, bool minus)
 {
 	struct sum at, p[4] = { [3] = sum_of_double(1) };
 
@@ -70,8 +67,7 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 }
 
 /* Computes the size from lowest_offset: the errors of high and low can exceed it. */
-void extents_set(struct extents *r, int j, const struct hull *h,
-    const struct map *m)
+void extents_set(struct extents *r, int j, const struct hull *h, const struct map *m)
 {
 	struct sum size = sum_add(lowest_offset(h, m, j, false),
 	    lowest_offset(h, m, j, true));
@@ -96,17 +92,15 @@ const char *extents_widen(struct extents *r, int n)
 		r->low[j] = sum_sub(r->low[j], half);
 		r->high[j] = sum_add(r->high[j], half);
 	}
-	return sum_sign(most) > 0 ?
-	    NULL :
-	    "/bounds: no extent; points that differ are wanted";
+	return sum_sign(most) > 0 ? NULL :
+				    "/bounds: no extent; points that differ are wanted";
 }
 
 const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
 {
 	const struct projection *p = &s->projection;
 	bool flat = projection_family(p) == FAMILY_PARALLEL;
-	const char *why = scene_map(s, SPACE_MODEL,
-	    flat ? SPACE_CLIP : SPACE_VIEW, xy);
+	const char *why = scene_map(s, SPACE_MODEL, flat ? SPACE_CLIP : SPACE_VIEW, xy);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, depth);
@@ -115,20 +109,17 @@ const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
 	for (int i = 0; i < 5; i++) {
 		xy->m[i][1] = sum_negated_if(flat && s->convention.ndc_y_down,
 		    xy->m[i][1]);
-		depth->m[i][2] = sum_negated_if(convention_looks_back(
-						    &s->convention),
+		depth->m[i][2] = sum_negated_if(convention_looks_back(&s->convention),
 		    depth->m[i][2]);
 		/* fit_prepare has refused a tilted P */
 		if (i >= 3 && projection_has_intrinsics(p))
 			depth->m[i][2] = sum_add(depth->m[i][2],
-			    sum_scale(depth->divisor,
-				p->section.intrinsics[2][3]));
+			    sum_scale(depth->divisor, p->section.intrinsics[2][3]));
 	}
 	return NULL;
 }
 
-const char *hull_extents(const struct hull *h, const struct scene *s,
-    struct extents *r)
+const char *hull_extents(const struct hull *h, const struct scene *s, struct extents *r)
 {
 	struct map xy, depth;
 	const char *why = fit_maps(s, &xy, &depth);

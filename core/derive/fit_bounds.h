@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bounds to which a scene is fitted, their hull, and the extents of the hull along the
  * axes by which fit.c measures. */
-#ifndef FIT_BOUNDS_H
-#define FIT_BOUNDS_H
+#pragma once
 
 #include "../scene/scene.h"
 
@@ -32,8 +31,7 @@ const char *hull_of(const struct bounds *, int dimensions, struct hull *);
 
 /* Returns the least value that coordinate j of a map's images takes on the hull or, if
  * `minus` is set, the least value of the negated coordinate. */
-struct sum hull_lowest(const struct hull *, const struct map *, int j,
-    bool minus);
+struct sum hull_lowest(const struct hull *, const struct map *, int j, bool minus);
 
 /* The least and greatest coordinate of a hull along each axis, and their difference. */
 struct extents {
@@ -41,8 +39,7 @@ struct extents {
 };
 
 /* Sets element j of extents to the range of coordinate j of the hull's images. */
-void extents_set(struct extents *, int j, const struct hull *,
-    const struct map *);
+void extents_set(struct extents *, int j, const struct hull *, const struct map *);
 
 /* Widens each of the first n extents whose size is 0: moves `low` and `high` apart by
  * 2^-20 of the largest extent; `size` stays 0. Returns NULL, or why if all are 0. */
@@ -57,11 +54,8 @@ const char *fit_maps(const struct scene *, struct map *xy, struct map *depth);
 
 /* Finds the extents of a hull in x, y and depth of fit_maps, and widens zero extents.
  * Returns NULL, or the member at fault and why. */
-const char *hull_extents(const struct hull *, const struct scene *,
-    struct extents *);
+const char *hull_extents(const struct hull *, const struct scene *, struct extents *);
 
 /* Returns the OUT_ bits of the planes of the view volume that a part of the hull is
  * outside of, or all bits if the scene has no volume. */
 unsigned hull_outside(const struct hull *, const struct scene *);
-
-#endif

@@ -6,8 +6,7 @@
 
 #include "../points/transform.h"
 
-void directions_add(struct directions *all, const struct map *m, int j,
-    bool minus)
+void directions_add(struct directions *all, const struct map *m, int j, bool minus)
 {
 	struct sum *exact = all->exact[all->n], largest = sum_of_double(0);
 
@@ -76,8 +75,7 @@ static void add_point(struct extremes *e, const struct directions *all, int j,
 	if (!f->known || value - bound > f->distance + f->error ||
 	    (value + bound >= f->distance - f->error &&
 		is_farther(all, j, p, f->point)))
-		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value,
-			bound };
+		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value, bound };
 }
 
 /* The number of points per call of the kernel. Small blocks need more calls. Large

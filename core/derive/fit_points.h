@@ -2,8 +2,7 @@
 /* The few points among millions that decide a fit: the farthest along each direction.
  * Each thread collects those of its points in a struct extremes, which are then merged
  * to bounds. */
-#ifndef FIT_POINTS_H
-#define FIT_POINTS_H
+#pragma once
 
 #include "fit_bounds.h"
 
@@ -45,5 +44,3 @@ void extremes_merge(struct extremes *, const struct directions *,
 /* Makes bounds of the farthest points. Returns false if no point has been added. */
 bool extremes_bounds(const struct extremes *, const struct directions *,
     struct bounds *);
-
-#endif

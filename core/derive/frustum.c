@@ -6,8 +6,7 @@
 
 #include "../points/point.h"
 
-void frustum_limits(const struct scene *s, struct sum half[2],
-    struct sum scale[2])
+void frustum_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
 	double h[2] = { 1, 1 }, pixels[2] = { 1, 1 };
 
@@ -21,8 +20,8 @@ void frustum_limits(const struct scene *s, struct sum half[2],
 
 /* Sets column j of r to a x + b w or, if minus, to -a x + b w, where x is column k of m
  * and w is column 3 of m. */
-static void combine_columns(struct map *r, int j, const struct map *m,
-    bool minus, int k, const struct sum *a, const struct sum *b)
+static void combine_columns(struct map *r, int j, const struct map *m, bool minus,
+    int k, const struct sum *a, const struct sum *b)
 {
 	const struct sum factor[2] = { sum_negated_if(minus, *a), *b };
 
@@ -49,8 +48,7 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
-		combine_columns(sides, k, m, high, k / 2, &scale[k / 2],
-		    &half[k / 2]);
+		combine_columns(sides, k, m, high, k / 2, &scale[k / 2], &half[k / 2]);
 	}
 	combine_columns(ends, reversed, m, false, 2, &one, &low);
 	combine_columns(ends, !reversed, m, true, 2, &one, &one);
@@ -60,8 +58,8 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 		ends->m[i][2] = m->m[i][3];
 }
 
-const char *frustum_planes(const struct scene *s, enum space from,
-    struct map *sides, struct map *ends)
+const char *frustum_planes(const struct scene *s, enum space from, struct map *sides,
+    struct map *ends)
 {
 	struct map m;
 	const char *why = scene_map(s, from, SPACE_CLIP, &m);
@@ -121,8 +119,7 @@ unsigned frustum_outside(const struct frustum *f, const double in[4])
 		(f->sides.reciprocal && !(in[3] > 0))))
 		return OUT_BEHIND;
 	for (int k = 0; k < (flat ? 4 : 6); k++)
-		if (sum_sign(point_column(k < 4 ? &f->sides : &f->ends, k % 4,
-			in)) < 0)
+		if (sum_sign(point_column(k < 4 ? &f->sides : &f->ends, k % 4, in)) < 0)
 			out |= 1u << k;
 	return out;
 }
@@ -144,10 +141,8 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 
 		for (int i = 0; i < 4; i++)
 			e.m[i][j] = k->hi[i][j];
-		e.slope = fmax(e.slope,
-		    ESTIMATE_BOUND * k->slope[j] + underflow);
-		e.floor = fmax(e.floor,
-		    ESTIMATE_BOUND * k->offset[j] + underflow);
+		e.slope = fmax(e.slope, ESTIMATE_BOUND * k->slope[j] + underflow);
+		e.floor = fmax(e.floor, ESTIMATE_BOUND * k->offset[j] + underflow);
 		if (!(k->offset[j] > 0x1p-899))
 			e.low = fmax(e.low, 0x1p-899 / k->slope[j]);
 		e.high = fmin(e.high, (0x1p999 - k->offset[j]) / k->slope[j]);
@@ -175,11 +170,9 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 
 		memset(word, 0, count * sizeof *word);
 		if (!four)
-			kernels_chosen()->signs(&sides, 4, OUT_LEFT, at, word,
-			    count);
+			kernels_chosen()->signs(&sides, 4, OUT_LEFT, at, word, count);
 		if (!four && !flat)
-			kernels_chosen()->signs(&ends, 3, OUT_NEAR, at, word,
-			    count);
+			kernels_chosen()->signs(&ends, 3, OUT_NEAR, at, word, count);
 		for (size_t k = 0; k < count; k++) {
 			unsigned planes = (unsigned)word[k];
 			const double p[4] = { at[0][k], at[1][k], at[2][k],
@@ -187,9 +180,8 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 
 			if (four || planes >= SIGNS_UNSURE)
 				planes = frustum_outside(f, p);
-			out[i + k] = planes & OUT_BEHIND ?
-			    OUT_BEHIND :
-			    (unsigned char)planes;
+			out[i + k] = planes & OUT_BEHIND ? OUT_BEHIND :
+							   (unsigned char)planes;
 		}
 	}
 }
@@ -231,8 +223,8 @@ const char *volume_of(const struct scene *s, struct volume *v)
 	v->eye_z[0] = sum_mul(v->eye_z[0], v->to_clip.divisor);
 	planes_of_clip(s, &v->to_clip, &v->sides, &v->ends);
 	for (int i = 0; i < 8; i++)
-		intersect_planes(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1),
-		    &v->ends, i > 3, v->corner[i]);
+		intersect_planes(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1), &v->ends,
+		    i > 3, v->corner[i]);
 	intersect_planes(v, 0, 1, &v->sides, 2, v->eye);
 	return NULL;
 }

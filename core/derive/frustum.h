@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The view volume, or the edges of a 2D window: its planes, its corners, and whether a
  * point is outside. */
-#ifndef FRUSTUM_H
-#define FRUSTUM_H
+#pragma once
 
 #include "../points/transform.h"
 
@@ -26,16 +25,15 @@ struct frustum {
 
 /* Finds the limits of ndc x and y: a point is between the side planes if |x| scale[0]
  * <= half[0] and |y| scale[1] <= half[1]. The scene's margin makes half smaller. */
-void frustum_limits(const struct scene *, struct sum half[2],
-    struct sum scale[2]);
+void frustum_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
 /* frustum_planes and frustum_of make the planes of the view volume, as linear functions
  * of a point in the space `from`; inside no function is negative. `sides` has the
  * columns left, right, bottom and top, `ends` near, far and w. If `homogeneous` is set,
  * points of device space are x y z 1/w. Both return NULL, or the member at fault and
  * why. */
-const char *frustum_planes(const struct scene *, enum space from,
-    struct map *sides, struct map *ends);
+const char *frustum_planes(const struct scene *, enum space from, struct map *sides,
+    struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
@@ -66,5 +64,3 @@ struct volume {
 
 /* Makes the volume of a scene. Returns NULL, or the member at fault and why. */
 const char *volume_of(const struct scene *, struct volume *);
-
-#endif

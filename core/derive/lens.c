@@ -24,8 +24,7 @@ const char *lens_of(const struct scene *s, struct lens *l)
 	return NULL;
 }
 
-void lens_world_axis(const struct lens *l, const struct sum axis[3],
-    double unit[3])
+void lens_world_axis(const struct lens *l, const struct sum axis[3], double unit[3])
 {
 	struct sum a[3];
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The maps of a scene, from which the facts about its picture are computed. */
-#ifndef LENS_H
-#define LENS_H
+#pragma once
 
 #include "frustum.h"
 
@@ -13,9 +12,9 @@ struct lens {
 	const struct scene *scene;
 	struct volume volume;
 	struct map to_view, to_world; /* from world to view space and back */
-	struct sum clip[4][4]; /* columns of volume.to_clip; y points upward */
+	struct sum clip[4][4];        /* columns of volume.to_clip; y points upward */
 	struct sum half[2], scale[2]; /* set by frustum_limits */
-	bool parallel, reversed; /* reversed: near has the larger ndc depth */
+	bool parallel, reversed;      /* reversed: near has the larger ndc depth */
 	/* The map from world to view space mirrors, as the handedness of
 	 * scene_answer_convention is not the document's. */
 	bool mirrors;
@@ -25,7 +24,4 @@ struct lens {
 const char *lens_of(const struct scene *, struct lens *);
 
 /* Writes the unit vector in world space along an axis given in view space. */
-void lens_world_axis(const struct lens *, const struct sum axis[3],
-    double unit[3]);
-
-#endif
+void lens_world_axis(const struct lens *, const struct sum axis[3], double unit[3]);

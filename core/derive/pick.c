@@ -48,8 +48,7 @@ static struct sum square(struct sum a)
  * doubles. If r is above 2^-40 of the coordinates of p, the errors of device, 2^-53 of
  * its coordinates, are below 2^-12 r near the circle. They change d2 by less than 2^-9
  * r^2, so a d2 that differs from r^2 by more than 2^-8 r^2 decides. */
-bool pick_is_within(const struct picker *k, const double in[4],
-    const double device[2])
+bool pick_is_within(const struct picker *k, const double in[4], const double device[2])
 {
 	const struct transform *t = k->to_device;
 	double x = device[0] - k->at[0], y = device[1] - k->at[1];

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The points whose images lie near a position on the device, in the order of their
  * distances. */
-#ifndef PICK_H
-#define PICK_H
+#pragma once
 
 #include "../points/transform.h"
 
@@ -19,13 +18,10 @@ const char *picker_of(const struct scene *, const struct transform *to_device,
 
 /* Returns whether the exact image of a point is in the picker's circle. `device` is the
  * image rounded to the nearest doubles. */
-bool pick_is_within(const struct picker *, const double in[4],
-    const double device[2]);
+bool pick_is_within(const struct picker *, const double in[4], const double device[2]);
 
 /* Returns the double nearest to a point's distance from the near plane. */
 double pick_distance(const struct picker *, const double in[4]);
 
 /* Returns the sign of p's distance from the near plane minus q's. */
 int pick_compare(const struct picker *, const double p[4], const double q[4]);
-
-#endif

@@ -34,8 +34,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 		struct sum v[4];
 
 		for (int i = 0; i < 4; i++)
-			map_image(k < 4 ? &l->volume.sides : &l->volume.ends,
-			    k % 4, l->to_view.m[i], &v[i]);
+			map_image(k < 4 ? &l->volume.sides : &l->volume.ends, k % 4,
+			    l->to_view.m[i], &v[i]);
 		struct sum length = vec3_length(v);
 
 		for (int i = 0; i < 4 && sum_sign(length) != 0; i++)
@@ -62,8 +62,7 @@ static bool is_rotation(const struct map *m, bool mirrored)
 }
 
 /* Sets the camera. The eye of a perspective is the point where its projectors meet. */
-static void set_camera(const struct lens *l, const struct upright *u,
-    struct picture *r)
+static void set_camera(const struct lens *l, const struct upright *u, struct picture *r)
 {
 	struct camera *c = &r->scene.camera;
 
@@ -116,13 +115,11 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	for (int k = 0; k < 4; k++) {
 		const struct sum *x = u->clip_xy[k / 2];
 		bool low = k % 2 == 0;
-		struct sum slope = sum_sub(sum_negated_if(low, u->clip_w[0]),
-		    x[2]);
-		struct sum offset = sum_sub(sum_negated_if(low, u->clip_w[1]),
-		    x[3]);
+		struct sum slope = sum_sub(sum_negated_if(low, u->clip_w[0]), x[2]);
+		struct sum offset = sum_sub(sum_negated_if(low, u->clip_w[1]), x[3]);
 
-		p->section.edges[k] = sum_ratio_or_nan(
-		    sum_add(sum_mul(slope, n), sum_mul(offset, d)),
+		p->section.edges[k] = sum_ratio_or_nan(sum_add(sum_mul(slope, n),
+							   sum_mul(offset, d)),
 		    sum_mul(x[k / 2], d));
 	}
 }
@@ -132,8 +129,7 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
-	bool minus = sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) <
-	    0;
+	bool minus = sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0;
 	struct sum x = sum_negated_if(minus,
 	    sum_mul(u->clip_xy[0][2], u->clip_xy[1][1]));
 	struct sum y = sum_negated_if(minus,
@@ -145,8 +141,8 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->shear.plane = given->shear.plane;
 	if (given->type == PROJECTION_OBLIQUE)
 		p->shear.kind = given->shear.kind;
-	p->shear.projector_angle = trig_atan2_degrees(
-	    sum_abs(sum_mul(u->clip_xy[0][0], u->clip_xy[1][1])),
+	p->shear.projector_angle = trig_atan2_degrees(sum_abs(sum_mul(u->clip_xy[0][0],
+							  u->clip_xy[1][1])),
 	    vec3_length(both));
 	p->shear.direction = trig_atan2_degrees(sum_abs(y), x);
 	if (sum_sign(y) < 0)
@@ -175,16 +171,14 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		.shear.direction = 45 };
 	if (!l->parallel)
 		p->type = PROJECTION_PERSP;
-	else if (sum_sign(u->clip_xy[0][2]) != 0 ||
-	    sum_sign(u->clip_xy[1][2]) != 0)
+	else if (sum_sign(u->clip_xy[0][2]) != 0 || sum_sign(u->clip_xy[1][2]) != 0)
 		set_shear(u, given, p);
 	if (open) {
 		p->near = 0;
 		p->far = HUGE_VAL;
 	}
 	for (int i = 0; i < 9; i++)
-		p->section.intrinsics[i / 3][i % 3] =
-		    r->intrinsics[i / 3][i % 3];
+		p->section.intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
 	/* if l->mirrors, X of K and x of r->scene's view space are opposite */
 	p->section.intrinsics[0][0] = fabs(p->section.intrinsics[0][0]);
 	if (!open && sum_sign(u->clip_xy[0][1]) == 0)
@@ -219,14 +213,11 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
 	bool parallel = l->parallel, behind = true;
-	bool by_intrinsics = sum_sign(u->clip_xy[0][1]) != 0 ||
-	    projection_is_open(p);
-	bool mirrored = (sum_sign(u->clip_xy[0][0]) *
-				sum_sign(u->clip_xy[1][1]) <
-			    0) != l->mirrors;
+	bool by_intrinsics = sum_sign(u->clip_xy[0][1]) != 0 || projection_is_open(p);
+	bool mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0) !=
+	    l->mirrors;
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
-	bool transposed = p->type == PROJECTION_MATRIX &&
-	    seems_transposed(p->matrix);
+	bool transposed = p->type == PROJECTION_MATRIX && seems_transposed(p->matrix);
 	/* a document gives a volume an eye beyond far only on purpose */
 	bool reverse = projection_family(p) == FAMILY_VOLUME &&
 	    r->taxonomy.taxon == TAXON_REVERSE;
@@ -237,8 +228,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	/* a perspective matrix that is negated as a whole seems to mirror */
 	bool negated = !parallel && !transposed && mirrored && behind;
 	bool known = transposed || reverse || negated;
-	bool looks_away = u->uses_view_axes && u->turned &&
-	    (mirrored || s->has_camera);
+	bool looks_away = u->uses_view_axes && u->turned && (mirrored || s->has_camera);
 	const bool applies[NOTES] = {
 		[NOTE_MIRRORED] = !known && mirrored && !looks_away,
 		[NOTE_OTHER_HANDED] = !known && mirrored && looks_away,
@@ -257,8 +247,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 			is_central(r->intrinsics[1][2], p->section.height)),
 		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
-		[NOTE_MINUS_W] = negated ||
-		    (parallel && sum_sign(u->clip_w[1]) < 0),
+		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->clip_w[1]) < 0),
 		[NOTE_NO_INTRINSICS] = by_intrinsics &&
 		    (parallel || !fills || sum_sign(u->clip_xy[0][0]) < 0),
 	};

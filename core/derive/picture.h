@@ -2,8 +2,7 @@
 /* Facts about the picture that a scene makes: the kind of the planar projection; the
  * eye, gaze, planes and depth; and a second scene, with a camera and a projection, that
  * makes the same picture. */
-#ifndef PICTURE_H
-#define PICTURE_H
+#pragma once
 
 #include "depth.h"
 #include "taxonomy.h"
@@ -56,5 +55,3 @@ struct picture {
 
 /* Sets all members of the picture. Returns NULL, or the member at fault and why. */
 const char *picture_of(const struct scene *, struct picture *);
-
-#endif

@@ -39,8 +39,7 @@ static const char *set_direction_map(const struct scene *s, bool depth_falls,
 		int a = (i + 1) % 3, b = (i + 2) % 3;
 		struct sum view[3];
 
-		vec3_cross(normal[turned ? b : a], normal[turned ? a : b],
-		    view);
+		vec3_cross(normal[turned ? b : a], normal[turned ? a : b], view);
 		for (int j = 0; j < 3; j++)
 			sum_dot(3, view, &m.m[0][j], 4, &r->m[element[i]][j]);
 	}
@@ -67,8 +66,8 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	const struct viewport *v = &s->viewport;
 	/* device depth falls from near to far */
 	bool depth_falls = (v->max_z > v->min_z) == reversed;
-	const char *why = transform_of_scene(s, SPACE_DEVICE, SPACE_WORLD,
-	    false, &r->to_world);
+	const char *why = transform_of_scene(s, SPACE_DEVICE, SPACE_WORLD, false,
+	    &r->to_world);
 
 	if (why == NULL)
 		why = set_direction_map(s, depth_falls, &r->direction.map);
@@ -76,8 +75,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 		return why;
 	r->direction.map.divisor = sum_of_double(1);
 	map_set_origin(&r->direction.map,
-	    (double[3]){ r->to_world.map.origin[0],
-		r->to_world.map.origin[1] });
+	    (double[3]){ r->to_world.map.origin[0], r->to_world.map.origin[1] });
 	if (projection_is_open(&s->projection))
 		start_at_eye(s, &r->to_world);
 	r->depth = reversed ? v->max_z : v->min_z;
@@ -86,8 +84,8 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	return NULL;
 }
 
-static void ray_direction(const struct ray_maker *r, const double in[4],
-    bool single, double direction[3])
+static void ray_direction(const struct ray_maker *r, const double in[4], bool single,
+    double direction[3])
 {
 	struct sum to[3];
 
@@ -130,8 +128,8 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 
 /* Completes a ray that a kernel left undecided. Computes a direction that is still nan,
  * rounds to floats if single, and makes the direction nan if the ray has no point. */
-static void ray_finish(const struct ray_maker *r, const double in[4],
-    bool single, double point[3], double direction[3])
+static void ray_finish(const struct ray_maker *r, const double in[4], bool single,
+    double point[3], double direction[3])
 {
 	if (!ray_has_point(r, in, point)) {
 		for (int j = 0; j < 3; j++)
@@ -144,9 +142,8 @@ static void ray_finish(const struct ray_maker *r, const double in[4],
 		round_to_floats(r, in, point, direction);
 }
 
-bool rays_cast(const struct ray_maker *r, bool single,
-    const double *const at[2], double *const point[3],
-    double *const direction[3], size_t n)
+bool rays_cast(const struct ray_maker *r, bool single, const double *const at[2],
+    double *const point[3], double *const direction[3], size_t n)
 {
 	double depth[POINTS_BLOCK];
 	const double *const in[4] = { at[0], at[1], depth };
@@ -154,11 +151,10 @@ bool rays_cast(const struct ray_maker *r, bool single,
 
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		depth[i] = r->depth;
-	const bool finite = points_map(&r->to_world, PRECISION_EXACT, in, out,
-	    n);
+	const bool finite = points_map(&r->to_world, PRECISION_EXACT, in, out, n);
 
-	if (kernels_chosen()->exact[KERNEL_DIRECTION](&r->direction.for_kernel,
-		at, direction, n) &&
+	if (kernels_chosen()->exact[KERNEL_DIRECTION](&r->direction.for_kernel, at,
+		direction, n) &&
 	    finite && !single)
 		return true;
 	for (size_t i = 0; i < n; i++) {
@@ -207,8 +203,8 @@ static void set_plane_row(const struct map *m, int i, const struct sum p[4],
 
 /* Row m_2 of the map m is the homogeneous point that all rays share: the eye or, if the
  * rays are parallel, their direction. The plane must not contain this point. */
-const char *ray_plane_transform(const struct scene *s, enum space from,
-    enum space to, const double plane[4], struct transform *t)
+const char *ray_plane_transform(const struct scene *s, enum space from, enum space to,
+    const double plane[4], struct transform *t)
 {
 	struct sum p[4], m2_p;
 	struct map m, *r = &t->map;

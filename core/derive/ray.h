@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Rays from the eye through positions on the device, and the points where they meet a
  * plane. */
-#ifndef RAY_H
-#define RAY_H
+#pragma once
 
 #include "../points/transform.h"
 
@@ -27,7 +26,5 @@ bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
 /* Makes the transform from x y in the space `from` (device or ndc) to the point where
  * the ray of x y meets the plane a x + b y + c z + d = 0 of the space `to` (model,
  * world or view). w is positive in front of the eye. Returns NULL or the reason. */
-const char *ray_plane_transform(const struct scene *, enum space from,
-    enum space to, const double plane[4], struct transform *);
-
-#endif
+const char *ray_plane_transform(const struct scene *, enum space from, enum space to,
+    const double plane[4], struct transform *);

@@ -69,8 +69,7 @@ static enum taxon_kind perspective_kind(const struct lens *l)
 		struct sum most = sum_mul(vec3_dot(a, a), vec3_dot(g, g));
 
 		n += sum_compare(sum_mul(dot, dot),
-			 sum_scale(most, TAXON_TOLERANCE * TAXON_TOLERANCE)) >
-		    0;
+			 sum_scale(most, TAXON_TOLERANCE * TAXON_TOLERANCE)) > 0;
 	}
 	if (n < 2)
 		return TAXON_ONE_POINT;
@@ -122,8 +121,7 @@ static void classify_perspective(const struct lens *l, struct taxonomy *t)
 }
 
 /* Writes the world coordinates of a homogeneous point h in view space. */
-static void world_point(const struct lens *l, const struct sum h[4],
-    double p[3])
+static void world_point(const struct lens *l, const struct sum h[4], double p[3])
 {
 	struct sum world[4];
 

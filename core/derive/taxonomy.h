@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kind of planar projection that a scene makes, and what tells it from the others:
  * foreshortening, vanishing points, fields of view, the eye and the gaze. */
-#ifndef TAXONOMY_H
-#define TAXONOMY_H
+#pragma once
 
 #include "lens.h"
 
@@ -34,14 +33,12 @@ struct taxonomy {
 	double foreshortening[3];
 	/* World axes' vanishing points, on the device or, if it is missing, in ndc. */
 	double vanishing_point[3][2];
-	double fov[2];  /* degrees from left to right, and from bottom to top */
-	double eye[3];  /* in world space */
-	double gaze[3]; /* unit normal of the projection plane */
+	double fov[2];       /* degrees from left to right, and from bottom to top */
+	double eye[3];       /* in world space */
+	double gaze[3];      /* unit normal of the projection plane */
 	double corner[8][3]; /* in world space, in the order of struct volume */
 };
 
 /* Sets all members. A number that does not exist keeps the nan that the caller has
  * set. */
 void taxonomy_of(const struct lens *, struct taxonomy *);
-
-#endif

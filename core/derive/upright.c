@@ -70,8 +70,7 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 static void set_elements(const struct lens *l, struct upright *u)
 {
 	for (int i = 0; i < 6; i++)
-		u->clip_xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3],
-		    u->axis[i % 3]);
+		u->clip_xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3], u->axis[i % 3]);
 	u->clip_w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 

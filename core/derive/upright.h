@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The axes of the picture: X to the right, Y upward and D along the gaze. A camera,
  * edges and intrinsics are read off the map to clip space in these axes. */
-#ifndef UPRIGHT_H
-#define UPRIGHT_H
+#pragma once
 
 #include "lens.h"
 
@@ -25,5 +24,3 @@ struct upright {
 };
 
 void upright_of(const struct lens *, struct upright *);
-
-#endif

@@ -2,8 +2,7 @@
 /* Double-double numbers, and checks of the compiler's floating-point arithmetic.
  * Compile with -ffp-contract=off: the error bounds hold if a b + c has two roundings
  * where the source does not call fma. */
-#ifndef DD_H
-#define DD_H
+#pragma once
 
 #include <float.h>
 #include <math.h>
@@ -23,5 +22,3 @@ they remove operations that the error bounds count
 typedef struct {
 	double hi, lo;
 } dd;
-
-#endif

@@ -86,8 +86,7 @@ ex ex_power(int e)
  * lowest word goes to sum[at]; if `at` is negative, words below sum[0] are cut off. If
  * the product is negative, each word q of the shorter factor is multiplied by -w, where
  * w is the longer factor of n words: -q w = q ~w + q - q 2^(64 n). */
-static void add_product(uint64_t *sum, int size, int at, const ex *a,
-    const ex *b)
+static void add_product(uint64_t *sum, int size, int at, const ex *a, const ex *b)
 {
 	const ex *shorter = a->n < b->n ? a : b, *longer = shorter == a ? b : a;
 	const uint64_t flip = a->sign == b->sign ? 0 : UINT64_MAX;
@@ -97,8 +96,8 @@ static void add_product(uint64_t *sum, int size, int at, const ex *a,
 		int j = at < 0 ? -at : 0;
 
 		for (; j < longer->n; j++)
-			sum[at + j] = wide_multiply_add(q,
-			    longer->word[j] ^ flip, sum[at + j], &carry);
+			sum[at + j] = wide_multiply_add(q, longer->word[j] ^ flip,
+			    sum[at + j], &carry);
 		for (carry -= q & flip; carry != 0 && at + j < size; j++) {
 			sum[at + j] += carry;
 			carry = (sum[at + j] < carry) + flip;
@@ -131,8 +130,7 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	}
 	memset(sum, 0, (size_t)(high - low) * sizeof *sum);
 	for (int k = 0; k < n; k++)
-		add_product(sum, high - low, a[k]->e + b[k]->e - low, a[k],
-		    b[k]);
+		add_product(sum, high - low, a[k]->e + b[k]->e - low, a[k], b[k]);
 	bool minus = sum[high - low - 1] >> 63;
 	uint64_t carry = minus;
 
@@ -143,16 +141,14 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	int lowest = least < high - EX_MIN_WORDS ? least : high - EX_MIN_WORDS;
 
 	lowest = lowest > low ? lowest : low;
-	ex_set_words(r, minus ? -1 : 1, sum + (lowest - low), high - lowest,
-	    lowest);
+	ex_set_words(r, minus ? -1 : 1, sum + (lowest - low), high - lowest, lowest);
 }
 
 void ex_truncate(const ex *a, int n, ex *r)
 {
 	int dropped = a->n > n ? a->n - n : 0;
 
-	ex_set_words(r, a->sign, a->word + dropped, a->n - dropped,
-	    a->e + dropped);
+	ex_set_words(r, a->sign, a->word + dropped, a->n - dropped, a->e + dropped);
 }
 
 /* Returns one word q of the long division of u[0..n] by d[0..n), and leaves the
@@ -173,8 +169,7 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 	for (u[n] += carry - q; u[n] != 0; q--) {
 		carry = 0;
 		for (int i = 0; i <= n; i++)
-			u[i] = wide_multiply_add(u[i], 1, i < n ? d[i] : 0,
-			    &carry);
+			u[i] = wide_multiply_add(u[i], 1, i < n ? d[i] : 0, &carry);
 	}
 	return q;
 }
@@ -207,8 +202,7 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 	for (int i = 0; i < b->n; i++)
 		d[i] = wide_multiply_add(b->word[i], factor, 0, &carry);
 	for (int i = 0, k = a->n - n; i < n; i++, k++)
-		u[i] = wide_multiply_add(k < 0 ? 0 : a->word[k], factor, 0,
-		    &carry);
+		u[i] = wide_multiply_add(k < 0 ? 0 : a->word[k], factor, 0, &carry);
 	u[n] = carry;
 	for (int i = count; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
@@ -238,8 +232,8 @@ ex ex_sqrt(const ex *square)
 	const ex *const pair[] = { &r, &q };
 
 	for (int words = 2; words < 2 * EX_QUOTIENT_WORDS; words *= 2) {
-		ex_divide(&a, &r,
-		    words < EX_QUOTIENT_WORDS ? words : EX_QUOTIENT_WORDS, &q);
+		ex_divide(&a, &r, words < EX_QUOTIENT_WORDS ? words : EX_QUOTIENT_WORDS,
+		    &q);
 		ex_dot(2, pair, (const ex *[]){ &half, &half }, INT_MIN, &r);
 	}
 	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT_WORDS) - 1);
@@ -252,8 +246,7 @@ ex ex_sqrt(const ex *square)
 
 double ex_nearest(const ex *a, bool single)
 {
-	int last = ex_exponent(a) - (single ? 24 : 53),
-	    least = single ? -149 : -1074;
+	int last = ex_exponent(a) - (single ? 24 : 53), least = single ? -149 : -1074;
 
 	if (a->n == 0)
 		return 0;
@@ -274,8 +267,8 @@ dd ex_round(const ex *a)
 
 	if (isinf(r.hi))
 		return r;
-	ex_dot(2, (const ex *[]){ a, &rest }, (const ex *[]){ &one, &one },
-	    INT_MIN, &rest);
+	ex_dot(2, (const ex *[]){ a, &rest }, (const ex *[]){ &one, &one }, INT_MIN,
+	    &rest);
 	r.lo = ex_nearest(&rest, false);
 	return r;
 }

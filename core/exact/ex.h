@@ -6,8 +6,7 @@
  *
  * The alternative, numbers as sums of doubles, needs a wider range of exponents, a
  * fixed rounding mode, several times the time, and a proof of the sums' length. */
-#ifndef EX_H
-#define EX_H
+#pragma once
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -47,9 +46,8 @@ enum { EX_RANGE = 1 << 24 }; /* exponents are between -EX_RANGE and EX_RANGE */
 /* Returns the least e with |a| < 2^e, or -EX_RANGE if a is 0. */
 static inline int ex_exponent(const ex *a)
 {
-	return a->n == 0 ?
-	    -EX_RANGE :
-	    64 * (a->e + a->n) - __builtin_clzll(a->word[a->n - 1]);
+	return a->n == 0 ? -EX_RANGE :
+			   64 * (a->e + a->n) - __builtin_clzll(a->word[a->n - 1]);
 }
 
 /* Returns whether, since the last call, a number of any thread exceeded EX_WORDS. */
@@ -77,5 +75,3 @@ double ex_nearest(const ex *, bool single);
 /* Returns the double hi nearest to a number a, and the double lo nearest to a - hi. If
  * EX_ROUND_BOUND u^2 |a| (u = 2^-53) is a normal double, it bounds hi + lo's error. */
 dd ex_round(const ex *);
-
-#endif

@@ -37,8 +37,7 @@ struct sum vec3_length(const struct sum a[3])
 
 bool vec3_is_zero(const struct sum a[3])
 {
-	return sum_sign(a[0]) == 0 && sum_sign(a[1]) == 0 &&
-	    sum_sign(a[2]) == 0;
+	return sum_sign(a[0]) == 0 && sum_sign(a[1]) == 0 && sum_sign(a[2]) == 0;
 }
 
 void map_identity(struct map *r)
@@ -172,8 +171,7 @@ void map_multiply(struct map *r, const struct map *factor, bool before)
 	struct map old;
 
 	map_copy(&old, r);
-	const struct map *a = before ? factor : &old,
-			 *b = before ? &old : factor;
+	const struct map *a = before ? factor : &old, *b = before ? &old : factor;
 
 	memcpy(r->origin, a->origin, sizeof r->origin);
 	r->divisor = sum_mul(a->divisor, b->divisor);

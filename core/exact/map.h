@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Vectors of three elements, and maps between spaces, which multiply homogeneous row
  * vectors by a 4x4 matrix. Rational results are exact. */
-#ifndef MAP_H
-#define MAP_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -77,5 +76,3 @@ bool map_is_affine(const struct map *);
 
 /* Returns whether each element / divisor is in the range of doubles. */
 bool map_is_finite(const struct map *);
-
-#endif

@@ -29,8 +29,7 @@ static void horn_matrix(const struct sum m[4][4], struct sum k[4][4])
  * halves the error until it is below gap, and then squares error / gap. The slope, the
  * product of the distances to the other roots, is gap * 4 x^2 within a factor of 3. The
  * last error is below 2^-260 gap. Returns false if gap < 2^-400 x. */
-static bool largest_root(struct sum s, struct sum d, struct sum k,
-    struct sum *x)
+static bool largest_root(struct sum s, struct sum d, struct sum k, struct sum *x)
 {
 	double step, slope, x1;
 
@@ -85,8 +84,7 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-257));
 }
 
-enum rotation_result rotation_nearest(const double matrix[4][4],
-    struct sum q[4])
+enum rotation_result rotation_nearest(const double matrix[4][4], struct sum q[4])
 {
 	struct sum m[4][4] = { 0 }, k[4][4], x, s = sum_of_double(0);
 	double largest = 0;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Rotations: the matrix of a rotation vector, and the rotation nearest to a matrix. */
-#ifndef ROTATION_H
-#define ROTATION_H
+#pragma once
 
 #include "map.h"
 
@@ -15,7 +14,4 @@ enum rotation_result { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 
 /* Computes the rotation nearest to the upper left 3x3 of a matrix, its polar factor, as
  * a quaternion x y z w of any norm. The error is within 2^-250 of the norm. */
-enum rotation_result rotation_nearest(const double matrix[4][4],
-    struct sum q[4]);
-
-#endif
+enum rotation_result rotation_nearest(const double matrix[4][4], struct sum q[4]);

@@ -139,8 +139,7 @@ static void dot_of_pointers(int n, const struct sum *const a[],
 	r->error = bound;
 }
 
-void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
-    struct sum *r)
+void sum_dot(int n, const struct sum *a, const struct sum *b, int stride, struct sum *r)
 {
 	const struct sum *x[5], *y[5];
 
@@ -185,8 +184,8 @@ struct sum(sum_scale)(const struct sum *a, double factor)
 	return sum_mul(*a, b);
 }
 
-struct sum(sum_minor)(const struct sum *a, const struct sum *b,
-    const struct sum *c, const struct sum *d)
+struct sum(sum_minor)(const struct sum *a, const struct sum *b, const struct sum *c,
+    const struct sum *d)
 {
 	struct sum r, minus_c;
 
@@ -222,8 +221,7 @@ struct sum(sum_quotient)(const struct sum *a, const struct sum *b)
 		return sum_mul(*a, r);
 	}
 	d -= b->error - EX_RANGE > d - 40;
-	bool exact = ex_divide(&a->value, &b->value, EX_QUOTIENT_WORDS,
-	    &r.value);
+	bool exact = ex_divide(&a->value, &b->value, EX_QUOTIENT_WORDS, &r.value);
 	int size = ceil_log2(&r.value);
 
 	r.error = add_errors(3,
@@ -282,28 +280,25 @@ static double neighbour(double a, bool away, bool single)
 {
 	double to = away ? copysign(HUGE_VAL, a) : 0;
 
-	return single ? (double)nextafterf((float)a, (float)to) :
-			nextafter(a, to);
+	return single ? (double)nextafterf((float)a, (float)to) : nextafter(a, to);
 }
 
 /* Returns the double or, if single, the float nearest to n / d, where n and d have
  * errors. q is the quotient of their values; it lies between the neighbours `near` and
  * `other`. If errors could move q across the midpoint of these two, the sign of n -
  * midpoint d decides. If this difference is within its error, it is a tie. */
-static double round_inexact(const struct sum *n, const struct sum *d,
-    const ex *q, bool single)
+static double round_inexact(const struct sum *n, const struct sum *d, const ex *q,
+    bool single)
 {
 	const double near = ex_nearest(q, single);
 	/* 0.9 of half an ulp; small errors of n and d change q by less than 1/64 ulp */
-	const double sure = fabs(near) *
-	    (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54);
+	const double sure = fabs(near) * (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54);
 	const int small = EX_RANGE - 62;
 	struct sum minus_near, minus_other, rest;
 
 	sum_set(&minus_near, -near);
 	ex_dot(2, (const ex *[]){ q, &minus_near.value },
-	    (const ex *[]){ &sum_one.value, &sum_one.value }, INT_MIN,
-	    &rest.value);
+	    (const ex *[]){ &sum_one.value, &sum_one.value }, INT_MIN, &rest.value);
 	int side = rest.value.sign * q->sign;
 
 	if (!isfinite(near) || side == 0 ||
@@ -311,8 +306,8 @@ static double round_inexact(const struct sum *n, const struct sum *d,
 		d->error <= ceil_log2(&d->value) + small &&
 		fabs(ex_nearest(&rest.value, false)) < sure))
 		return near;
-	double other = neighbour(near == 0 ? copysign(0, q->sign) : near,
-	    side > 0, single);
+	double other = neighbour(near == 0 ? copysign(0, q->sign) : near, side > 0,
+	    single);
 
 	sum_set(&minus_other, -other);
 	/* rest is 2 (n - midpoint d) */
@@ -336,9 +331,8 @@ double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single)
 		q = &n->value;
 	else
 		ex_divide(&n->value, &d->value, ROUNDED_WORDS, &quotient);
-	return sum_is_exact(n) && sum_is_exact(d) ?
-	    ex_nearest(q, single) :
-	    round_inexact(n, d, q, single);
+	return sum_is_exact(n) && sum_is_exact(d) ? ex_nearest(q, single) :
+						    round_inexact(n, d, q, single);
 }
 
 double(sum_ratio_or_nan)(const struct sum *n, const struct sum *d)

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Numbers with a bound of their error. Maps, and the images of points that the kernels
  * cannot round, are computed as such numbers, and then rounded to nearest doubles. */
-#ifndef SUM_H
-#define SUM_H
+#pragma once
 
 #include "ex.h"
 
@@ -67,12 +66,11 @@ struct sum sum_scale(const struct sum *, double factor);
 struct sum sum_quotient(const struct sum *, const struct sum *);
 
 /* Returns the minor a b - c d. */
-struct sum sum_minor(const struct sum *a, const struct sum *b,
-    const struct sum *c, const struct sum *d);
+struct sum sum_minor(const struct sum *a, const struct sum *b, const struct sum *c,
+    const struct sum *d);
 
 /* Computes the sum of the n <= 5 products a[k] b[k * stride]. */
-void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
-    struct sum *);
+void sum_dot(int n, const struct sum *a, const struct sum *b, int stride, struct sum *);
 
 /* Returns the root of a number >= 0. It is exact if five words can hold it. */
 struct sum sum_sqrt(const struct sum *);
@@ -120,8 +118,7 @@ double sum_least_error(const struct sum *n, const struct sum *d);
 #define sum_mul(a, b) sum_mul(SUM_AT(a), SUM_AT(b))
 #define sum_scale(a, b) sum_scale(SUM_AT(a), b)
 #define sum_quotient(a, b) sum_quotient(SUM_AT(a), SUM_AT(b))
-#define sum_minor(a, b, c, d) \
-	sum_minor(SUM_AT(a), SUM_AT(b), SUM_AT(c), SUM_AT(d))
+#define sum_minor(a, b, c, d) sum_minor(SUM_AT(a), SUM_AT(b), SUM_AT(c), SUM_AT(d))
 #define sum_sqrt(a) sum_sqrt(SUM_AT(a))
 #define sum_sign(a) sum_sign(SUM_AT(a))
 #define sum_compare(a, b) sum_compare(SUM_AT(a), SUM_AT(b))
@@ -130,5 +127,3 @@ double sum_least_error(const struct sum *n, const struct sum *d);
 #define sum_ratio(a, b) sum_ratio_nearest(SUM_AT(a), SUM_AT(b), false)
 #define sum_ratio_or_nan(a, b) sum_ratio_or_nan(SUM_AT(a), SUM_AT(b))
 #define sum_dd(a) sum_dd(SUM_AT(a))
-
-#endif

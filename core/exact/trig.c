@@ -10,8 +10,7 @@ static const struct sum HALF_PI = {
 		0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
 		0xc90b6aecc4bcfd8d, 0x9fc26adadaa3848b, 0x605614dbe4be286e,
 		0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
-		0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469,
-		1 } },
+		0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469, 1 } },
 };
 
 /* The number of words of a reduced angle and of each term of its series. */
@@ -54,8 +53,7 @@ bool trig_rodrigues(struct sum square, struct sum *a, struct sum *b)
 	if (sum_compare(square, sum_scale(sum_mul(HALF_PI, HALF_PI), 16)) > 0)
 		return false;
 	*a = trig_series(&square.value, 1, SINC_POWER, SINC_WORDS);
-	*b = sum_scale(trig_series(&square.value, 2, SINC_POWER, SINC_WORDS),
-	    0.5);
+	*b = sum_scale(trig_series(&square.value, 2, SINC_POWER, SINC_WORDS), 0.5);
 	return true;
 }
 
@@ -72,8 +70,7 @@ static void reduce_degrees(double angle, struct reduced_angle *r)
 	double rest = fmod(angle, 360), q = rint(rest / 90);
 
 	r->rest_degrees = rest - 90 * q;
-	r->rest_radians = sum_truncate(sum_quotient(sum_scale(HALF_PI,
-							r->rest_degrees),
+	r->rest_radians = sum_truncate(sum_quotient(sum_scale(HALF_PI, r->rest_degrees),
 					   sum_of_double(90)),
 	    SINE_WORDS);
 	r->quarters = (unsigned)(int)q;
@@ -157,8 +154,7 @@ double trig_atan2_degrees(struct sum y, struct sum x)
 		return (double)NAN;
 	double a = atan2(sum_ratio(y, larger), sum_ratio(x, larger)) *
 	    DEGREES_PER_RADIAN;
-	struct sum s = trig_sin(a, ANGLE_DEGREES),
-		   c = trig_cos(a, ANGLE_DEGREES);
+	struct sum s = trig_sin(a, ANGLE_DEGREES), c = trig_cos(a, ANGLE_DEGREES);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
 	struct sum square = sum_mul(tan, tan), cube = sum_mul(square, tan);

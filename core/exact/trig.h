@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sines, cosines and cotangents, and the arc tangent. Angles in degrees are reduced
  * exactly, and rational results, such as the sine of 30 degrees, are exact. */
-#ifndef TRIG_H
-#define TRIG_H
+#pragma once
 
 #include "sum.h"
 
@@ -28,5 +27,3 @@ bool trig_rodrigues(struct sum square, struct sum *a, struct sum *b);
 /* Returns the double nearest to atan2(y, x) in degrees, from 0 to 180; y must be >= 0.
  * Returns nan if x and y are 0. */
 double trig_atan2_degrees(struct sum y, struct sum x);
-
-#endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Arithmetic on words of 64 bits with carries, also for compilers without integers of
  * 128 bits, such as those for 32-bit processors. */
-#ifndef WIDE_H
-#define WIDE_H
+#pragma once
 
 #include <stdint.h>
 
@@ -47,5 +46,3 @@ static inline uint64_t wide_divide(uint64_t high, uint64_t low, uint64_t d)
 	return low;
 #endif
 }
-
-#endif

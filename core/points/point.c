@@ -7,8 +7,7 @@
 
 /* Sets p to the point `in`, homogeneous and relative to the transform's origin. The
  * origin is 0 if the points are of clip space, as their w may differ from 1. */
-static void set_relative(const struct transform *t, const double in[4],
-    struct sum p[4])
+static void set_relative(const struct transform *t, const double in[4], struct sum p[4])
 {
 	for (int i = 0; i < 3; i++)
 		p[i] = sum_difference(i < t->in ? in[i] : 0, t->origin[i]);

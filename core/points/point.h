@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Applies a transform to one point, by the numbers of core/exact. */
-#ifndef POINT_H
-#define POINT_H
+#pragma once
 
 #include "transform.h"
 
@@ -16,5 +15,3 @@ float point_exact_float(const struct transform *, const double in[4], int j,
 
 /* Returns coordinate j of the undivided image of the point, times the map's divisor. */
 struct sum point_column(const struct transform *, int j, const double in[4]);
-
-#endif

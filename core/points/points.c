@@ -13,8 +13,8 @@ static double rounded(double a, bool single)
 /* Computes the image of a point in double or, if `single`, in single precision. Serves
  * maps that have no kernel, such as maps from or to x, y, z and w. If t->front is set,
  * a point whose computed w is not positive has no image. */
-static void point_approx(const struct transform *t, bool single,
-    const double in[4], double out[4])
+static void point_approx(const struct transform *t, bool single, const double in[4],
+    double out[4])
 {
 	double p[4] = { [3] = 1 }, q[4], w = 1;
 
@@ -27,13 +27,11 @@ static void point_approx(const struct transform *t, bool single,
 		for (int i = 3; i >= 0; i--) {
 			double a = rounded(t->for_kernel.hi[i][j], single);
 
-			q[j] = rounded(q[j] + rounded(p[i] * a, single),
-			    single);
+			q[j] = rounded(q[j] + rounded(p[i] * a, single), single);
 		}
 	}
 	if (t->divide)
-		w = t->reciprocal && t->out == 4 ? rounded(in[3], single) :
-						   q[3];
+		w = t->reciprocal && t->out == 4 ? rounded(in[3], single) : q[3];
 	bool has_image = !t->front || w > 0;
 
 	for (int j = 0; j < t->out; j++)
@@ -80,8 +78,7 @@ static bool map_alone(const struct transform *t, exact_kernel kernel,
 static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 {
 	return isfinite(out[0][i]) && isfinite(out[1][i]) &&
-	    (t->out < 3 || isfinite(out[2][i])) &&
-	    (t->out < 4 || isfinite(out[3][i]));
+	    (t->out < 3 || isfinite(out[2][i])) && (t->out < 4 || isfinite(out[3][i]));
 }
 
 /* Completes image i. The kernel wrote infinity if the point has no image, or nan if the
@@ -152,8 +149,8 @@ bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
 	/* map_alone reads three columns; in 2D any column serves as z */
-	const double *const in[4] = { given[0], given[1],
-		given[t->in == 2 ? 1 : 2], given[3] };
+	const double *const in[4] = { given[0], given[1], given[t->in == 2 ? 1 : 2],
+		given[3] };
 	approx_kernel kernel = kernels_chosen()->approx[precision][t->kernel];
 
 	if (precision == PRECISION_EXACT)
@@ -164,8 +161,7 @@ bool points_map(const struct transform *t, enum precision precision,
 	    map_nonfinite(t, precision == PRECISION_SINGLE, in, out, n);
 }
 
-bool points_map_floats(const struct transform *t, const char *in, char *out,
-    size_t n)
+bool points_map_floats(const struct transform *t, const char *in, char *out, size_t n)
 {
 	float_rows_kernel kernel = kernels_chosen()->float_rows[t->kernel];
 

@@ -99,24 +99,22 @@ void transform_init(struct transform *t, enum space from, enum space to,
 
 /* Chooses KERNEL_DEPTH if w and depth depend on z of view space only, so that depth is
  * a + b / w. `projection` is the map from view space to the space of the images. */
-static void choose_depth_kernel(const struct map *projection,
-    struct transform *t)
+static void choose_depth_kernel(const struct map *projection, struct transform *t)
 {
 	const struct sum(*m)[4] = projection->m;
 	struct kernel_map *k = &t->for_kernel;
 
 	for (int i = 0; i < 4; i++)
 		if (i != 2 &&
-		    (sum_sign(m[i][3]) != 0 ||
-			(i != 3 && sum_sign(m[i][2]) != 0)))
+		    (sum_sign(m[i][3]) != 0 || (i != 3 && sum_sign(m[i][2]) != 0)))
 			return;
 	k->a = sum_dd(sum_quotient(m[2][2], m[2][3])).hi;
 	k->b = sum_dd(map_element(projection, 3, 2)).hi;
 	t->kernel = KERNEL_DEPTH;
 }
 
-const char *transform_of_scene(const struct scene *s, enum space from,
-    enum space to, bool homogeneous, struct transform *t)
+const char *transform_of_scene(const struct scene *s, enum space from, enum space to,
+    bool homogeneous, struct transform *t)
 {
 	struct map projection;
 	bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
@@ -127,8 +125,7 @@ const char *transform_of_scene(const struct scene *s, enum space from,
 	if (why != NULL)
 		return why;
 	transform_init(t, from, to, homogeneous);
-	if (t->kernel == KERNEL_PROJECTIVE && by_view &&
-	    map_is_finite(&projection))
+	if (t->kernel == KERNEL_PROJECTIVE && by_view && map_is_finite(&projection))
 		choose_depth_kernel(&projection, t);
 	return transform_check(t);
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A transform of points from one space of a scene to another: the map, the numbers of
  * coordinates, and the kernel that computes the images. */
-#ifndef TRANSFORM_H
-#define TRANSFORM_H
+#pragma once
 
 #include "kernel/kernel.h"
 #include "../scene/scene.h"
@@ -28,8 +27,8 @@ struct transform {
 /* transform_of_scene and transform_of_window compute the transform from one space to
  * another. If `homogeneous`, images are x y z w, not divided, and points of device
  * space are x y z 1/w. Return NULL, or the member of the scene at fault and why. */
-const char *transform_of_scene(const struct scene *, enum space from,
-    enum space to, bool homogeneous, struct transform *);
+const char *transform_of_scene(const struct scene *, enum space from, enum space to,
+    bool homogeneous, struct transform *);
 const char *transform_of_window(const struct scene *, enum flat_space from,
     enum flat_space to, struct transform *);
 
@@ -40,5 +39,3 @@ void transform_init(struct transform *, enum space from, enum space to,
 
 /* Computes the members relative, origin and for_kernel from the member map. */
 void transform_prepare(struct transform *);
-
-#endif

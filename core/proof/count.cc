@@ -71,13 +71,12 @@ static const double MILLIONTH = 1 + 1e-6;
 
 /* Prints a claim, which may be exceeded by a millionth: the claims leave out terms of
  * higher order, which are as small. */
-static void say(const char *claim, double claimed, double found,
-    const char *unit)
+static void say(const char *claim, double claimed, double found, const char *unit)
 {
 	bool proved = found <= claimed * MILLIONTH;
 
-	printf("%-36s %8.6g %8.6g %-6s %8.3g  %s\n", claim, claimed, found,
-	    unit, claimed / found, proved ? "proved" : "REFUSED");
+	printf("%-36s %8.6g %8.6g %-6s %8.3g  %s\n", claim, claimed, found, unit,
+	    claimed / found, proved ? "proved" : "REFUSED");
 	refusals += !proved;
 }
 
@@ -114,8 +113,8 @@ static poly minus(const poly &a, const poly &b)
 static void prove_round(void)
 {
 	fresh();
-	say("ex_round: EX_ROUND_BOUND", EX_ROUND_BOUND,
-	    count::half_ulp(U) / (U * U), "u^2");
+	say("ex_round: EX_ROUND_BOUND", EX_ROUND_BOUND, count::half_ulp(U) / (U * U),
+	    "u^2");
 }
 
 /* ---- kernel/exact.h ---- */
@@ -136,8 +135,8 @@ static void give_map(double element, double image)
 			map.lo[i][j] = given(most * U / 2);
 		}
 	for (int j = 0; j < 4; j++)
-		map.noise[j] = map.least_noise[j] = map.slope[j] =
-		    map.offset[j] = number(0);
+		map.noise[j] = map.least_noise[j] = map.slope[j] = map.offset[j] =
+		    number(0);
 }
 
 static void give_points(double size)
@@ -147,8 +146,8 @@ static void give_points(double size)
 
 		map.origin[k] = given(HUGE_VAL);
 		difference[k] = d->is;
-		in[k] = number::add({ plus(d->is, map.origin[k]->is), HUGE_VAL,
-		    0, count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+		in[k] = number::add({ plus(d->is, map.origin[k]->is), HUGE_VAL, 0,
+		    count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
 	}
 }
 
@@ -158,8 +157,7 @@ static poly column_of(int j, int terms)
 
 	for (int k = 0; k < terms; k++)
 		s = plus(s,
-		    times(difference[k],
-			plus(map.hi[k][j]->is, map.lo[k][j]->is)));
+		    times(difference[k], plus(map.hi[k][j]->is, map.lo[k][j]->is)));
 	return s;
 }
 
@@ -198,8 +196,7 @@ static column_parts column_error(int terms, int far)
 	const poly error = { { {}, COLUMN_BOUND } };
 
 	/* + the error of elements, which are rounded to hi + lo */
-	return { bound(minus(wrong, error)) +
-		    (terms + 1) * EX_ROUND_BOUND * U * U,
+	return { bound(minus(wrong, error)) + (terms + 1) * EX_ROUND_BOUND * U * U,
 		count::nodes[tested_up->a].most, count::nodes[low.a].most };
 }
 
@@ -259,8 +256,7 @@ static double quotient_error(double low_of_n, double low_of_w)
 	sized n = sum_with(1, low_of_n), w = sum_with(1, low_of_w);
 	number sure = 1;
 
-	quotient(n.parts, w.parts, reciprocal_of(w.head), given(small), 0,
-	    &sure);
+	quotient(n.parts, w.parts, reciprocal_of(w.head), given(small), 0, &sure);
 	return bound(minus(times(tested(), w.head->is), n.head->is));
 }
 
@@ -349,13 +345,11 @@ static void prove_exact(void)
 	say("column: |lo| at most", COLUMN_LOW, most.lo / 0x1p-26, "2^-26");
 	say("quotient's own", QUOTIENT_BOUND, q / (U * U), "u^2");
 	say("quotient: of low parts", QUOTIENT_LOW, of_low / U / most.lo, "u");
-	say("quotient: share of its error", 1,
-	    share(column, most.hi, q, of_low), "");
+	say("quotient: share of its error", 1, share(column, most.hi, q, of_low), "");
 	say("column, normalised", COLUMN_UNITS, normal / least, "2^-79");
 	say("length", LENGTH_BOUND, length / (U * U), "u^2");
 	say("length: its low part", LENGTH_LOW, low / U, "u");
-	say("direction: share of its error", 1, share(normal, most.hi, d, 0),
-	    "");
+	say("direction: share of its error", 1, share(normal, most.hi, d, 0), "");
 }
 
 /* ---- kernel/approx.h, in units of u ---- */
@@ -400,8 +394,7 @@ static double approx_quotient(void)
 	const count::division &d = count::divisions.back();
 	const count::node &q = *out[0];
 
-	return bound(minus(times(q.is, { { { d.b }, 1.0 } }),
-		   count::nodes[q.a].is)) /
+	return bound(minus(times(q.is, { { { d.b }, 1.0 } }), count::nodes[q.a].is)) /
 	    U;
 }
 
@@ -449,11 +442,11 @@ static void prove_approx(void)
 	const double u = 0x1p-24, own = 1 - 32 * u;
 
 	say("approx column", 5, c, "u S");
-	say("approx quotient: APPROX_BOUND", APPROX_BOUND,
-	    worst_of(c, q, u) / own, "u");
+	say("approx quotient: APPROX_BOUND", APPROX_BOUND, worst_of(c, q, u) / own,
+	    "u");
 	say("approx depth, of a: APPROX_BOUND", APPROX_BOUND, a / own, "u");
-	say("approx depth, of b/w: APPROX_BOUND", APPROX_BOUND,
-	    worst_of(c, b, u) / own, "u");
+	say("approx depth, of b/w: APPROX_BOUND", APPROX_BOUND, worst_of(c, b, u) / own,
+	    "u");
 }
 
 /* ---- estimates of signs, in units of u of what their products are ---- */
@@ -469,8 +462,7 @@ static void prove_estimate(void)
 		for (int k = 0; k < 3; k++)
 			p[k] = in[k] - map.origin[k];
 		most = std::fmax(most,
-		    bound(minus(exactly(estimate_column(map.hi, 0, p[0], p[1],
-				    p[2])),
+		    bound(minus(exactly(estimate_column(map.hi, 0, p[0], p[1], p[2])),
 			column_of(0, 3))));
 	}
 	say("estimate: ESTIMATE_BOUND", ESTIMATE_BOUND / U, most / U, "u");

@@ -9,8 +9,7 @@
  * result is a multiple of a unit, and at most 2^53 units. The low parts of two_sum,
  * fast_two_sum and two_prod are exactly the errors of their high parts, as exact.v
  * proves. */
-#ifndef COUNT_H
-#define COUNT_H
+#pragma once
 
 #include <algorithm>
 #include <cfloat>
@@ -94,16 +93,14 @@ static void add_term(poly *s, product atoms, double c)
 	for (const division &d : divisions)
 		for (size_t i = 0; i < atoms.size(); i++)
 			for (size_t j = 0; j < atoms.size(); j++) {
-				if (i == j || atoms[i] != d.q ||
-				    atoms[j] != d.b)
+				if (i == j || atoms[i] != d.q || atoms[j] != d.b)
 					continue;
 				product rest;
 
 				for (size_t k = 0; k < atoms.size(); k++)
 					if (k != i && k != j)
 						rest.push_back(atoms[k]);
-				*s = plus(*s,
-				    times({ { rest, c } }, d.product));
+				*s = plus(*s, times({ { rest, c } }, d.product));
 				return;
 			}
 	*s = plus(*s, { { atoms, c } });
@@ -117,24 +114,14 @@ static poly times(const poly &a, const poly &b)
 		for (const auto &y : b) {
 			product atoms = x.first;
 
-			atoms.insert(atoms.end(), y.first.begin(),
-			    y.first.end());
+			atoms.insert(atoms.end(), y.first.begin(), y.first.end());
 			std::sort(atoms.begin(), atoms.end());
 			add_term(&s, atoms, x.second * y.second);
 		}
 	return s;
 }
 
-enum operation {
-	GIVEN,
-	SUM,
-	DIFFERENCE,
-	PRODUCT,
-	QUOTIENT,
-	FUSED,
-	NEGATIVE,
-	SIZE
-};
+enum operation { GIVEN, SUM, DIFFERENCE, PRODUCT, QUOTIENT, FUSED, NEGATIVE, SIZE };
 
 static const int NO_UNIT = INT_MIN / 4;
 
@@ -192,8 +179,8 @@ struct number {
 
 		if (k != 0)
 			p[{}] = k;
-		*this = add({ p, std::fabs(k), std::fabs(k), unit_of(k), GIVEN,
-		    -1, -1, -1, -1 });
+		*this = add({ p, std::fabs(k), std::fabs(k), unit_of(k), GIVEN, -1, -1,
+		    -1, -1 });
 	}
 	static number add(const node &n)
 	{
@@ -226,8 +213,8 @@ struct number {
 /* Returns a given value of at most that magnitude. */
 static number given(double most, double least = 0, int unit = NO_UNIT)
 {
-	return number::add({ { { { new_atom(most) }, 1.0 } }, most, least, unit,
-	    GIVEN, -1, -1, -1, -1 });
+	return number::add({ { { { new_atom(most) }, 1.0 } }, most, least, unit, GIVEN,
+	    -1, -1, -1, -1 });
 }
 
 static bool is_zero(number a)
@@ -237,13 +224,12 @@ static bool is_zero(number a)
 
 static bool is(int id, operation op, int a, int b)
 {
-	return id >= 0 && nodes[id].op == op && nodes[id].a == a &&
-	    nodes[id].b == b;
+	return id >= 0 && nodes[id].op == op && nodes[id].a == a && nodes[id].b == b;
 }
 
 /* Returns the rounded result of an operation whose exact result is p, at most most. */
-static number rounded(poly p, double most, int unit, operation op, number a,
-    number b, int c = -1)
+static number rounded(poly p, double most, int unit, operation op, number a, number b,
+    int c = -1)
 {
 	most = std::fmin(most, bound(p));
 	node n = { p, most, 0, unit, op, a.id, b.id, c, -1 };
@@ -317,8 +303,8 @@ static number cut_sum(number a, number b)
 	int e;
 
 	std::frexp(cut_by(a, b), &e);
-	node n = { plus(a->is, b->is), most_of(a) + b->most, 0, e - 53, SUM,
-		a.id, b.id, -1, new_atom(std::ldexp(1, e - 54), true) };
+	node n = { plus(a->is, b->is), most_of(a) + b->most, 0, e - 53, SUM, a.id, b.id,
+		-1, new_atom(std::ldexp(1, e - 54), true) };
 
 	n.is = plus(n.is, { { { n.error }, 1.0 } });
 	return number::add(n);
@@ -331,8 +317,7 @@ static number operator+(number a, number b)
 		int x = a->a, y = b->a, t = b->b, st = a->b;
 
 		if (is(st, DIFFERENCE, nodes[t].a, t) &&
-		    is(t, DIFFERENCE, nodes[st].a, x) &&
-		    is(nodes[t].a, SUM, x, y))
+		    is(t, DIFFERENCE, nodes[st].a, x) && is(nodes[t].a, SUM, x, y))
 			return error_of(nodes[t].a);
 	}
 	if (is_zero(a) || is_zero(b))
@@ -352,20 +337,18 @@ static number operator-(number a, number b)
 
 	/* (x + b) - b, a cut, is x rounded to a unit */
 	if (a->op == SUM && a->b == b.id && a->unit > NO_UNIT)
-		most = std::ldexp(
-		    std::nearbyint(std::ldexp(bound(nodes[a->a].is), -a->unit)),
+		most = std::ldexp(std::nearbyint(
+				      std::ldexp(bound(nodes[a->a].is), -a->unit)),
 		    a->unit);
 	/* The error of a sum is a number, so nothing is rounded. */
 	if (p.size() == 1 && p.begin()->first.size() == 1 &&
-	    std::fabs(p.begin()->second) == 1 &&
-	    left_by_sum[p.begin()->first[0]])
-		return number::add({ p, bound(p), 0, NO_UNIT, DIFFERENCE, a.id,
-		    b.id, -1, -1 });
+	    std::fabs(p.begin()->second) == 1 && left_by_sum[p.begin()->first[0]])
+		return number::add(
+		    { p, bound(p), 0, NO_UNIT, DIFFERENCE, a.id, b.id, -1, -1 });
 	/* If neither is more than twice the other, nothing is rounded (Sterbenz). */
 	if (bound(p) <= b->least / 2)
 		return number::add({ p, std::fmin(most, bound(p)), 0,
-		    std::min(a->unit, b->unit), DIFFERENCE, a.id, b.id, -1,
-		    -1 });
+		    std::min(a->unit, b->unit), DIFFERENCE, a.id, b.id, -1, -1 });
 	return rounded(p, most, std::min(a->unit, b->unit), DIFFERENCE, a, b);
 }
 
@@ -419,13 +402,12 @@ static number operator/(number a, number b)
 
 	std::sort(lost_of_b.begin(), lost_of_b.end());
 	divisions.push_back({ q, divisor,
-	    plus(times(a->is, { { {}, 1 / times_it } }),
-		{ { lost_of_b, 1.0 } }) });
+	    plus(times(a->is, { { {}, 1 / times_it } }), { { lost_of_b, 1.0 } }) });
 	double small = a->least / b->most * (1 - U);
 
 	return number::add({ { { { q }, 1.0 } }, most, small,
-	    small > 0 ? std::ilogb(small) - 52 : NO_UNIT, QUOTIENT, a.id, b.id,
-	    -1, -1 });
+	    small > 0 ? std::ilogb(small) - 52 : NO_UNIT, QUOTIENT, a.id, b.id, -1,
+	    -1 });
 }
 
 /* Returns a root r = root + error, so that r r = a + 2 r error - error error. */
@@ -435,10 +417,9 @@ static number sqrt(number a)
 	int r = new_atom(most), error = new_atom(half_ulp(most));
 	poly square = plus(a->is, { { { r, error }, 2.0 } });
 
-	divisions.push_back(
-	    { r, r, plus(square, { { { error, error }, -1.0 } }) });
-	return number::add({ { { { r }, 1.0 } }, most,
-	    std::sqrt(a->least) * (1 - U), NO_UNIT, GIVEN, -1, -1, -1, -1 });
+	divisions.push_back({ r, r, plus(square, { { { error, error }, -1.0 } }) });
+	return number::add({ { { { r }, 1.0 } }, most, std::sqrt(a->least) * (1 - U),
+	    NO_UNIT, GIVEN, -1, -1, -1, -1 });
 }
 
 inline number &number::operator+=(number b)
@@ -452,8 +433,7 @@ static number fma(number a, number b, number c)
 		return c;
 	if (c->op == NEGATIVE && is(c->a, PRODUCT, a.id, b.id))
 		return error_of(c->a);
-	return rounded(plus(times(a->is, b->is), c->is),
-	    a->most * b->most + c->most,
+	return rounded(plus(times(a->is, b->is), c->is), a->most * b->most + c->most,
 	    std::min(product_unit(a.id, b.id), c->unit), FUSED, a, b, c.id);
 }
 
@@ -488,8 +468,7 @@ static bool learn(node *n, double limit)
 
 	answers >>= 1;
 	if (less)
-		bounds[n->is.begin()->first[0]] = n->most = std::fmin(n->most,
-		    limit);
+		bounds[n->is.begin()->first[0]] = n->most = std::fmin(n->most, limit);
 	else
 		n->least = limit;
 	return less;
@@ -497,9 +476,8 @@ static bool learn(node *n, double limit)
 /* Other comparisons find points without an image, which the proof does not cover. */
 static bool operator<(number a, number b)
 {
-	bool known = a->op == SIZE && is_constant(b) &&
-	    nodes[a->a].op == GIVEN && nodes[a->a].is.size() == 1 &&
-	    nodes[a->a].is.begin()->first.size() == 1;
+	bool known = a->op == SIZE && is_constant(b) && nodes[a->a].op == GIVEN &&
+	    nodes[a->a].is.size() == 1 && nodes[a->a].is.begin()->first.size() == 1;
 
 	return known ? learn(&nodes[a->a], b->most) : true;
 }
@@ -513,5 +491,3 @@ static bool operator==(number, number)
 }
 
 } /* namespace count */
-
-#endif

@@ -2,8 +2,7 @@
 /* Numbers of P binary digits, P <= 24, of which many operands can be tried. The headers
  * under test are compiled with these numbers in place of doubles. Exponents have no
  * limits. If P is 53, the numbers are doubles. */
-#ifndef TOY_H
-#define TOY_H
+#pragma once
 
 #include <cfloat>
 #include <cmath>
@@ -202,8 +201,7 @@ static inline double head(void)
 	case 1:
 		return 2 - (1 + below(4)) * LAST;
 	default:
-		return 1 +
-		    std::floor(below((unsigned)most) / most / LAST) * LAST;
+		return 1 + std::floor(below((unsigned)most) / most / LAST) * LAST;
 	}
 }
 
@@ -212,5 +210,3 @@ static inline int failed(const char *what)
 	printf("not ok - %s, P = %d\n", what, P);
 	return 1;
 }
-
-#endif

@@ -13,8 +13,8 @@ static bool ends;
 
 static int exponent_near(int e)
 {
-	static const int far[] = { -1074, -1022, -900, -500, -350, -201, -199,
-		-150, 150, 199, 201, 350, 500, 900, 1022 };
+	static const int far[] = { -1074, -1022, -900, -500, -350, -201, -199, -150,
+		150, 199, 201, 350, 500, 900, 1022 };
 
 	if (ends && below(3) == 0)
 		return far[below(sizeof far / sizeof *far)];
@@ -189,8 +189,8 @@ static int loops(int tries, bool at_the_ends)
 	for (int kind = KERNEL_FLAT; kind < KERNELS; kind++) {
 		const int *n = count[kind];
 
-		printf("# P = %d, loop %d: %d sure, %d not\n", P, kind,
-		    n[RIGHT], n[UNSURE]);
+		printf("# P = %d, loop %d: %d sure, %d not\n", P, kind, n[RIGHT],
+		    n[UNSURE]);
 		if (P > 20 && !ends && n[RIGHT] < n[UNSURE] / 16)
 			return failed("hardly ever sure");
 	}
@@ -214,8 +214,8 @@ static int quotients(int tries)
 		n_bound = nearest(std::fabs(at(n.hi)) * least);
 		w_bound = nearest(at(w.hi) * least);
 		toy sure = 1;
-		toy q = quotient(vdd{ n.hi, n.lo }, vdd{ w.hi, w.lo },
-		    toy(1) / w.hi, n_bound, w_bound, &sure);
+		toy q = quotient(vdd{ n.hi, n.lo }, vdd{ w.hi, w.lo }, toy(1) / w.hi,
+		    n_bound, w_bound, &sure);
 
 		if (!(sure > 0))
 			continue;
@@ -277,9 +277,8 @@ static int ties()
 				double b = ldexp(1 + k % HEADS * LAST, e);
 				double t = std::ldexp(way / 2 % 3 - 1, -3 * P);
 
-				if (ties_of(1 + k / HEADS * LAST,
-					way & 1 ? -b : b, t, way / 6 * P / 2,
-					count))
+				if (ties_of(1 + k / HEADS * LAST, way & 1 ? -b : b, t,
+					way / 6 * P / 2, count))
 					return 1;
 			}
 	printf("# P = %d, ties: %d decided, %d left\n", P, count[0], count[1]);

@@ -71,8 +71,7 @@ static void axes_of_quaternion(const struct sum q[4], struct axes *a)
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			p[i][j] = sum_mul(q[i], q[j]);
-	struct sum norm = sum_add(sum_add(p[0][0], p[1][1]),
-	    sum_add(p[2][2], p[3][3]));
+	struct sum norm = sum_add(sum_add(p[0][0], p[1][1]), sum_add(p[2][2], p[3][3]));
 
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -161,22 +160,19 @@ static void map_of_axes(const struct axes *a, const double given[3],
 		minus[i] = sum_of_double(-given[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		struct sum scale = exact ? one :
-					   sum_quotient(one, a->length[i]);
+		struct sum scale = exact ? one : sum_quotient(one, a->length[i]);
 
 		for (int k = 0; k < 3; k++)
-			r->m[inverse ? i : k][inverse ? k : i] =
-			    sum_mul(a->v[i][k], scale);
+			r->m[inverse ? i : k][inverse ? k : i] = sum_mul(a->v[i][k],
+			    scale);
 		if (is_translation)
 			sum_dot(3, minus, &a->v[0][i], 3, &found);
 		else
 			found = vec3_dot(a->v[i], minus);
 		found = sum_mul(found, scale);
-		r->m[3][i] = is_translation == inverse ? found :
-							 sum_scale(d, given[i]);
+		r->m[3][i] = is_translation == inverse ? found : sum_scale(d, given[i]);
 		if (!inverse)
-			origin[i] = is_translation ? sum_ratio(found, d) :
-						     given[i];
+			origin[i] = is_translation ? sum_ratio(found, d) : given[i];
 	}
 	r->m[3][3] = d;
 	map_divide(r, d);
@@ -188,15 +184,13 @@ static void map_of_axes(const struct axes *a, const double given[3],
 
 /* Rotates view space about its z axis: appends the rotation to r or, if inverse, puts
  * the inverse rotation before r. */
-static void camera_roll(double roll, enum angle_unit unit, bool inverse,
-    struct map *r)
+static void camera_roll(double roll, enum angle_unit unit, bool inverse, struct map *r)
 {
 	const struct sum one = sum_of_double(1);
 	const struct sum c = trig_cos(roll, unit);
 	const struct sum s = sum_negated_if(inverse, trig_sin(roll, unit));
-	const struct map turn = { .m = { { c, s }, { sum_neg(s), c },
-				      { [2] = one }, { [3] = one },
-				      { [3] = one } },
+	const struct map turn = { .m = { { c, s }, { sum_neg(s), c }, { [2] = one },
+				      { [3] = one }, { [3] = one } },
 		.divisor = one };
 
 	map_multiply(r, &turn, inverse);
@@ -230,27 +224,25 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 	return NULL;
 }
 
-const char *camera_map(const struct camera *c,
-    const struct convention *convention, bool inverse, struct map *r)
+const char *camera_map(const struct camera *c, const struct convention *convention,
+    bool inverse, struct map *r)
 {
 	bool is_translation = c->way == CAMERA_TRANSLATION ||
 	    c->way == CAMERA_RVEC_TRANSLATION;
-	bool by_rvec = c->way == CAMERA_RVEC ||
-	    c->way == CAMERA_RVEC_TRANSLATION;
+	bool by_rvec = c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION;
 	struct axes axes;
 
 	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
 		return camera_matrix_map(c, inverse, r);
-	const char *why = c->way <= CAMERA_GAZE ?
-	    axes_of_gaze(c, convention, &axes) :
-	    by_rvec ? axes_of_rvec(c, &axes) :
-		      axes_of_orientation(c, &axes);
+	const char *why = c->way <= CAMERA_GAZE ? axes_of_gaze(c, convention, &axes) :
+	    by_rvec                             ? axes_of_rvec(c, &axes) :
+						  axes_of_orientation(c, &axes);
 
 	if (why != NULL)
 		return why;
 	map_of_axes(&axes, c->eye, is_translation, inverse, r);
 	if (c->roll != 0)
-		camera_roll(convention->view_y_down ? -c->roll : c->roll,
-		    c->unit, inverse, r);
+		camera_roll(convention->view_y_down ? -c->roll : c->roll, c->unit,
+		    inverse, r);
 	return NULL;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Cameras, which map world to view space. */
-#ifndef CAMERA_H
-#define CAMERA_H
+#pragma once
 
 #include "../exact/trig.h"
 #include "convention.h"
@@ -22,9 +21,9 @@ struct camera {
 	double at[3]; /* or the gaze, a direction of any length */
 	double up[3];
 	double orientation[4]; /* quaternion x y z w, any norm; view to world */
-	double rvec[3]; /* rotation from world to view: axis times radians */
-	double roll;    /* the angle that turns the image counterclockwise */
-	enum angle_unit unit; /* of roll */
+	double rvec[3];        /* rotation from world to view: axis times radians */
+	double roll;           /* the angle that turns the image counterclockwise */
+	enum angle_unit unit;  /* of roll */
 	/* The affine matrix, for row vectors, from world to view space or, with
 	 * CAMERA_POSE, from view to world space. */
 	double matrix[4][4];
@@ -38,7 +37,5 @@ struct camera {
  * view space about the eye, also if a translation is given. The origin of the map to
  * view space is the eye or, for a CAMERA_MATRIX that is not orthonormalized, 0. Returns
  * NULL, or the member at fault and why. */
-const char *camera_map(const struct camera *, const struct convention *,
-    bool inverse, struct map *);
-
-#endif
+const char *camera_map(const struct camera *, const struct convention *, bool inverse,
+    struct map *);

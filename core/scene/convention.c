@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "convention.h"
 
-void convention_change(const struct convention *from,
-    const struct convention *to, bool clip, bool input, struct map *r)
+void convention_change(const struct convention *from, const struct convention *to,
+    bool clip, bool input, struct map *r)
 {
 	bool flips_y = clip ? from->ndc_y_down != to->ndc_y_down :
 			      from->view_y_down != to->view_y_down;
 	bool flips_z = !clip &&
 	    convention_looks_back(from) != convention_looks_back(to);
 	bool depth = clip && from->depth_minus_one != to->depth_minus_one;
-	double t = to->depth_minus_one != input ? -1 : 0.5,
-	       scale = t < 0 ? 2 : 0.5;
+	double t = to->depth_minus_one != input ? -1 : 0.5, scale = t < 0 ? 2 : 0.5;
 
 	for (int i = 0; i < (input ? 4 : 5); i++) {
 		struct sum *y = input ? &r->m[1][i] : &r->m[i][1];

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The conventions of graphics systems, in which the numbers of scenes and answers are
  * meant. */
-#ifndef CONVENTION_H
-#define CONVENTION_H
+#pragma once
 
 #include <stdbool.h>
 
@@ -28,7 +27,5 @@ static inline bool convention_looks_back(const struct convention *c)
  * in view space or, if `clip`, in clip space. Negates an axis (y, or z of view space)
  * if its direction differs. If the depth range differs, a depth z from 0 to w becomes
  * 2 z - w, and a depth z from -w to w becomes (z + w) / 2. */
-void convention_change(const struct convention *from,
-    const struct convention *to, bool clip, bool input, struct map *);
-
-#endif
+void convention_change(const struct convention *from, const struct convention *to,
+    bool clip, bool input, struct map *);

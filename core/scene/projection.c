@@ -34,8 +34,8 @@ static void set_scales(const double aspect[2], bool sets_x, struct sum scale,
 
 /* Computes scale = 2, size = r - l and edge_sum = l + r, each times cos a cos b, for
  * the edges l = tan a and r = tan b at distance 1. */
-static void tangents(double a, double b, enum angle_unit unit,
-    struct sum *scale, struct sum *size, struct sum *edge_sum)
+static void tangents(double a, double b, enum angle_unit unit, struct sum *scale,
+    struct sum *size, struct sum *edge_sum)
 {
 	struct sum ca = trig_cos(a, unit), cb = trig_cos(b, unit);
 	struct sum left = sum_mul(trig_sin(a, unit), cb);
@@ -64,8 +64,7 @@ static const char *cross_section(const struct projection *p, double d,
 	case SECTION_VIEW_ANGLE:
 		sets_x = s->way == SECTION_FOVX ||
 		    (s->way == SECTION_VIEW_ANGLE && !wide);
-		set_scales(p->aspect, sets_x, trig_cot(s->angle / 2, p->unit),
-		    1, f);
+		set_scales(p->aspect, sets_x, trig_cot(s->angle / 2, p->unit), 1, f);
 		break;
 	case SECTION_FIELD:
 		set_scales(p->aspect, wide, sum_of_double(1), s->field, f);
@@ -79,10 +78,8 @@ static const char *cross_section(const struct projection *p, double d,
 	case SECTION_SIZE:
 		break;
 	case SECTION_ANGLES:
-		tangents(s->angles[0], s->angles[1], p->unit, &f->x, &f->dx,
-		    &sums[0]);
-		tangents(s->angles[2], s->angles[3], p->unit, &f->y, &f->dy,
-		    &sums[1]);
+		tangents(s->angles[0], s->angles[1], p->unit, &f->x, &f->dx, &sums[0]);
+		tangents(s->angles[2], s->angles[3], p->unit, &f->y, &f->dy, &sums[1]);
 		break;
 	case SECTION_INTRINSICS: /* edges from 0 to the viewport's size */
 		sums[0] = f->dx;
@@ -127,8 +124,8 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (zx zy zz 1), (0 0 tz 0). With intrinsics,
  * the rows map the canonical space of prepend_intrinsics to clip space. */
-static const char *persp_matrix(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
+static const char *persp_matrix(const struct projection *p, const struct convention *c,
+    struct scaled_matrix *f)
 {
 	double distance = projection_has_intrinsics(p) ? 1 :
 	    p->section.edges_at > 0                    ? p->section.edges_at :
@@ -150,8 +147,7 @@ static const char *persp_matrix(const struct projection *p,
 	return NULL;
 }
 
-static const char *ortho_matrix(const struct projection *p,
-    struct scaled_matrix *f)
+static const char *ortho_matrix(const struct projection *p, struct scaled_matrix *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -174,8 +170,7 @@ static const char *ortho_matrix(const struct projection *p,
 
 /* Computes ortho's matrix after the shear x' = x + c cos(direction) (depth - plane),
  * y' = y + c sin(direction) (depth - plane). c is cot(projector angle). */
-static const char *oblique_matrix(const struct projection *p,
-    struct scaled_matrix *f)
+static const char *oblique_matrix(const struct projection *p, struct scaled_matrix *f)
 {
 	const struct projection_shear *s = &p->shear;
 	const char *why = ortho_matrix(p, f);
@@ -208,8 +203,8 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 
 /* Computes 1/z of the eye from the view angle: tan(angle/2) over the smaller of half
  * width and half height, with the sign of z_near - z_far. */
-static void inverse_eye_z_of_angle(const struct projection *p,
-    struct sum *numerator, struct sum *denominator)
+static void inverse_eye_z_of_angle(const struct projection *p, struct sum *numerator,
+    struct sum *denominator)
 {
 	struct scaled_matrix f;
 
@@ -249,9 +244,8 @@ void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
 }
 
 static const char *const eye_plane_refusals[] = {
-	[EYE_BY_INVERSE_Z] =
-	    "/projection/inverse_eye_z: the eye plane crosses "
-	    "the volume; it must lie before z_near or beyond z_far",
+	[EYE_BY_INVERSE_Z] = "/projection/inverse_eye_z: the eye plane crosses "
+			     "the volume; it must lie before z_near or beyond z_far",
 	[EYE_BY_POINT] = "/projection/eye: its plane crosses the volume; "
 			 "move it before z_near or beyond z_far",
 	[EYE_BY_ANGLE] = "/projection/view_angle: the eye plane crosses the "
@@ -263,8 +257,7 @@ static const char *const eye_plane_refusals[] = {
  * volume's axis. q = qn / qd is 1/z of the eye. Up to a sign, w is wf / qd = 1 - zf q
  * at z_far, and wn / qd = 1 - zn q at z_near. If wf and wn differ in sign, the eye
  * plane is inside the volume. */
-static const char *volume_matrix(const struct projection *p,
-    struct scaled_matrix *f)
+static const char *volume_matrix(const struct projection *p, struct scaled_matrix *f)
 {
 	const struct projection_volume *v = &p->volume;
 	struct sum zn = sum_of_double(v->z_near), zf = sum_of_double(v->z_far);
@@ -302,11 +295,11 @@ static const char *volume_matrix(const struct projection *p,
 
 static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 {
-	*r = (struct map){ .m = { { f->x }, { [1] = f->y },
-			       { f->zx, f->zy, f->zz, f->zw },
-			       { f->tx, f->ty, f->tz, f->tw },
-			       { f->tx, f->ty, f->tz, f->tw } },
-		.divisor = sum_of_double(1) };
+	*r = (struct map){
+		.m = { { f->x }, { [1] = f->y }, { f->zx, f->zy, f->zz, f->zw },
+		    { f->tx, f->ty, f->tz, f->tw }, { f->tx, f->ty, f->tz, f->tw } },
+		.divisor = sum_of_double(1)
+	};
 	map_divide(r, f->d);
 	map_divide_column(r, 0, f->dx);
 	map_divide_column(r, 1, f->dy);
@@ -361,8 +354,8 @@ static bool is_transposed(const double m[4][4])
 	return row && !column && !affine;
 }
 
-static const char *projection_matrix_map(const struct projection *p,
-    bool inverse, struct map *r)
+static const char *projection_matrix_map(const struct projection *p, bool inverse,
+    struct map *r)
 {
 	map_of_doubles(p->matrix, r);
 	if (is_transposed(p->matrix))
@@ -387,8 +380,7 @@ static const char *prepend_intrinsics(const struct projection *p,
 
 	for (int i = 0; i < 4; i++) {
 		for (int j = 0; j < 3; j++)
-			m[i][j] = sign[i] * sign[j] *
-			    p->section.intrinsics[j][i];
+			m[i][j] = sign[i] * sign[j] * p->section.intrinsics[j][i];
 		m[i][3] = i == 3;
 	}
 	map_of_doubles(m, &canonical);
@@ -400,8 +392,8 @@ static const char *prepend_intrinsics(const struct projection *p,
 	return NULL;
 }
 
-const char *projection_map(const struct projection *p,
-    const struct convention *c, bool inverse, struct map *r)
+const char *projection_map(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r)
 {
 	/* f is d3d, except a volume: its view space is that of c, clip y is view y */
 	bool volume = p->type == PROJECTION_VOLUME;
@@ -447,8 +439,7 @@ const char *projection_map(const struct projection *p,
 /* Returns whether a parallel projection's matrix contains a turned camera. It does if
  * depth depends on x or y, or if y depends on x. In a scene without a camera, it also
  * does if just one of x and y is mirrored, as by half a turn. */
-static bool contains_camera(const struct projection *p,
-    const struct convention *c)
+static bool contains_camera(const struct projection *p, const struct convention *c)
 {
 	const double(*m)[4] = p->matrix;
 	bool down = c->ndc_y_down != c->view_y_down;
@@ -460,8 +451,7 @@ static bool contains_camera(const struct projection *p,
 
 /* On the z axis of ndc, 1/w is z m[2][3] + m[3][3], where m is the inverse matrix. 1/w
  * is larger at the near plane than at the far plane. */
-bool projection_is_reversed(const struct projection *p,
-    const struct convention *c)
+bool projection_is_reversed(const struct projection *p, const struct convention *c)
 {
 	struct map back;
 
@@ -474,6 +464,5 @@ bool projection_is_reversed(const struct projection *p,
 
 	if (grows == 0 && contains_camera(p, c))
 		return false;
-	return grows != 0 ? grows > 0 :
-			    along_z == (convention_looks_back(c) ? 1 : -1);
+	return grows != 0 ? grows > 0 : along_z == (convention_looks_back(c) ? 1 : -1);
 }

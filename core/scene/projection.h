@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Projections, which map view to clip space. A type of projection has a row in each
  * switch over enum projection_type; most code asks for the type's family only. */
-#ifndef PROJECTION_H
-#define PROJECTION_H
+#pragma once
 
 #include "camera.h"
 
@@ -66,14 +65,13 @@ struct projection_section {
 struct projection_shear {
 	enum { OBLIQUE_ANGLE, OBLIQUE_CAVALIER, OBLIQUE_CABINET } kind;
 	double projector_angle; /* between projectors and the image plane */
-	double direction; /* in the picture, from +x to lines along the gaze */
+	double direction;       /* in the picture, from +x to lines along the gaze */
 	enum angle_unit direction_unit;
 	double plane; /* points at this distance along the gaze stay put */
 };
 
 struct projection_volume {
-	double half_width,
-	    half_height; /* with an aspect, of the smaller side */
+	double half_width, half_height; /* with an aspect, of the smaller side */
 	double z_near, z_far;
 	/* The member that gives the eye; a view_angle of 0 makes the projection
 	 * parallel. projection_rules (cmd/scene) has the same order. */
@@ -98,8 +96,7 @@ struct projection {
 	bool without_camera; /* no camera is given; `matrix` may contain one */
 };
 
-static inline enum projection_family projection_family(
-    const struct projection *p)
+static inline enum projection_family projection_family(const struct projection *p)
 {
 	switch (p->type) {
 	case PROJECTION_PERSP:
@@ -125,9 +122,8 @@ static inline bool projection_is_open(const struct projection *p)
 /* Returns whether p is a persp whose size or edges are given on the near plane. */
 static inline bool projection_is_given_at_near(const struct projection *p)
 {
-	return projection_family(p) == FAMILY_PERSP &&
-	    p->section.edges_at == 0 && p->section.way >= SECTION_SIZE &&
-	    p->section.way <= SECTION_EDGES;
+	return projection_family(p) == FAMILY_PERSP && p->section.edges_at == 0 &&
+	    p->section.way >= SECTION_SIZE && p->section.way <= SECTION_EDGES;
 }
 
 /* Returns whether the projection is a persp given by the intrinsics P. */
@@ -143,8 +139,7 @@ static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->section.intrinsics[2];
 
-	return projection_has_intrinsics(p) &&
-	    (w[0] != 0 || w[1] != 0 || w[2] != 1);
+	return projection_has_intrinsics(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
 /* Computes 1/z of a volume's eye in view space. The denominator is exact. */
@@ -160,7 +155,4 @@ const char *projection_map(const struct projection *, const struct convention *,
  * do not say which plane is near: it is then the plane of smaller positive w or, if w
  * is constant, the plane that the convention's gaze meets first. But a parallel matrix
  * that contains a turned or mirrored camera is never reversed. */
-bool projection_is_reversed(const struct projection *,
-    const struct convention *);
-
-#endif
+bool projection_is_reversed(const struct projection *, const struct convention *);

@@ -47,8 +47,8 @@ bool scene_is_valid(const struct scene *s)
 			(scene_is_size(p->near) && p->near < p->far &&
 			    (isinf(p->far) || scene_is_size(p->far))));
 	case FAMILY_PARALLEL:
-		return is && has_valid_section(s) &&
-		    are_in_range(2, &p->near) && p->near != p->far;
+		return is && has_valid_section(s) && are_in_range(2, &p->near) &&
+		    p->near != p->far;
 	case FAMILY_VOLUME:
 		return is && are_in_range(2, &p->volume.z_near);
 	case FAMILY_FIXED:
@@ -75,8 +75,7 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 static const char *map_to_next(const struct scene *s, int first, bool inverse,
     struct map *r)
 {
-	const struct convention *c = &s->convention,
-				*to = scene_answer_convention(s);
+	const struct convention *c = &s->convention, *to = scene_answer_convention(s);
 	const char *why = NULL;
 
 	if (s->known[first][inverse] != NULL) {
@@ -114,8 +113,8 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 }
 
 /* Computes the map from the 2D space `first` to the next space, or its inverse. */
-static const char *flat_map_to_next(const struct scene *s, int first,
-    bool inverse, struct map *r)
+static const char *flat_map_to_next(const struct scene *s, int first, bool inverse,
+    struct map *r)
 {
 	const struct device *d = s->has_device ? &s->device : NULL;
 
@@ -124,8 +123,7 @@ static const char *flat_map_to_next(const struct scene *s, int first,
 }
 
 static const char *compose(const struct scene *s, int from, int to,
-    const char *stage(const struct scene *, int, bool, struct map *),
-    struct map *r)
+    const char *stage(const struct scene *, int, bool, struct map *), struct map *r)
 {
 	bool back = from > to;
 	int low = back ? to : from, high = back ? from : to;
@@ -155,23 +153,21 @@ static const char *check_range(const char *err, const struct map *r, bool flat)
 			      "/projection: " SCENE_TOO_WIDE;
 	if (map_is_finite(r))
 		return NULL;
-	return flat ?
-	    "/window: the composed matrix has elements beyond the range of "
-	    "doubles; bring the sizes nearer to one another" :
-	    "/projection: the scene's composed matrix has elements beyond "
-	    "the range of doubles; bring sizes and distances nearer to one "
-	    "another";
+	return flat ? "/window: the composed matrix has elements beyond the range of "
+		      "doubles; bring the sizes nearer to one another" :
+		      "/projection: the scene's composed matrix has elements beyond "
+		      "the range of doubles; bring sizes and distances nearer to one "
+		      "another";
 }
 
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	return check_range(compose(s, (int)from, (int)to, map_to_next, r), r,
-	    false);
+	return check_range(compose(s, (int)from, (int)to, map_to_next, r), r, false);
 }
 
-const char *scene_map_by_view(const struct scene *s, enum space from,
-    enum space to, struct map *r, struct map *from_view)
+const char *scene_map_by_view(const struct scene *s, enum space from, enum space to,
+    struct map *r, struct map *from_view)
 {
 	const char *why = compose(s, (int)from, SPACE_VIEW, map_to_next, r);
 
@@ -185,8 +181,8 @@ const char *scene_map_by_view(const struct scene *s, enum space from,
 const char *scene_flat_map(const struct scene *s, enum flat_space from,
     enum flat_space to, struct map *r)
 {
-	return check_range(compose(s, (int)from, (int)to, flat_map_to_next, r),
-	    r, true);
+	return check_range(compose(s, (int)from, (int)to, flat_map_to_next, r), r,
+	    true);
 }
 
 const char *scene_window_extent(const struct scene *s, struct window_extent *w)
@@ -203,8 +199,7 @@ const char *scene_window_extent(const struct scene *s, struct window_extent *w)
 		    k & 1 ? half : sum_neg(half));
 
 		w->edge[k] = sum_ratio(edge, back.divisor);
-		w->scale[k / 2] = map_element_nearest(&out, k / 2, k / 2,
-		    false);
+		w->scale[k / 2] = map_element_nearest(&out, k / 2, k / 2, false);
 	}
 	return why;
 }

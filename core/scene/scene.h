@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene and the maps between its spaces. */
-#ifndef SCENE_H
-#define SCENE_H
+#pragma once
 
 #include "camera.h"
 #include "projection.h"
@@ -49,8 +48,7 @@ struct scene {
 	const struct map *known[SPACE_DEVICE][2];
 };
 
-static inline const struct convention *scene_answer_convention(
-    const struct scene *s)
+static inline const struct convention *scene_answer_convention(const struct scene *s)
 {
 	return s->answer != NULL ? s->answer : &s->convention;
 }
@@ -82,7 +80,5 @@ const char *scene_window_extent(const struct scene *, struct window_extent *);
 /* Computes the map of scene_map, and its last factor from_view, which maps view space
  * to the space `to`. `from` is SPACE_MODEL, SPACE_WORLD or SPACE_VIEW, and `to` is a
  * space after SPACE_VIEW. Elements of from_view may be beyond the range of doubles. */
-const char *scene_map_by_view(const struct scene *, enum space from,
-    enum space to, struct map *, struct map *from_view);
-
-#endif
+const char *scene_map_by_view(const struct scene *, enum space from, enum space to,
+    struct map *, struct map *from_view);

@@ -3,8 +3,8 @@
 
 /* Sets coordinate i of a map to x' = (x n + t) / d or, if inverse, to (x d - t) / n.
  * The denominator becomes a factor of the map's divisor. */
-static void window_axis(struct map *r, int i, struct sum n, struct sum t,
-    struct sum d, bool inverse)
+static void window_axis(struct map *r, int i, struct sum n, struct sum t, struct sum d,
+    bool inverse)
 {
 	r->m[i][i] = sum_mul(r->divisor, inverse ? d : n);
 	r->m[3][i] = sum_mul(r->divisor, sum_negated_if(inverse, t));
@@ -12,8 +12,8 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 }
 
 /* Sets coordinate i of a map from ndc to x' = x n / d + offset, or its inverse. */
-static void ndc_axis(struct map *r, int i, struct sum n, double d,
-    struct sum offset, bool inverse)
+static void ndc_axis(struct map *r, int i, struct sum n, double d, struct sum offset,
+    bool inverse)
 {
 	window_axis(r, i, n, sum_scale(offset, d), sum_of_double(d), inverse);
 	r->origin[i] = inverse ? sum_double(offset) : 0;
@@ -37,8 +37,7 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 		center[i] = sum_of_double(w->center[i]);
 		if (w->by_edges) {
 			size[i] = sum_difference(high[i], low[i]);
-			center[i] = sum_scale(sum_difference(low[i], -high[i]),
-			    0.5);
+			center[i] = sum_scale(sum_difference(low[i], -high[i]), 0.5);
 		}
 		center[i] = sum_add(center[i], sum_of_double(w->pan[i]));
 	}
@@ -58,8 +57,8 @@ static void window_adapt(const struct window *w, const struct device *d,
 	divisor[side] = side == 0 ? d->height : d->width;
 }
 
-const char *window_map(const struct window *w, const struct device *d,
-    bool inverse, struct map *r)
+const char *window_map(const struct window *w, const struct device *d, bool inverse,
+    struct map *r)
 {
 	struct sum size[2], center[2];
 	double divisor[2] = { 1, 1 }, origin[3] = { 0 };
@@ -79,8 +78,7 @@ const char *window_map(const struct window *w, const struct device *d,
 						  center[i];
 		struct sum c = sum_add(sum_sub(center[i], about),
 		    sum_scale(about, w->zoom));
-		struct sum n = sum_scale(sum_of_double(2 * divisor[i]),
-		    w->zoom);
+		struct sum n = sum_scale(sum_of_double(2 * divisor[i]), w->zoom);
 
 		window_axis(r, i, sum_scale(n, w->zoom), sum_neg(sum_mul(c, n)),
 		    sum_scale(size[i], w->zoom), inverse);
@@ -116,10 +114,10 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	if (c->depth_minus_one)
 		min = sum_scale(sum_difference(v->min_z, -v->max_z), 0.5);
 	map_identity(r);
-	ndc_axis(r, 0, sum_of_double(scale[0]), 1,
-	    sum_difference(v->x, -half[0]), inverse);
-	ndc_axis(r, 1, sum_of_double(scale[1]), 1,
-	    sum_difference(v->y, -half[1]), inverse);
+	ndc_axis(r, 0, sum_of_double(scale[0]), 1, sum_difference(v->x, -half[0]),
+	    inverse);
+	ndc_axis(r, 1, sum_of_double(scale[1]), 1, sum_difference(v->y, -half[1]),
+	    inverse);
 	ndc_axis(r, 2, depth, c->depth_minus_one ? 2 : 1, min, inverse);
 	map_set_origin(r, r->origin);
 	return NULL;
@@ -127,8 +125,8 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 
 const char *device_map(const struct device *d, bool inverse, struct map *r)
 {
-	const struct viewport v = { d->x, d->y, d->width, d->height, 0, 1,
-		SCALE_FILL, { 0 } };
+	const struct viewport v = { d->x, d->y, d->width, d->height, 0, 1, SCALE_FILL,
+		{ 0 } };
 	const struct convention c = { .origin_bottom_left = !d->top_left };
 
 	return viewport_map(&v, &c, inverse, r);

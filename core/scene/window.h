@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The maps of the 2D window, 2D device and 3D viewport. 2D maps do not change z. */
-#ifndef WINDOW_H
-#define WINDOW_H
+#pragma once
 
 #include "convention.h"
 
@@ -30,8 +29,8 @@ struct viewport {
 
 /* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The
  * device may be NULL with ADAPT_STRETCH. Returns NULL, or the member and why. */
-const char *window_map(const struct window *, const struct device *,
-    bool inverse, struct map *);
+const char *window_map(const struct window *, const struct device *, bool inverse,
+    struct map *);
 
 /* device_map computes the map from ndc to a 2D device; viewport_map, to a 3D viewport.
  * If inverse, they compute the map back. The convention gives the depth range and the y
@@ -43,5 +42,3 @@ const char *viewport_map(const struct viewport *, const struct convention *,
 /* Writes half the width and height, and the pixels per unit of ndc x and y. Points of
  * ndc with |x| scale[0] <= half[0] and |y| scale[1] <= half[1] are in the viewport. */
 void viewport_limits(const struct viewport *, double half[2], double scale[2]);
-
-#endif

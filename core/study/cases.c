@@ -105,8 +105,7 @@ static void reversed_matrix(struct scene *s, double near)
 	const double m[4][4] = { { 1.6 }, { 0, 2.1 }, { 0, 0, 1, -1 },
 		{ 0, 0, 2 * near, 0 } };
 
-	s->projection = (struct projection){ .type = PROJECTION_MATRIX,
-		.near = near };
+	s->projection = (struct projection){ .type = PROJECTION_MATRIX, .near = near };
 	memcpy(s->projection.matrix, m, sizeof m);
 	s->viewport.max_z = 0x1p24 - 1;
 }
@@ -118,10 +117,8 @@ static void up_near_gaze(struct scene *s, double angle)
 {
 	double gaze[3];
 
-	memcpy(s->camera.eye, (double[]){ 0.25, -0.125, 0.75 },
-	    sizeof s->camera.eye);
-	memcpy(s->camera.at, (double[]){ 6.375, 2.125, -2.5 },
-	    sizeof s->camera.at);
+	memcpy(s->camera.eye, (double[]){ 0.25, -0.125, 0.75 }, sizeof s->camera.eye);
+	memcpy(s->camera.at, (double[]){ 6.375, 2.125, -2.5 }, sizeof s->camera.at);
 	for (int i = 0; i < 3; i++)
 		gaze[i] = s->camera.at[i] - s->camera.eye[i];
 	memcpy(s->camera.up, gaze, sizeof gaze);
@@ -252,8 +249,7 @@ static void on_screen(const struct map *clip, double z, double p[3])
 	p[2] = z;
 }
 
-static void in_frustum(const struct projection *v, const struct map *clip,
-    double p[3])
+static void in_frustum(const struct projection *v, const struct map *clip, double p[3])
 {
 	double n = v->near, f = fmin(v->far, 1e6 * n);
 	double t = sample_unit();
@@ -263,8 +259,7 @@ static void in_frustum(const struct projection *v, const struct map *clip,
 
 /* Places a point between the planes of a volume. A 2D window has no planes, so z is 0.
  */
-static void in_volume(const struct projection *v, const struct map *clip,
-    double p[3])
+static void in_volume(const struct projection *v, const struct map *clip, double p[3])
 {
 	on_screen(clip, sample_between(v->volume.z_far, v->volume.z_near), p);
 }
@@ -276,8 +271,7 @@ static void in_last_decade(const struct projection *v, const struct map *clip,
 }
 
 /* Places a point in a picture that is given by edges, and is off the axis. */
-static void on_tile(const struct projection *v, const struct map *clip,
-    double p[3])
+static void on_tile(const struct projection *v, const struct map *clip, double p[3])
 {
 	double z = -sample_between(1, 4) * v->near, w = -z;
 
@@ -288,8 +282,7 @@ static void on_tile(const struct projection *v, const struct map *clip,
 }
 
 /* Places a point whose x and y range from 1e-15 to 1 in magnitude. */
-static void tiny(const struct projection *v, const struct map *clip,
-    double p[3])
+static void tiny(const struct projection *v, const struct map *clip, double p[3])
 {
 	(void)v;
 	(void)clip;
@@ -298,8 +291,7 @@ static void tiny(const struct projection *v, const struct map *clip,
 	p[2] = -sample_unit();
 }
 
-static void beyond_near(const struct projection *v, const struct map *clip,
-    double p[3])
+static void beyond_near(const struct projection *v, const struct map *clip, double p[3])
 {
 	on_screen(clip, -v->near * pow(1e9, sample_unit()), p);
 }
@@ -311,8 +303,7 @@ static void at_unit_distance(const struct projection *v, const struct map *clip,
 	on_screen(clip, -sample_between(1, 2), p);
 }
 
-static void beside_eye(const struct projection *v, const struct map *clip,
-    double p[3])
+static void beside_eye(const struct projection *v, const struct map *clip, double p[3])
 {
 	on_screen(clip, -v->near * sample_between(1, 2), p);
 	for (int i = 0; i < 2; i++)
@@ -325,54 +316,48 @@ const struct regime regimes[REGIMES] = {
 	{ "distance", "Far from the origin", "distance", { 0, 15, 1, 0 },
 	    far_from_origin, in_frustum, false,
 	    1 << SINGLE | 1 << COMPOSED | 1 << STAGED, 10 },
-	{ "up", "Up close to the gaze", "angle between, radians",
-	    { 0, -15, -1, -400 }, up_near_gaze, in_frustum, false, ALL, 1 },
-	{ "wide", "Wide field of view", "180 - degrees", { 0, -10, -1, 0 },
-	    wide, in_frustum, false, ALL, 1e-3 },
-	{ "narrow", "Narrow field of view", "degrees", { -1, -9, -1, 0 },
-	    narrow, in_frustum, false, ALL, 1e-3 },
-	{ "depth", "Near and far close: depth", "far/near - 1",
-	    { 15, -15, -2, 400 }, depth_range, in_frustum, false, ALL, 1 },
-	{ "unproject", "From the screen to the world", "far/near",
-	    { 2, 12, 1, 0 }, deep, in_last_decade, true, ALL, 1e-3 },
+	{ "up", "Up close to the gaze", "angle between, radians", { 0, -15, -1, -400 },
+	    up_near_gaze, in_frustum, false, ALL, 1 },
+	{ "wide", "Wide field of view", "180 - degrees", { 0, -10, -1, 0 }, wide,
+	    in_frustum, false, ALL, 1e-3 },
+	{ "narrow", "Narrow field of view", "degrees", { -1, -9, -1, 0 }, narrow,
+	    in_frustum, false, ALL, 1e-3 },
+	{ "depth", "Near and far close: depth", "far/near - 1", { 15, -15, -2, 400 },
+	    depth_range, in_frustum, false, ALL, 1 },
+	{ "unproject", "From the screen to the world", "far/near", { 2, 12, 1, 0 },
+	    deep, in_last_decade, true, ALL, 1e-3 },
 	{ "plane", "Points close to the eye plane", "depth of the points",
 	    { 0, -17, -1, 0 }, eye_plane, beside_eye, false, ALL, 1 },
-	{ "zoom", "Deep zoom in 2D", "part of the window in sight",
-	    { 0, -15, -1, 0 }, zoomed, in_volume, false, ALL, 1 },
-	{ "volume", "Almost parallel projection", "1 / eye z",
-	    { -3, -15, -1, -300 }, nearly_parallel, in_volume, false, ALL,
-	    1e-3 },
-	{ "turns", "Turned by small rotations", "number of turns",
-	    { 0, 6, 1, 0 }, turned, in_frustum, false, ALL, 1e-9 },
-	{ "squared", "Turned, then orthonormalized", "number of turns",
-	    { 0, 6, 1, 0 }, turned_and_squared, in_frustum, false,
+	{ "zoom", "Deep zoom in 2D", "part of the window in sight", { 0, -15, -1, 0 },
+	    zoomed, in_volume, false, ALL, 1 },
+	{ "volume", "Almost parallel projection", "1 / eye z", { -3, -15, -1, -300 },
+	    nearly_parallel, in_volume, false, ALL, 1e-3 },
+	{ "turns", "Turned by small rotations", "number of turns", { 0, 6, 1, 0 },
+	    turned, in_frustum, false, ALL, 1e-9 },
+	{ "squared", "Turned, then orthonormalized", "number of turns", { 0, 6, 1, 0 },
+	    turned_and_squared, in_frustum, false,
 	    1 << SINGLE | 1 << COMPOSED | 1 << STAGED, 1e-9 },
-	{ "at", "Eye close to what it looks at", "distance",
-	    { 0, -150, -10, 0 }, eye_near_at, in_frustum, false, 1 << SINGLE,
-	    1 },
-	{ "size", "Size of the whole scene", "unit of length",
-	    { -150, 149, 13, 0 }, whole_scene, in_frustum, false, 1 << SINGLE,
-	    1 },
+	{ "at", "Eye close to what it looks at", "distance", { 0, -150, -10, 0 },
+	    eye_near_at, in_frustum, false, 1 << SINGLE, 1 },
+	{ "size", "Size of the whole scene", "unit of length", { -150, 149, 13, 0 },
+	    whole_scene, in_frustum, false, 1 << SINGLE, 1 },
 	{ "world", "A model far from the origin", "distance", { 0, 15, 1, 0 },
 	    far_in_the_world, in_frustum, false,
 	    1 << SINGLE | 1 << COMPOSED | 1 << STAGED, 10 },
-	{ "tiles", "Off-axis tiles of a wall", "size of a tile",
-	    { 0, -15, -1, 0 }, tile, on_tile, false, ALL, 1 },
+	{ "tiles", "Off-axis tiles of a wall", "size of a tile", { 0, -15, -1, 0 },
+	    tile, on_tile, false, ALL, 1 },
 	{ "cancel", "Total cancellation", "shear", { 0, 40, 2, 0 }, cancelling,
 	    in_frustum, false, ALL, 1 },
-	{ "underflow", "Underflow on the way", "size of the volume",
-	    { 0, 150, 10, 0 }, underflowing, tiny, false, 1 << SINGLE, 0 },
+	{ "underflow", "Underflow on the way", "size of the volume", { 0, 150, 10, 0 },
+	    underflowing, tiny, false, 1 << SINGLE, 0 },
 	{ "reversed", "Reversed depth from a matrix", "near", { 0, -15, -1, 0 },
 	    reversed_matrix, beyond_near, false, 1 << SINGLE, 1e-3 },
-	{ "back", "There and back, far from the origin", "distance",
-	    { 0, 15, 1, 0 }, far_from_origin, in_frustum, true,
-	    1 << SINGLE | 1 << COMPOSED, 10 },
-	{ "normal depth", "Depth at a distance", "distance over near",
-	    { 0, 15, 1, 0 }, normal_depth, at_unit_distance, false, 1 << SINGLE,
-	    0.5 },
-	{ "reversed depth", "Reversed depth at a distance",
-	    "distance over near", { 0, 15, 1, 0 }, reversed_depth,
-	    at_unit_distance, false, 0, 0 },
+	{ "back", "There and back, far from the origin", "distance", { 0, 15, 1, 0 },
+	    far_from_origin, in_frustum, true, 1 << SINGLE | 1 << COMPOSED, 10 },
+	{ "normal depth", "Depth at a distance", "distance over near", { 0, 15, 1, 0 },
+	    normal_depth, at_unit_distance, false, 1 << SINGLE, 0.5 },
+	{ "reversed depth", "Reversed depth at a distance", "distance over near",
+	    { 0, 15, 1, 0 }, reversed_depth, at_unit_distance, false, 0, 0 },
 };
 
 void regime_scene(const struct regime *r, double severity, struct scene *s)

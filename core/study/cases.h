@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Regimes: scenes with one number that makes them hard to compute, from harmless to
  * extreme values. */
-#ifndef CASES_H
-#define CASES_H
+#pragma once
 
 #include "textbook.h"
 
@@ -19,8 +18,7 @@ struct regime {
 	struct sweep sweep;
 	void (*scene)(struct scene *, double severity);
 	/* Places a point in view space, or in the ndc of a 2D window. */
-	void (*place)(const struct projection *, const struct map *clip,
-	    double p[3]);
+	void (*place)(const struct projection *, const struct map *clip, double p[3]);
 	bool back; /* from the device to the world */
 	/* The regime shows that the ways with the bit 1 << way lose some image, or have
 	 * an error of more than so many units. */
@@ -38,5 +36,3 @@ void regime_scene(const struct regime *, double severity, struct scene *);
 
 /* Sets severity to the values of a regime, and returns how many there are. */
 int regime_sweep(const struct regime *, double severity[ROWS]);
-
-#endif

@@ -19,8 +19,7 @@ struct task {
 	int n; /* coordinates */
 };
 
-static const char *task_of(const struct regime *r, double severity,
-    struct task *t)
+static const char *task_of(const struct regime *r, double severity, struct task *t)
 {
 	const struct scene *s = &t->scene;
 	enum space from = r->back ? SPACE_DEVICE : SPACE_MODEL;
@@ -31,8 +30,7 @@ static const char *task_of(const struct regime *r, double severity,
 	t->n = s->has_window ? 2 : 3;
 	if (s->has_window) {
 		truth_flat(s, FLAT_WINDOW, FLAT_DEVICE, &t->truth);
-		return transform_of_window(s, FLAT_WINDOW, FLAT_DEVICE,
-		    &t->exact);
+		return transform_of_window(s, FLAT_WINDOW, FLAT_DEVICE, &t->exact);
 	}
 	truth_scene(s, from, to, &t->truth);
 	return transform_of_scene(s, from, to, false, &t->exact);
@@ -101,8 +99,7 @@ static const char *place(const struct task *t, double (*in)[3])
 		t->regime->back ? SPACE_DEVICE : SPACE_MODEL, false, &to);
 
 	if (why == NULL)
-		why = projection_map(&s->projection, &s->convention, false,
-		    &clip);
+		why = projection_map(&s->projection, &s->convention, false, &clip);
 	if (why != NULL)
 		return why;
 	sample_seed(1);
@@ -122,11 +119,9 @@ struct true_image {
 	real at[3];
 };
 
-static void true_image_of(const struct task *t, const double p[3],
-    struct true_image *r)
+static void true_image_of(const struct task *t, const double p[3], struct true_image *r)
 {
-	image_of(&t->truth, &t->exact, (double[4]){ p[0], p[1], p[2] },
-	    &r->image);
+	image_of(&t->truth, &t->exact, (double[4]){ p[0], p[1], p[2] }, &r->image);
 	r->n = t->n;
 	for (int j = 0; j < r->n && r->image.exists; j++)
 		r->at[j] = divide(r->image.n[j].value, r->image.d.value);
@@ -138,8 +133,7 @@ static void widen(double *most, double a)
 		*most = a;
 }
 
-static void tally(const struct true_image *truth, const double got[4],
-    struct cell *c)
+static void tally(const struct true_image *truth, const double got[4], struct cell *c)
 {
 	bool finite = isfinite(got[0]) && isfinite(got[1]) && isfinite(got[2]);
 	bool seen = truth->image.exists;
@@ -182,12 +176,11 @@ static void check_exact(const struct task *t, const struct true_image *truth,
 	r->ruled += (int)verdicts.n[WITHIN_TOLERANCE];
 }
 
-static void compute(const struct task *t, double (*in)[3],
-    double out[WAYS][MANY][4])
+static void compute(const struct task *t, double (*in)[3], double out[WAYS][MANY][4])
 {
 	for (int way = 0; way < OUR_SINGLE; way++)
-		naive_carry(&t->scene, (enum way)way, t->regime->back, in,
-		    out[way], MANY);
+		naive_carry(&t->scene, (enum way)way, t->regime->back, in, out[way],
+		    MANY);
 	carry_in(PRECISION_SINGLE, &t->exact, in, out[OUR_SINGLE]);
 	carry_in(PRECISION_DOUBLE, &t->exact, in, out[OUR_DOUBLE]);
 	carry_in(PRECISION_EXACT, &t->exact, in, out[EXACT]);
@@ -202,8 +195,7 @@ void ways_compare(const struct regime *regime, double severity, struct row *r)
 
 	memset(r, 0, sizeof *r);
 	memset(mirrored, !regime->back, sizeof mirrored);
-	r->refused = task_of(regime, severity, &t) != NULL ||
-	    place(&t, in) != NULL;
+	r->refused = task_of(regime, severity, &t) != NULL || place(&t, in) != NULL;
 	r->wrong = r->refused != (severity == 0);
 	if (r->refused) {
 		for (int way = 0; way < OUR_SINGLE; way++)

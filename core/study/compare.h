@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Measures the errors of the ways to compute the images of a regime. */
-#ifndef COMPARE_H
-#define COMPARE_H
+#pragma once
 
 #include "cases.h"
 
@@ -30,5 +29,3 @@ struct row {
 
 /* Compares the ways with the truth, on the same points in every run. */
 void ways_compare(const struct regime *, double severity, struct row *);
-
-#endif

@@ -89,9 +89,8 @@ static void print_row(double severity, const struct row *r)
 
 static void print_heading(const char *title)
 {
-	printf("\n%s\n%23s%14s%14s%14s%14s%14s%14s%14s\n", title, "float",
-	    "double", "double", "double", "double", "-p single", "-p double",
-	    "exact");
+	printf("\n%s\n%23s%14s%14s%14s%14s%14s%14s%14s\n", title, "float", "double",
+	    "double", "double", "double", "-p single", "-p double", "exact");
 	printf("%23s%14s%14s%14s%14s\n", "composed", "composed", "by stages",
 	    "from the eye", "LU");
 }
@@ -157,8 +156,7 @@ static bool is_broken(const struct regime *r, const struct row *worst)
 	for (int way = 0; way < OUR_SINGLE; way++) {
 		const struct cell *c = &worst->cell[way];
 
-		if ((r->broken >> way & 1) != 0 && !is_lost(c) &&
-		    c->units <= r->units)
+		if ((r->broken >> way & 1) != 0 && !is_lost(c) && c->units <= r->units)
 			return false;
 	}
 	return true;

@@ -43,8 +43,8 @@ static void nearest_rotation(double m[4][4])
 #define NAME(x) double_##x
 #include "textbook_body.h"
 
-void naive_carry(const struct scene *s, enum way way, bool back,
-    double (*in)[3], double (*out)[4], size_t n)
+void naive_carry(const struct scene *s, enum way way, bool back, double (*in)[3],
+    double (*out)[4], size_t n)
 {
 	if (way == SINGLE)
 		single_carry(s, way, back, in, out, n);

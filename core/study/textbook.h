@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Classical methods, to compare with in tests: matrices as GLM, cglm and
  * textbooks make them, in the convention gl. */
-#ifndef TEXTBOOK_H
-#define TEXTBOOK_H
+#pragma once
 
 #include "../scene/scene.h"
 
@@ -27,5 +26,3 @@ enum way {
  * is x, y and z, and the w by which they were divided. */
 void naive_carry(const struct scene *, enum way, bool back, double (*in)[3],
     double (*out)[4], size_t n);
-
-#endif

@@ -19,9 +19,8 @@ static MATRIX NAME(times)(MATRIX a, MATRIX b)
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			r.m[i][j] = a.m[i][0] * b.m[0][j] +
-			    a.m[i][1] * b.m[1][j] + a.m[i][2] * b.m[2][j] +
-			    a.m[i][3] * b.m[3][j];
+			r.m[i][j] = a.m[i][0] * b.m[0][j] + a.m[i][1] * b.m[1][j] +
+			    a.m[i][2] * b.m[2][j] + a.m[i][3] * b.m[3][j];
 	return r;
 }
 
@@ -60,8 +59,7 @@ static MATRIX NAME(inverse_lu)(MATRIX a)
 		int pivot = k;
 
 		for (int i = k + 1; i < 4; i++)
-			if (fabs((double)a.m[i][k]) >
-			    fabs((double)a.m[pivot][k]))
+			if (fabs((double)a.m[i][k]) > fabs((double)a.m[pivot][k]))
 				pivot = i;
 		for (int j = 0; j < 4; j++) {
 			REAL b = a.m[k][j], c = r.m[k][j];
@@ -203,8 +201,7 @@ static MATRIX NAME(frustum)(const struct scene *s)
 	MATRIX r = { 0 };
 	REAL n = (REAL)p->near;
 	REAL x = (REAL)p->section.left, y = (REAL)p->section.bottom;
-	REAL width = (REAL)p->section.right - x,
-	     height = (REAL)p->section.top - y;
+	REAL width = (REAL)p->section.right - x, height = (REAL)p->section.top - y;
 
 	r.m[0][0] = 2 * n / width;
 	r.m[1][1] = 2 * n / height;
@@ -332,8 +329,7 @@ static void NAME(turn_back)(PATH *p, enum way way)
 	for (int i = 0; i < p->n; i++) {
 		MATRIX m = there.stage[p->n - 1 - i];
 
-		p->stage[i] = way == LU ? NAME(inverse_lu)(m) :
-					  NAME(inverse)(m);
+		p->stage[i] = way == LU ? NAME(inverse_lu)(m) : NAME(inverse)(m);
 	}
 	memcpy(p->after, p->before, sizeof p->after);
 	memset(p->before, 0, sizeof p->before);
@@ -368,8 +364,8 @@ static PATH NAME(path_of)(const struct scene *s, enum way way, bool back)
 	return r;
 }
 
-static void NAME(carry)(const struct scene *s, enum way way, bool back,
-    double (*in)[3], double (*out)[4], size_t n)
+static void NAME(carry)(const struct scene *s, enum way way, bool back, double (*in)[3],
+    double (*out)[4], size_t n)
 {
 	PATH path = NAME(path_of)(s, way, back);
 

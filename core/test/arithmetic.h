@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Sums, products and quotients of ex, which is the type of core/exact/ex.h, for
  * tests. */
-#ifndef ARITHMETIC_H
-#define ARITHMETIC_H
+#pragma once
 
 #include <limits.h>
 
@@ -72,5 +71,3 @@ static inline double ex_double(ex a)
 {
 	return ex_nearest(&a, false);
 }
-
-#endif

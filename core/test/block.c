@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdio.h>
 
-void map_block(const struct transform *t, enum precision precision,
-    struct block *b, size_t n)
+void map_block(const struct transform *t, enum precision precision, struct block *b,
+    size_t n)
 {
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
@@ -38,8 +38,7 @@ static double sample_coordinate(const struct scene *s, enum space from, int j)
 	return d;
 }
 
-void sample_points(const struct scene *s, enum space from, struct block *b,
-    size_t n)
+void sample_points(const struct scene *s, enum space from, struct block *b, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
 		for (int j = 0; j < 4; j++)
@@ -67,8 +66,8 @@ static bool sample_flat_transform(struct scene *s, struct transform *t,
 	return true;
 }
 
-bool sample_transform(int e, struct scene *s, enum space *from,
-    struct transform *t, struct truth *truth)
+bool sample_transform(int e, struct scene *s, enum space *from, struct transform *t,
+    struct truth *truth)
 {
 	enum space to = sample_below(6);
 	bool homogeneous = sample_below(4) == 0;
@@ -88,8 +87,8 @@ bool sample_transform(int e, struct scene *s, enum space *from,
 }
 
 /* A device point's fourth number is 1/w. In a flat space z is 0 and w is 1. */
-void image_of(const struct truth *truth, const struct transform *t,
-    const double p[4], struct image *r)
+void image_of(const struct truth *truth, const struct transform *t, const double p[4],
+    struct image *r)
 {
 	bool given = t->in == 4 && !t->reciprocal;
 	double at[4] = { p[0], p[1], t->in > 2 ? p[2] : 0, given ? p[3] : 1 };
@@ -103,9 +102,8 @@ void image_of(const struct truth *truth, const struct transform *t,
 	for (int j = 0; j < t->out; j++)
 		r->n[j] = truth_column(truth, j, at);
 	if (t->divide)
-		r->d = t->reciprocal && t->out == 4 ?
-		    sized_of(p[3]) :
-		    truth_column(truth, 3, at);
+		r->d = t->reciprocal && t->out == 4 ? sized_of(p[3]) :
+						      truth_column(truth, 3, at);
 	int sign = truth_sign(r->d, &r->doubtful);
 
 	r->doubtful &= truth->irrational;
@@ -121,8 +119,8 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 		none &= isnan(got[j]);
 	for (int j = 0; j < coordinates; j++)
 		if (image->exists && !(image->doubtful && none))
-			tally->n[truth_verdict(got[j], image->n[j], image->d,
-			    single)]++;
+			tally
+			    ->n[truth_verdict(got[j], image->n[j], image->d, single)]++;
 		else
 			tally->n[none           ? NEAREST :
 				image->doubtful ? WITHIN_TOLERANCE :
@@ -133,8 +131,7 @@ static double true_coordinate(const struct image *image, int j, bool single)
 {
 	real v = divide(image->n[j].value, image->d.value);
 
-	return single ? (double)mpfr_get_flt(v, MPFR_RNDN) :
-			mpfr_get_d(v, MPFR_RNDN);
+	return single ? (double)mpfr_get_flt(v, MPFR_RNDN) : mpfr_get_d(v, MPFR_RNDN);
 }
 
 static void judge_point(const struct truth *truth, const struct transform *t,
@@ -147,10 +144,9 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 	judge_image(&image, t->out, got, single, &here);
 	/* In a rational scene TRUTH_TOLERANCE excuses nothing, as sums of the numbers
 	 * in the document are exact. */
-	if (here.n[WRONG] > 0 ||
-	    (here.n[WITHIN_TOLERANCE] > 0 && !truth->irrational)) {
-		fprintf(stderr, "point %a %a %a %a, kernel %d:\n", p[0], p[1],
-		    p[2], p[3], (int)t->kernel);
+	if (here.n[WRONG] > 0 || (here.n[WITHIN_TOLERANCE] > 0 && !truth->irrational)) {
+		fprintf(stderr, "point %a %a %a %a, kernel %d:\n", p[0], p[1], p[2],
+		    p[3], (int)t->kernel);
 		for (int j = 0; j < t->out; j++)
 			fprintf(stderr, "  expected %a, came %a\n",
 			    image.exists ? true_coordinate(&image, j, single) :
@@ -174,8 +170,7 @@ void judge_block(const struct truth *truth, const struct transform *t,
 		for (int j = 0; j < t->out; j++) {
 			got[j] = b->out[j][i];
 			if (single && !isnan(got[j]))
-				got[j] = (double)point_exact_float(t, p, j,
-				    got[j]);
+				got[j] = (double)point_exact_float(t, p, j, got[j]);
 		}
 		judge_point(truth, t, p, got, single, tally);
 		real_release(mark);

@@ -93,8 +93,8 @@ static void set_diagonal(struct camera *c, double a, double b, double d)
 static void nearest_rotation_of_permutations(void **state)
 {
 	static const double stretched[][3] = { { 1, 1, 1 }, { 3, 2, 1 },
-		{ 1e150, 1e150, 1e150 }, { 1e-150, 1e-150, 1e-150 },
-		{ 1, 1, 1e-150 }, { 1, 1e-80, 1e-100 }, { 0.1, 0.7, 1e9 } };
+		{ 1e150, 1e150, 1e150 }, { 1e-150, 1e-150, 1e-150 }, { 1, 1, 1e-150 },
+		{ 1, 1e-80, 1e-100 }, { 0.1, 0.7, 1e9 } };
 	struct camera c;
 	struct map m;
 
@@ -105,8 +105,7 @@ static void nearest_rotation_of_permutations(void **state)
 
 			set_diagonal(&c, d[0], d[1], d[2]);
 			for (int k = 0; k < 9; k++)
-				c.matrix[k / 3][k % 3] = k % 3 ==
-					(k / 3 + turn) % 3 ?
+				c.matrix[k / 3][k % 3] = k % 3 == (k / 3 + turn) % 3 ?
 				    d[k / 3] :
 				    0;
 			assert_null(camera_map(&c, &d3d, false, &m));
@@ -139,8 +138,7 @@ static void check_zeros(const int eye[3], const int gaze[3], const int up[3],
 
 		for (int k = 0; k < 3; k++) {
 			image += axis[i][k] * eye[k];
-			assert_true(
-			    (element(m, k, i) == 0) == (axis[i][k] == 0));
+			assert_true((element(m, k, i) == 0) == (axis[i][k] == 0));
 		}
 		assert_true((element(m, 3, i) == 0) == (image == 0));
 	}
@@ -214,8 +212,7 @@ static void zeros_of_nearest_rotations(void **state)
 
 		set_diagonal(&c, 1, 1, 1);
 		for (int k = 0; k < 3; k++)
-			memcpy(c.matrix[k], drifted[i][k],
-			    sizeof drifted[i][k]);
+			memcpy(c.matrix[k], drifted[i][k], sizeof drifted[i][k]);
 		assert_true(compare(&c, &d3d, &w));
 	}
 	assert_errors("a rotation with one 0", &w, 0x1p-245 / TRUTH_TOLERANCE);
@@ -248,8 +245,7 @@ static double scaled_sine_squared(const struct camera *c)
 	set_reals(u, 3, c->up);
 	cross(u, g, x);
 	return mpfr_get_d(mul(real_of(0x1p100),
-			      divide(dot(x, x, 3),
-				  mul(dot(u, u, 3), dot(g, g, 3)))),
+			      divide(dot(x, x, 3), mul(dot(u, u, 3), dot(g, g, 3)))),
 	    MPFR_RNDN);
 }
 
@@ -333,8 +329,7 @@ static void turns_of_a_cube(void **state)
 
 		set_diagonal(&c, 0, 0, 0);
 		for (int i = 0; i < 3; i++)
-			c.matrix[i][axis[i]] = (k / 27 >> i & 1 ? -1 : 1) *
-			    (i + 1);
+			c.matrix[i][axis[i]] = (k / 27 >> i & 1 ? -1 : 1) * (i + 1);
 		if (!(determinant(c.matrix) > 0))
 			continue;
 		turns++;
@@ -346,8 +341,7 @@ static void turns_of_a_cube(void **state)
 	assert_int_equal(turns, 24);
 }
 
-static void assert_camera_refused(struct camera c, bool inverse,
-    const char *member)
+static void assert_camera_refused(struct camera c, bool inverse, const char *member)
 {
 	struct map m;
 
@@ -356,9 +350,7 @@ static void assert_camera_refused(struct camera c, bool inverse,
 
 static void refused_cameras(void **state)
 {
-	struct camera c = { .eye = { 1, 2, 3 },
-		.at = { 1, 2, 3 },
-		.up = { 0, 1, 0 } };
+	struct camera c = { .eye = { 1, 2, 3 }, .at = { 1, 2, 3 }, .up = { 0, 1, 0 } };
 
 	(void)state;
 	assert_camera_refused(c, false, "/camera/at");
@@ -382,8 +374,7 @@ static void refused_cameras(void **state)
 	assert_camera_refused(c, false,
 	    "/camera/matrix: its determinant is not positive");
 	c.way = CAMERA_POSE;
-	assert_camera_refused(c, true,
-	    "/camera/pose: its determinant is not positive");
+	assert_camera_refused(c, true, "/camera/pose: its determinant is not positive");
 	set_diagonal(&c, 1, 1, 0);
 	assert_camera_refused(c, false, "/camera/matrix");
 	c.way = CAMERA_POSE;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Assertions about errors, maps and refusals. Includes cmocka for the tests of core. */
-#ifndef CLAIMS_H
-#define CLAIMS_H
+#pragma once
 
 #include "numbers.h"
 #include "sample.h"
@@ -23,8 +22,7 @@ static inline void assert_at_most(const char *what, double worst, double bound)
 {
 	print_message("%s: %.3g, at most %.3g\n", what, worst, bound);
 	if (!(worst <= bound))
-		fail_msg("%s: came %.17g, expected at most %.17g", what, worst,
-		    bound);
+		fail_msg("%s: came %.17g, expected at most %.17g", what, worst, bound);
 }
 
 static inline void assert_largest(const char *what, const struct largest *l,
@@ -40,8 +38,7 @@ static inline void assert_largest(const char *what, const struct largest *l,
  * doubles of an element is within EX_ROUND_BOUND 2^-106. Every sum is within its own
  * bound of the error. The largest such bound, in units of TRUTH_TOLERANCE times the
  * size of the element, is at most bound. An element is 0 where the truth is 0. */
-static inline void assert_errors(const char *what, const struct worst *w,
-    double bound)
+static inline void assert_errors(const char *what, const struct worst *w, double bound)
 {
 	const int *n = w->verdicts;
 
@@ -51,11 +48,9 @@ static inline void assert_errors(const char *what, const struct worst *w,
 		fail_msg("%s: expected nearest elements, came %d wrong, %d "
 			 "beyond their error, %d not 0 where the truth is 0; "
 			 "first: %s",
-		    what, n[WRONG], w->beyond_error, w->false_nonzeros,
-		    w->fault.where);
+		    what, n[WRONG], w->beyond_error, w->false_nonzeros, w->fault.where);
 	assert_true(n[NEAREST] > 0 && n[WITHIN_TOLERANCE] <= n[NEAREST] / 100);
-	assert_largest("errors of pairs of doubles", &w->pair_error,
-	    EX_ROUND_BOUND);
+	assert_largest("errors of pairs of doubles", &w->pair_error, EX_ROUND_BOUND);
 	assert_largest("bounds of errors", &w->sum_bound, bound);
 }
 
@@ -77,5 +72,3 @@ static inline void assert_reason(const char *why, const char *begins)
 	if (strncmp(why, begins, n) != 0 || strchr(":;", why[n]) == NULL)
 		fail_msg("expected a refusal of %s, came: %s", begins, why);
 }
-
-#endif

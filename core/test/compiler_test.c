@@ -35,10 +35,8 @@ static __attribute__((noinline)) void combine(struct pairs *r, int j,
     const struct pairs *m, int k)
 {
 	for (int i = 0; i < 5; i++) {
-		double x = same_value(m->m[i][k].hi) +
-		    same_value(m->m[i][k].lo);
-		double w = same_value(m->m[i][3].hi) +
-		    same_value(m->m[i][3].lo);
+		double x = same_value(m->m[i][k].hi) + same_value(m->m[i][k].lo);
+		double w = same_value(m->m[i][3].hi) + same_value(m->m[i][3].lo);
 
 		r->m[i][j] = pair(x, w);
 		r->sum[i][j] = m->sum[i][k] + m->sum[i][3];

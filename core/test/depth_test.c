@@ -22,8 +22,7 @@ static real next_step_depth(double z, enum depth_buffer b, bool up)
 	float f = (float)z;
 
 	if (b < DEPTH_FLOAT32)
-		return add(real_of(z),
-		    divide(real_of(up ? 1 : -1), real_of(most[b])));
+		return add(real_of(z), divide(real_of(up ? 1 : -1), real_of(most[b])));
 	if (isinf(f) || (up ? (double)f <= z : (double)f >= z))
 		f = nextafterf(f, up ? HUGE_VALF : -HUGE_VALF);
 	return real_of((double)f);
@@ -59,16 +58,15 @@ struct quotient {
 	real n, d;
 };
 
-static struct quotient normal_distance(real z, real slope, real w,
-    bool parallel, double a)
+static struct quotient normal_distance(real z, real slope, real w, bool parallel,
+    double a)
 {
 	struct quotient p = { z, sub(mul(real_of(a), w), slope) };
 
 	if (parallel)
 		p = (struct quotient){ sub(mul(real_of(a), w), z), slope };
 	if (mpfr_sgn(parallel ? p.d : p.n) < 0)
-		p = (struct quotient){ sub(real_of(0), p.n),
-			sub(real_of(0), p.d) };
+		p = (struct quotient){ sub(real_of(0), p.n), sub(real_of(0), p.d) };
 	if (is_zero(p.d, slope))
 		p.d = real_of(0);
 	return p;
@@ -76,8 +74,8 @@ static struct quotient normal_distance(real z, real slope, real w,
 
 /* Sets the normal of the near plane, if plane is 0, or of the far plane. Returns false
  * if the plane is at infinity or behind the eye. */
-static bool projector_of(const struct scene *s, const struct picture *t,
-    int plane, struct projector *p)
+static bool projector_of(const struct scene *s, const struct picture *t, int plane,
+    struct projector *p)
 {
 	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reverse_z : t->reverse_z;
@@ -100,18 +98,15 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 		w = root(dot(normal, normal, 3));
 	normalise(normal, 3);
 	real slope = dot(gradient, normal, 3);
-	struct quotient at = normal_distance(z, slope, w, parallel,
-	    deep ? 1 : low);
-	struct quotient to = normal_distance(z, slope, w, parallel,
-	    deep ? low : 1);
+	struct quotient at = normal_distance(z, slope, w, parallel, deep ? 1 : low);
+	struct quotient to = normal_distance(z, slope, w, parallel, deep ? low : 1);
 
 	if (mpfr_sgn(at.d) <= 0 || (parallel && mpfr_sgn(w) <= 0))
 		return false;
 	int inward = mpfr_sgn(sub(mul(to.n, at.d), mul(at.n, to.d)));
 
 	for (int i = 0; i < 3; i++) {
-		p->from[i] = add(p->from[i],
-		    mul(normal[i], divide(at.n, at.d)));
+		p->from[i] = add(p->from[i], mul(normal[i], divide(at.n, at.d)));
 		p->along[i] = mul(normal[i], real_of(inward));
 	}
 	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
@@ -122,8 +117,7 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 
 /* Returns the least double up to end at which the next step is reached, by bisection of
  * the doubles' bits. */
-static double first_distance(const struct projector *p, enum depth_buffer b,
-    double end)
+static double first_distance(const struct projector *p, enum depth_buffer b, double end)
 {
 	uint64_t low = 0, high;
 
@@ -178,8 +172,7 @@ static void steps_are_nearest(void **state)
 			}
 			double next = nextafter(d, HUGE_VAL);
 
-			least = first_distance(&p, b,
-			    nextafter(next, HUGE_VAL));
+			least = first_distance(&p, b, nextafter(next, HUGE_VAL));
 			assert_true(d == least || next == least);
 			found++;
 			real_release(mark);
@@ -244,11 +237,9 @@ static void a_range_below_a_step_has_none(void **state)
 		s.viewport.min_z = 1;
 		assert_true(isnan(plane_step(&s, b, i % 2)) != 0);
 		s.viewport.min_z = 1 - 0x1p-24;
-		assert_true(
-		    isnan(plane_step(&s, b, i % 2)) == (b != DEPTH_FLOAT32));
+		assert_true(isnan(plane_step(&s, b, i % 2)) == (b != DEPTH_FLOAT32));
 		s.viewport.min_z = 1 - 0x1p-23;
-		assert_true(
-		    isnan(plane_step(&s, b, i % 2)) == (b == DEPTH_UNORM16));
+		assert_true(isnan(plane_step(&s, b, i % 2)) == (b == DEPTH_UNORM16));
 	}
 	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;

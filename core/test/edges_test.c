@@ -8,8 +8,7 @@
 
 /* Samples points on the edges, rounded to doubles of the space from, points at the
  * doubles next to these, and others. */
-static void sample_edges(const struct scene *s, enum flat_space from,
-    struct block *b)
+static void sample_edges(const struct scene *s, enum flat_space from, struct block *b)
 {
 	struct transform t;
 	static struct block image;
@@ -41,16 +40,15 @@ struct count {
 
 /* Compares the OUT_ bits of a point with the signs of 1 + x, 1 - x, 1 + y and 1 - y in
  * ndc. No sign is negative inside. */
-static void check_edges(const struct truth *to_ndc, const double p[2],
-    unsigned out, struct count *c)
+static void check_edges(const struct truth *to_ndc, const double p[2], unsigned out,
+    struct count *c)
 {
 	const double at[4] = { p[0], p[1], 0, 1 };
 
 	for (int k = 0; k < 4; k++) {
 		struct sized one = sized_of(1);
 		struct sized x = truth_column(to_ndc, k / 2, at);
-		int sign = truth_sign(k & 1 ? sized_sub(one, x) :
-					      sized_add(one, x),
+		int sign = truth_sign(k & 1 ? sized_sub(one, x) : sized_add(one, x),
 		    NULL);
 
 		assert_int_equal(out >> k & 1, sign < 0);
@@ -71,8 +69,8 @@ static void check_block(const struct scene *s, enum flat_space from,
 	for (size_t i = 0; i < POINTS; i++)
 		nans[i] = (double)NAN;
 	truth_flat(s, from, FLAT_NDC, &t);
-	frustum_outside_all(f, (const double *[4]){ b->in[0], b->in[1], nans },
-	    all, POINTS);
+	frustum_outside_all(f, (const double *[4]){ b->in[0], b->in[1], nans }, all,
+	    POINTS);
 	for (size_t i = 0; i < POINTS; i++) {
 		const double p[4] = { b->in[0][i], b->in[1][i], (double)NAN };
 		int mark = real_mark();

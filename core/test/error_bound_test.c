@@ -95,8 +95,7 @@ static double worst_of(const struct scene *s, const struct transform *t,
 		for (int j = 0; j < 3 && inside; j++) {
 			real exact = divide(image.n[j].value, image.d.value);
 			double error = fabs(
-			    mpfr_get_d(sub(exact, real_of(b->out[j][i])),
-				MPFR_RNDA));
+			    mpfr_get_d(sub(exact, real_of(b->out[j][i])), MPFR_RNDA));
 
 			assert_true(error <= bound);
 			worst = fmax(worst, error / bound);
@@ -137,8 +136,7 @@ static void bounds_hold(void **state)
 		s.has_viewport = k % 3 != 0;
 		enum space to = s.has_viewport ? SPACE_DEVICE : SPACE_NDC;
 
-		if (transform_of_scene(&s, SPACE_MODEL, to, false, &t) !=
-			NULL ||
+		if (transform_of_scene(&s, SPACE_MODEL, to, false, &t) != NULL ||
 		    bounds_of(&s, bound) != NULL || isnan(bound[0]))
 			continue;
 		truth_scene(&s, SPACE_MODEL, to, &truth);
@@ -147,8 +145,7 @@ static void bounds_hold(void **state)
 			if (isnan(bound[i]))
 				continue;
 			map_block(&t, (enum precision)i, &b, POINTS);
-			double w = worst_of(&s, &t, &truth, &b, bound[i],
-			    &n[i]);
+			double w = worst_of(&s, &t, &truth, &b, bound[i], &n[i]);
 
 			if (w > worst[i])
 				worst[i] = w;
@@ -156,8 +153,8 @@ static void bounds_hold(void **state)
 		real_release(mark);
 	}
 	for (int i = 0; i < 3; i++) {
-		print_message("%s: %d coordinates, %.3g of the bound\n",
-		    names[i], n[i], worst[i]);
+		print_message("%s: %d coordinates, %.3g of the bound\n", names[i], n[i],
+		    worst[i]);
 		assert_true(n[i] > 4000 && worst[i] > 0.05);
 	}
 }
@@ -175,9 +172,7 @@ static void ordinary_bounds_are_small(void **state)
 	double bound[3];
 
 	(void)state;
-	s.viewport = (struct viewport){ .width = 640,
-		.height = 480,
-		.max_z = 1 };
+	s.viewport = (struct viewport){ .width = 640, .height = 480, .max_z = 1 };
 	assert_null(bounds_of(&s, bound));
 	assert_true(bound[PRECISION_SINGLE] < 1e-3);
 	assert_true(bound[PRECISION_DOUBLE] < 2e-12);

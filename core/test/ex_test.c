@@ -131,19 +131,15 @@ static void quotients_and_roots(void **state)
 		    (mpfr_cmp(x, y) > 0) - (mpfr_cmp(x, y) < 0));
 		if (b.sign != 0)
 			quotient = fmax(quotient,
-			    relative(real_of_ex(ex_quotient(a, b)),
-				divide(x, y)));
+			    relative(real_of_ex(ex_quotient(a, b)), divide(x, y)));
 		square = fmax(square,
-		    relative(real_of_ex(ex_root(absolute(a))),
-			root(magnitude(x))));
+		    relative(real_of_ex(ex_root(absolute(a))), root(magnitude(x))));
 		a = ex_cut(a, 2);
 		b = ex_cut(b, 3);
 		if (b.sign != 0)
-			assert_int_equal(ex_compare(a,
-					     ex_quotient(ex_mul(a, b), b)),
+			assert_int_equal(ex_compare(a, ex_quotient(ex_mul(a, b), b)),
 			    0);
-		assert_int_equal(ex_compare(absolute(b), ex_root(ex_mul(b, b))),
-		    0);
+		assert_int_equal(ex_compare(absolute(b), ex_root(ex_mul(b, b))), 0);
 		real_release(mark);
 	}
 	assert_at_most("ex_quotient, in 2^-703", quotient * 0x1p703, 1);
@@ -158,8 +154,7 @@ static void quotients_at_midpoints(void **state)
 	(void)state;
 	SAMPLES(i, 20 * TRIES) {
 		double even = 0x1p52 + 2 * sample_below(1000);
-		ex q, b = sample_words(4),
-		      middle = ex_add(ex_of(even), ex_of(0.5));
+		ex q, b = sample_words(4), middle = ex_add(ex_of(even), ex_of(0.5));
 		int side = (int)sample_below(3) - 1, e = -700;
 
 		if (b.sign == 0)
@@ -196,9 +191,8 @@ static void rounding(void **state)
 		double d = ldexp(1 + sample_unit(), e);
 		double next = nextafter(d, HUGE_VAL);
 		float f = (float)d, above = nextafterf(f, HUGE_VALF);
-		ex near = i % 2 ?
-		    ex_add(ex_of(d), ex_of(next)) :
-		    ex_add(ex_of((double)f), ex_of((double)above));
+		ex near = i % 2 ? ex_add(ex_of(d), ex_of(next)) :
+				  ex_add(ex_of((double)f), ex_of((double)above));
 
 		near = ex_shift(near, -1);
 		if (!isfinite(next) || !isfinite(above))
@@ -209,8 +203,8 @@ static void rounding(void **state)
 		real exact = real_of_ex(near);
 
 		assert_number(ex_double(near), mpfr_get_d(exact, MPFR_RNDN));
-		assert_true(ex_nearest(&near, true) ==
-		    (double)mpfr_get_flt(exact, MPFR_RNDN));
+		assert_true(
+		    ex_nearest(&near, true) == (double)mpfr_get_flt(exact, MPFR_RNDN));
 		assert_number(ex_double(ex_neg(near)), -ex_double(near));
 		real_release(mark);
 	}
@@ -245,8 +239,7 @@ static void terms_far_apart(void **state)
 	for (int i = 0; i < 3 * 64 * EX_WORDS; i += 7) {
 		int mark = real_mark();
 		ex far = ex_shift(ex_of(3), i), less = ex_neg(far);
-		const ex *const a[] = { &one, &far },
-				*const b[] = { &one, &far };
+		const ex *const a[] = { &one, &far }, *const b[] = { &one, &far };
 		const ex *const c[] = { &one, &less };
 		real x = mul(real_of_ex(one), real_of_ex(one));
 		real y = mul(real_of_ex(far), real_of_ex(far));
@@ -271,8 +264,7 @@ static void overflow_of_wide_sums(void **state)
 
 	(void)state;
 	(void)ex_has_overflowed();
-	ex_dot(2, a, b, 3 * 64,
-	    &r); /* the sum has room for word 3 and those above */
+	ex_dot(2, a, b, 3 * 64, &r); /* the sum has room for word 3 and those above */
 	assert_false(ex_has_overflowed());
 	ex_dot(2, a, b, 3 * 64 - 1, &r);
 	assert_true(ex_has_overflowed());
@@ -289,8 +281,7 @@ static void zeros(void **state)
 	assert_int_equal(ex_mul(zero, ex_of(5)).sign, 0);
 	assert_int_equal(ex_quotient(zero, ex_of(-3)).sign, 0);
 	assert_int_equal(ex_root(zero).sign, 0);
-	assert_true(
-	    round_to_pair(zero).hi == 0 && !signbit(round_to_pair(zero).hi));
+	assert_true(round_to_pair(zero).hi == 0 && !signbit(round_to_pair(zero).hi));
 	assert_int_not_equal(rest.sign, 0);
 	assert_true(ex_divide(&zero, &third, 2, &q));
 	assert_false(ex_divide(&third, &zero, 2, &q));

@@ -30,8 +30,8 @@ static struct scene parallel(unsigned type)
 	};
 }
 
-static void assert_fits(struct scene *s, bool has_eye, const struct bounds *b,
-    double x, double y, double z, double near, double far)
+static void assert_fits(struct scene *s, bool has_eye, const struct bounds *b, double x,
+    double y, double z, double near, double far)
 {
 	assert_null(fit_scene(s, has_eye, b));
 	assert_int_equal(s->camera.way, CAMERA_GAZE);
@@ -236,8 +236,7 @@ static void test_cameras(void **state)
 	assert_gaze(&s.camera, 9e149, 0, 0, 0, 1, 0);
 }
 
-static void assert_refused(struct scene s, const struct bounds *b,
-    const char *member)
+static void assert_refused(struct scene s, const struct bounds *b, const char *member)
 {
 	const char *why = fit_scene(&s, false, b);
 
@@ -258,8 +257,7 @@ static void test_refusals(void **state)
 	s.projection.section.angle = 1e-150;
 	assert_refused(s, &huge, "/bounds: the scene that fit computes");
 	s.projection.section.way = SECTION_EDGES;
-	s.projection.near = s.projection.section.right =
-	    s.projection.section.top = 1;
+	s.projection.near = s.projection.section.right = s.projection.section.top = 1;
 	s.projection.section.bottom = -1;
 	assert_refused(s, &b, "/projection: the gaze");
 	s.projection.type = PROJECTION_MATRIX;

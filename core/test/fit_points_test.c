@@ -36,8 +36,7 @@ static void sample_plane(struct cloud *c, const struct directions *d)
 
 		for (int i = 0; i < 3; i++)
 			c->p[n][i] = c->p[0][i] +
-			    (whole ? round(s) * round(4 * u[i]) :
-				     s * u[i] + t * v[i]);
+			    (whole ? round(s) * round(4 * u[i]) : s * u[i] + t * v[i]);
 	}
 }
 
@@ -47,15 +46,13 @@ static void sample_cloud(struct cloud *c, const struct directions *d, int e)
 {
 	unsigned kind = sample_below(5);
 
-	c->n = sample_below(4) == 0 ? 1 + sample_below(3) :
-				      1 + sample_below(CLOUD);
+	c->n = sample_below(4) == 0 ? 1 + sample_below(3) : 1 + sample_below(CLOUD);
 	for (size_t n = 0; n < c->n; n++)
 		for (int i = 0; i < 3; i++)
 			c->p[n][i] = kind == 0 || n == 0 ? sample_number(e) :
 			    kind == 1                    ? c->p[0][i] :
-			    kind == 2 ? (double)sample_below(4) :
-					c->p[0][i] *
-				(1 + sample_below(5) * 0x1p-52);
+			    kind == 2                    ? (double)sample_below(4) :
+					c->p[0][i] * (1 + sample_below(5) * 0x1p-52);
 	if (kind == 3)
 		sample_plane(c, d);
 	for (size_t n = 1; n < c->n; n++)
@@ -116,8 +113,8 @@ static bool has_nan(const double p[3])
 	return isnan(p[0]) || isnan(p[1]) || isnan(p[2]);
 }
 
-static void assert_none_farther(const struct cloud *c,
-    const struct directions *d, const struct extremes *e)
+static void assert_none_farther(const struct cloud *c, const struct directions *d,
+    const struct extremes *e)
 {
 	for (int j = 0; j < d->n; j++) {
 		size_t found = 0, points = 0;
@@ -133,8 +130,7 @@ static void assert_none_farther(const struct cloud *c,
 			    &doubtful);
 
 			assert_true(sign <= 0 || doubtful);
-			found += memcmp(c->p[n], e->item[j].point,
-				     sizeof c->p[n]) == 0;
+			found += memcmp(c->p[n], e->item[j].point, sizeof c->p[n]) == 0;
 			points++;
 			real_release(mark);
 		}
@@ -194,8 +190,7 @@ static void none_is_farther(void **state)
 }
 
 /* Asserts that p is farther than q along m, or equally far with greater coordinates. */
-static void assert_farther(const double m[3], const double p[3],
-    const double q[3])
+static void assert_farther(const double m[3], const double p[3], const double q[3])
 {
 	const double columns[4][4] = { { m[0] }, { m[1] }, { m[2] } };
 	struct map map;

@@ -27,8 +27,8 @@ static struct plane plane_of_column(const struct truth *t, int j)
 }
 
 /* Returns the function sign a + factor b. */
-static struct plane combine(const struct plane *a, double sign,
-    const struct plane *b, real factor)
+static struct plane combine(const struct plane *a, double sign, const struct plane *b,
+    real factor)
 {
 	struct plane p;
 	struct sized f = { factor, magnitude(factor) };
@@ -68,9 +68,7 @@ static struct sized least(const struct plane *p, const struct bounds *b,
 
 	for (int i = 0; i < 3; i++) {
 		bool up = mpfr_sgn(p->slope[i].value) > 0;
-		double at = b->sphere ? b->center[i] :
-		    up                ? b->min[i] :
-					b->max[i];
+		double at = b->sphere ? b->center[i] : up ? b->min[i] : b->max[i];
 
 		v = sized_add(v, sized_mul(sized_of(at), p->slope[i]));
 	}
@@ -146,8 +144,7 @@ static void measure_gaps(struct fitted *f)
 	measure_side_gaps(f);
 	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &t);
 	for (int k = 4; k < 6; k++) {
-		double sign = truth_gaze_sign(&s->convention) *
-		    (k == 4 ? 1 : -1);
+		double sign = truth_gaze_sign(&s->convention) * (k == 4 ? 1 : -1);
 		struct plane z = plane_of_column(&t, 2);
 
 		z = combine(&z, sign, &z, real_of(0));
@@ -176,8 +173,7 @@ static bool contains_bounds(const struct fitted *f)
  * so that no double is tighter. */
 static bool is_tight(struct sized gap, double v, double inward)
 {
-	struct sized ulp = sized_sub(sized_of(nextafter(v, inward)),
-	    sized_of(v));
+	struct sized ulp = sized_sub(sized_of(nextafter(v, inward)), sized_of(v));
 	bool doubtful;
 
 	ulp.value = magnitude(ulp.value);
@@ -212,8 +208,8 @@ static double rounded_size(const struct fitted *f, int k)
 static bool is_centered(const struct fitted *f)
 {
 	for (int k = 0; k < 4; k += 2)
-		if (fabs(nearest_double(sub(f->gap[k].value,
-			f->gap[k + 1].value))) > 0x1p-48 * rounded_size(f, k))
+		if (fabs(nearest_double(sub(f->gap[k].value, f->gap[k + 1].value))) >
+		    0x1p-48 * rounded_size(f, k))
 			return false;
 	return true;
 }
@@ -230,25 +226,21 @@ static bool sides_are_tight(const struct fitted *f)
 	for (int j = 0; j < 2; j++) {
 		double side = j == 0 ? p->section.width : p->section.height;
 		const struct sized *gap = &f->gap[2 * j];
-		struct sized less = mpfr_less_p(gap[1].value, gap[0].value) ?
-		    gap[1] :
-		    gap[0];
+		struct sized less = mpfr_less_p(gap[1].value, gap[0].value) ? gap[1] :
+									      gap[0];
 		real twice = divide(real_of(2), limit[j]);
 
 		/* the side is too large by 2 gap / limit */
-		tight[j] = !is_filled(f, 2 * j,
-			       side * nearest_double(limit[j])) ||
-		    is_tight(sized_mul(less, (struct sized){ twice, twice }),
-			side, 0);
+		tight[j] = !is_filled(f, 2 * j, side * nearest_double(limit[j])) ||
+		    is_tight(sized_mul(less, (struct sized){ twice, twice }), side, 0);
 	}
 	if (p->aspect[1] == 0 || (tight[0] && tight[1]))
 		return tight[0] && tight[1];
 	real aspect = divide(real_of(p->aspect[0]), real_of(p->aspect[1]));
 
-	return tight[0] ?
-	    nearest_double(divide(real_of(p->section.width), aspect)) ==
+	return tight[0] ? nearest_double(divide(real_of(p->section.width), aspect)) ==
 		p->section.height :
-	    tight[1] &&
+			  tight[1] &&
 		nearest_double(mul(real_of(p->section.height), aspect)) ==
 		    p->section.width;
 }
@@ -267,8 +259,7 @@ static double retreat_size(const struct fitted *f, const real limit[2])
 		real across = divide(magnitude(m[k / 2][k / 2]),
 		    slope(&f->s, k, limit[k / 2]));
 
-		most = fmax(most,
-		    rounded_size(f, k) * (1 + nearest_double(across)));
+		most = fmax(most, rounded_size(f, k) * (1 + nearest_double(across)));
 	}
 	real_release(mark);
 	return most;
@@ -282,15 +273,13 @@ static bool eye_is_tight(const struct fitted *f)
 	real limit[2];
 
 	truth_limits(&f->s, limit);
-	if (mpfr_cmp(real_of(p->near),
-		mul(real_of(p->near_ratio), real_of(p->far))) < 0)
+	if (mpfr_cmp(real_of(p->near), mul(real_of(p->near_ratio), real_of(p->far))) <
+	    0)
 		return false;
 	for (int k = 0; k < 4; k++)
-		if (nearest_double(f->gap[k].value) <=
-		    0x1p-48 * retreat_size(f, limit))
+		if (nearest_double(f->gap[k].value) <= 0x1p-48 * retreat_size(f, limit))
 			return true;
-	return p->near - p->near_ratio * p->far <=
-	    0x1p-48 * retreat_size(f, limit);
+	return p->near - p->near_ratio * p->far <= 0x1p-48 * retreat_size(f, limit);
 }
 
 /* Returns whether the functions of the planes of each pair have the same least value,
@@ -303,8 +292,7 @@ static bool is_balanced(const struct fitted *f)
 	truth_limits(&f->s, limit);
 	for (int k = 0; k < 4; k += 2) {
 		real low = mul(f->gap[k].value, slope(&f->s, k, limit[k / 2]));
-		real high = mul(f->gap[k + 1].value,
-		    slope(&f->s, k + 1, limit[k / 2]));
+		real high = mul(f->gap[k + 1].value, slope(&f->s, k + 1, limit[k / 2]));
 		real all = mul(real_of(retreat_size(f, limit)),
 		    add(slope(&f->s, k, limit[k / 2]),
 			slope(&f->s, k + 1, limit[k / 2])));
@@ -315,8 +303,7 @@ static bool is_balanced(const struct fitted *f)
 		touches |= nearest_double(low) <= 0x1p-48 * nearest_double(all);
 	}
 	return touches ||
-	    f->s.projection.near -
-		f->s.projection.near_ratio * f->s.projection.far <=
+	    f->s.projection.near - f->s.projection.near_ratio * f->s.projection.far <=
 	    0x1p-48 * retreat_size(f, limit);
 }
 
@@ -373,8 +360,8 @@ static void sample_bounds(struct bounds *b, int e)
 /* Samples points at random, on a lattice, on a line, or on a plane of the world, some
  * of them more than once. Sets *b to the bounds of the points. Returns false if a scene
  * or its points have none. */
-static bool sample_cloud(const struct scene *s, bool has_eye, int e,
-    struct fitted *f, struct bounds *b)
+static bool sample_cloud(const struct scene *s, bool has_eye, int e, struct fitted *f,
+    struct bounds *b)
 {
 	struct cloud *c = &f->cloud;
 	unsigned kind = sample_below(5);
@@ -389,8 +376,7 @@ static bool sample_cloud(const struct scene *s, bool has_eye, int e,
 		size_t as = n > 1 ? sample_below(2) : 0;
 
 		for (int i = 0; i < 3; i++)
-			c->in[i][n] = n >= c->n || (n > 0 && kind == 4) ?
-			    c->in[i][as] :
+			c->in[i][n] = n >= c->n || (n > 0 && kind == 4) ? c->in[i][as] :
 			    kind == 1           ? sample_below(4) :
 			    kind == 2           ? t * along[i] :
 			    kind == 3 && i == 2 ? along[1] :
@@ -540,8 +526,7 @@ static void test_farthest(void **state)
 		bool has_eye = sample_below(2), volume = sample_below(3) == 0;
 
 		sample_fit(&f.s, 1);
-		while (volume &&
-		    projection_family(&f.s.projection) != FAMILY_VOLUME)
+		while (volume && projection_family(&f.s.projection) != FAMILY_VOLUME)
 			sample_scene(&f.s, 1);
 		if (!sample_cloud(&f.s, has_eye, 1, &f, &b) ||
 		    f.cloud.n > BOUNDS_POINTS)
@@ -551,8 +536,7 @@ static void test_farthest(void **state)
 		for (int k = 0; k < 3 * all.n; k++)
 			all.point[k / 3][k % 3] = f.cloud.in[k % 3][k / 3];
 
-		const struct projection *p = &f.s.projection,
-					*q = &s.projection;
+		const struct projection *p = &f.s.projection, *q = &s.projection;
 		const char *why = fit_scene(&f.s, has_eye, &b);
 
 		assert_ptr_equal(fit_scene(&s, has_eye, &all), why);
@@ -585,8 +569,7 @@ static void every_type_is_fitted_or_refused(void **state)
 
 			sample_scene(&s, 0);
 			s.projection.type = (enum projection_type)type;
-			if (why != NULL &&
-			    (why = fit_scene(&s, false, &ball)) == NULL)
+			if (why != NULL && (why = fit_scene(&s, false, &ball)) == NULL)
 				assert_true(scene_is_valid(&s));
 		}
 		/* assert_reason prints the reason of a type that is never fitted */

@@ -23,8 +23,7 @@ static void range_of(const struct bounds *b, int axis, real *low, real *high)
  * distance from the center, over 1 less both margins. */
 static double least_side(real low, real high, double center, double margin)
 {
-	real below = sub(real_of(center), low),
-	     above = sub(high, real_of(center));
+	real below = sub(real_of(center), low), above = sub(high, real_of(center));
 	real most = mpfr_greater_p(below, above) ? below : above;
 	real room = sub(real_of(1), real_of(2 * margin));
 
@@ -48,14 +47,12 @@ static void expected_window(const struct scene *s, const struct bounds *b,
 			low[i] = sub(low[i], half);
 			high[i] = add(high[i], half);
 		}
-		w->center[i] = nearest_double(
-		    divide(add(low[i], high[i]), real_of(2)));
+		w->center[i] = nearest_double(divide(add(low[i], high[i]), real_of(2)));
 		*side[i] = least_side(low[i], high[i], w->center[i], s->margin);
 	}
 	if (!s->has_device)
 		return;
-	real shape = divide(real_of(s->device.width),
-	    real_of(s->device.height));
+	real shape = divide(real_of(s->device.width), real_of(s->device.height));
 	double wide = nearest_double(mul(real_of(w->height), shape));
 	double high_enough = nearest_double(divide(real_of(w->width), shape));
 
@@ -74,8 +71,7 @@ static void sample_bounds(struct bounds *b, int e)
 
 		if (sample_below(4) == 0)
 			c = a;
-		if (sample_below(4) ==
-		    0) /* bounds of a few units in the last place */
+		if (sample_below(4) == 0) /* bounds of a few units in the last place */
 			c = a * (1 + sample_below(9) * 0x1p-50);
 		b->center[i] = a;
 		b->min[i] = fmin(a, c);
@@ -119,8 +115,7 @@ static void fit_many(int e, int n)
 
 	SAMPLES(i, n) {
 		struct scene s = { .has_device = sample_below(2),
-			.margin = sample_below(2) ? 0 :
-						    sample_between(0, 0.49) };
+			.margin = sample_below(2) ? 0 : sample_between(0, 0.49) };
 		struct window want;
 		struct bounds b;
 		int mark = real_mark();
@@ -138,8 +133,7 @@ static void fit_many(int e, int n)
 			assert_true(!w->by_edges && w->zoom == 1);
 			assert_true(s.has_window && window_holds(&s, &b));
 			if (!b.sphere && s.margin == 0 && !is_flat(&b)) {
-				bool less[2] = { smaller_window_holds(&s, &b,
-						     0),
+				bool less[2] = { smaller_window_holds(&s, &b, 0),
 					smaller_window_holds(&s, &b, 1) };
 
 				assert_false(less[0] && less[1]);
@@ -151,8 +145,7 @@ static void fit_many(int e, int n)
 		}
 		real_release(mark);
 	}
-	print_message("to 1e%d: %d fitted, %d tight by the flags\n", e, fitted,
-	    tight);
+	print_message("to 1e%d: %d fitted, %d tight by the flags\n", e, fitted, tight);
 	assert_true(fitted > n / 2 && tight > n / 10);
 }
 
@@ -223,12 +216,12 @@ static void check_shown(const struct scene *s, const struct window_extent *w)
 		const double at[4] = { end, end, 0, 1 };
 
 		assert_int_equal(truth_verdict(w->edge[k],
-				     truth_column(&back, k / 2, at),
-				     sized_of(1), false),
+				     truth_column(&back, k / 2, at), sized_of(1),
+				     false),
 		    NEAREST);
 		assert_int_equal(truth_verdict(w->scale[k / 2],
-				     truth_element(&out, k / 2, k / 2),
-				     sized_of(1), false),
+				     truth_element(&out, k / 2, k / 2), sized_of(1),
+				     false),
 		    NEAREST);
 	}
 }

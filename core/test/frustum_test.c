@@ -36,8 +36,7 @@ static struct sized sized_limit(real limit)
 static bool is_reversed(const struct scene *s)
 {
 	struct truth back = { 0 };
-	const double near[4] = { 0, 0,
-		truth_answer(s)->depth_minus_one ? -1 : 0, 1 };
+	const double near[4] = { 0, 0, truth_answer(s)->depth_minus_one ? -1 : 0, 1 };
 	const double far[4] = { 0, 0, 1, 1 };
 
 	if (s->projection.type != PROJECTION_MATRIX)
@@ -56,8 +55,7 @@ static bool is_reversed(const struct scene *s)
 	/* such a matrix contains a camera: its depth is not reversed */
 	if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0)
 		return false;
-	int along = truth_sign(sized_mul(z, truth_column(&back, 3, near)),
-	    NULL);
+	int along = truth_sign(sized_mul(z, truth_column(&back, 3, near)), NULL);
 
 	return along == -truth_gaze_sign(truth_answer(s));
 }
@@ -73,8 +71,7 @@ static void planes_of(const struct scene *s, const struct sized q[4],
 	truth_limits(s, limits);
 	for (int k = 0; k < 6; k++) {
 		bool high = k & 1;
-		struct sized limit = k < 4 ? sized_limit(limits[k / 2]) :
-					     sized_of(1);
+		struct sized limit = k < 4 ? sized_limit(limits[k / 2]) : sized_of(1);
 
 		if ((k == 2 || k == 3) && truth_answer(s)->ndc_y_down)
 			high = !high;
@@ -101,8 +98,7 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 
 	for (int j = 0; j < 4; j++)
 		q[j] = truth_column(to_clip, j, p);
-	int w = truth_sign(back ? truth_column(to_view, 3, p) : q[3],
-	    &doubtful);
+	int w = truth_sign(back ? truth_column(to_view, 3, p) : q[3], &doubtful);
 
 	doubtful &= to_view->irrational || to_clip->irrational;
 	c->doubtful += w != 0 && doubtful;
@@ -128,11 +124,11 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 
 /* Samples a scene, a space, the frustum in this space, and points, some on planes. The
  * scene has round numbers if e is negative. */
-static bool sample_frustum(int e, struct scene *s, enum space *from,
-    struct frustum *f, struct block *b)
+static bool sample_frustum(int e, struct scene *s, enum space *from, struct frustum *f,
+    struct block *b)
 {
-	static const enum space spaces[] = { SPACE_MODEL, SPACE_WORLD,
-		SPACE_VIEW, SPACE_NDC, SPACE_DEVICE };
+	static const enum space spaces[] = { SPACE_MODEL, SPACE_WORLD, SPACE_VIEW,
+		SPACE_NDC, SPACE_DEVICE };
 
 	if (e < 0)
 		sample_round_scene(s);
@@ -179,8 +175,7 @@ static void planes_agree_with_mpfr(void **state)
 		truth_scene(&s, from, SPACE_CLIP, &to_clip);
 		truth_scene(&s, from, SPACE_VIEW, &to_view);
 		frustum_outside_all(&f,
-		    (const double *[4]){ b.in[0], b.in[1], b.in[2] }, all,
-		    POINTS);
+		    (const double *[4]){ b.in[0], b.in[1], b.in[2] }, all, POINTS);
 		for (size_t i = 0; i < POINTS; i++) {
 			double p[4] = { b.in[0][i], b.in[1][i], b.in[2][i], 1 };
 			unsigned out = frustum_outside(&f, p);
@@ -190,8 +185,8 @@ static void planes_agree_with_mpfr(void **state)
 			if (has_nan(p))
 				assert_int_equal(out, OUT_NAN);
 			else
-				check_planes(&s, &to_clip, &to_view,
-				    from >= SPACE_NDC, p, out, &c);
+				check_planes(&s, &to_clip, &to_view, from >= SPACE_NDC,
+				    p, out, &c);
 			real_release(point);
 		}
 		real_release(mark);
@@ -199,8 +194,7 @@ static void planes_agree_with_mpfr(void **state)
 	print_message("%zu planes, on %zu of them the point; %zu within the "
 		      "tolerance\n",
 	    c.planes, c.on, c.doubtful);
-	assert_true(
-	    c.planes > 10000 && c.on > 500 && c.doubtful < c.planes / 1000);
+	assert_true(c.planes > 10000 && c.on > 500 && c.doubtful < c.planes / 1000);
 }
 
 /* Points one unit in the last place from a plane, and at far smaller distances that
@@ -223,11 +217,8 @@ static void tiny_distances_are_exact(void **state)
 					     (double[4]){ x, y, 0.5, 1 }),
 			    OUT_RIGHT);
 		x = e < 54 ? 1 - tiny : 1;
-		assert_int_equal(frustum_outside(&f,
-				     (double[4]){ x, -y, 0.5, 1 }),
-		    0);
-		assert_int_equal(frustum_outside(&f,
-				     (double[4]){ -x, -y, 0.5, 1 }),
+		assert_int_equal(frustum_outside(&f, (double[4]){ x, -y, 0.5, 1 }), 0);
+		assert_int_equal(frustum_outside(&f, (double[4]){ -x, -y, 0.5, 1 }),
 		    y > 0 ? OUT_LEFT : 0);
 	}
 }
@@ -260,13 +251,11 @@ static void all_points_agree_with_each(void **state)
 					    (int)sample_below(1560) - 1070);
 		in[k % 3][k] = (double)NAN;
 		frustum_outside_all(&f,
-		    (const double *[4]){ in[0], in[1], in[2], in[3] }, out,
-		    MANY);
+		    (const double *[4]){ in[0], in[1], in[2], in[3] }, out, MANY);
 		for (size_t i = 0; i < MANY; i++)
 			assert_int_equal(out[i],
 			    frustum_outside(&f,
-				(double[4]){ in[0][i], in[1][i], in[2][i],
-				    in[3][i] }));
+				(double[4]){ in[0][i], in[1][i], in[2][i], in[3][i] }));
 	}
 }
 

@@ -19,8 +19,7 @@ static ex sample_words(int n)
 {
 	static const uint64_t odd[] = { 0, 1, UINT64_MAX, UINT64_MAX - 1,
 		(uint64_t)1 << 63, ((uint64_t)1 << 63) - 1 };
-	ex a = { sample_below(2) ? 1 : -1, n, (int)sample_below(21) - 10,
-		{ 0 } };
+	ex a = { sample_below(2) ? 1 : -1, n, (int)sample_below(21) - 10, { 0 } };
 
 	for (int i = 0; i < n; i++) {
 		uint64_t any = (uint64_t)(sample_unit() * 0x1p53) << 11;
@@ -203,8 +202,7 @@ static void rounding(void **state)
 		set_integer(x, &a, -a.e);
 		mpfr_set_z_2exp(f, x, 64 * a.e, MPFR_RNDN);
 		assert_true(ex_nearest(&a, false) == mpfr_get_d(f, MPFR_RNDN));
-		assert_true(
-		    ex_nearest(&a, true) == (double)mpfr_get_flt(f, MPFR_RNDN));
+		assert_true(ex_nearest(&a, true) == (double)mpfr_get_flt(f, MPFR_RNDN));
 	}
 	mpz_clear(x);
 	mpfr_clear(f);

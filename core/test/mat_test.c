@@ -69,8 +69,7 @@ static void singular_matrices_are_refused(void **state)
 		for (int k = 0; k < 16; k++)
 			a[k / 4][k % 4] = rint(a[k / 4][k % 4] * 4096);
 		for (int j = 0; j < 4; j++)
-			a[row][j] = 3 * a[(row + 1) % 4][j] -
-			    a[(row + 2) % 4][j];
+			a[row][j] = 3 * a[(row + 1) % 4][j] - a[(row + 2) % 4][j];
 		assert_false(map_inverse(a, &m));
 	}
 }
@@ -118,8 +117,7 @@ static void products_with_inverses(void **state)
 		m = there;
 		map_multiply(&m, &back, false);
 		for (int k = 0; k < 16; k++)
-			assert_true(
-			    element(&m, k / 4, k % 4) == (k / 4 == k % 4));
+			assert_true(element(&m, k / 4, k % 4) == (k / 4 == k % 4));
 	}
 }
 
@@ -127,8 +125,7 @@ static void assert_same_map(const struct map *a, const struct map *b)
 {
 	assert_memory_equal(a->origin, b->origin, sizeof a->origin);
 	for (int k = 0; k < 16; k++)
-		assert_true(
-		    element(a, k / 4, k % 4) == element(b, k / 4, k % 4));
+		assert_true(element(a, k / 4, k % 4) == element(b, k / 4, k % 4));
 }
 
 static void products_with_identity(void **state)

@@ -62,14 +62,12 @@ static void move_point(const double p[4], const struct move *m, double times,
 	}
 }
 
-static void measure_change(const struct search *h, const double p[4],
-    struct move *m)
+static void measure_change(const struct search *h, const double p[4], struct move *m)
 {
 	double q[4];
 
 	move_point(p, m, 1, q);
-	m->change = without_integer(
-	    midpoint_distance(h, q) - midpoint_distance(h, p));
+	m->change = without_integer(midpoint_distance(h, q) - midpoint_distance(h, p));
 }
 
 /* Subtracts a multiple of b from a so that the change of the rest is least. */
@@ -108,8 +106,8 @@ static void store_point(struct block *b, size_t i, const double p[4])
 /* Fills a block with the point p and the n - 1 points on its way to a midpoint.
  * Returns the distance of the last point from the midpoint, or 1 if p has no image or
  * the coordinate is 0. */
-static double approach_midpoint(const struct search *h, double p[4],
-    struct block *b, size_t *n)
+static double approach_midpoint(const struct search *h, double p[4], struct block *b,
+    size_t *n)
 {
 	struct move m[4] = { 0 };
 	double best = midpoint_distance(h, p);
@@ -138,8 +136,7 @@ static double approach_midpoint(const struct search *h, double p[4],
 			store_point(b, (*n)++, p);
 		}
 		if (last > 0)
-			reduce(h, p, &m[(int)sample_below((unsigned)last)],
-			    &m[last]);
+			reduce(h, p, &m[(int)sample_below((unsigned)last)], &m[last]);
 	}
 	return fabs(best);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Assertions about doubles and texts. Includes cmocka. */
-#ifndef NUMBERS_H
-#define NUMBERS_H
+#pragma once
 
 #include <math.h>
 #include <setjmp.h>
@@ -16,8 +15,8 @@
 #define assert_number(got, expected) \
 	assert_number_at(got, expected, #got, __FILE__, __LINE__)
 
-static inline void assert_number_at(double got, double expected,
-    const char *name, const char *file, int line)
+static inline void assert_number_at(double got, double expected, const char *name,
+    const char *file, int line)
 {
 	if (got == expected)
 		return;
@@ -36,9 +35,6 @@ static inline void assert_text_at(const char *got, const char *expected,
 			  expected != NULL && strcmp(got, expected) == 0)
 		return;
 	print_error("%s: expected %s\n%s: came %s\n", input,
-	    expected == NULL ? "none" : expected, input,
-	    got == NULL ? "none" : got);
+	    expected == NULL ? "none" : expected, input, got == NULL ? "none" : got);
 	_fail(file, line);
 }
-
-#endif

@@ -15,8 +15,7 @@ struct count {
 	size_t points, undecided;
 };
 
-static void count_undecided(const struct transform *t, struct block *b,
-    struct count *c)
+static void count_undecided(const struct transform *t, struct block *b, struct count *c)
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
@@ -73,8 +72,7 @@ static size_t try_scenes(int e, size_t coordinates)
 	       "within the tolerance; %.3g %% of the kernels' points were left "
 	       "undecided\n",
 	    n[WRONG] == 0 ? "ok" : "not ok", what,
-	    n[NEAREST] + n[WITHIN_TOLERANCE] + n[WRONG], n[WRONG],
-	    n[WITHIN_TOLERANCE],
+	    n[NEAREST] + n[WITHIN_TOLERANCE] + n[WRONG], n[WRONG], n[WITHIN_TOLERANCE],
 	    100.0 * (double)c.undecided / (double)c.points);
 	fflush(stdout);
 	return n[WRONG];

@@ -36,15 +36,13 @@ static void distance_of(const struct scene *s, struct distance *d)
 		return;
 	}
 	/* the constant term of w, of intrinsics */
-	double w = projection_has_intrinsics(p) ? p->section.intrinsics[2][3] :
-						  0;
+	double w = projection_has_intrinsics(p) ? p->section.intrinsics[2][3] : 0;
 
 	switch (projection_family(p)) {
 	case FAMILY_PERSP:
 	case FAMILY_PARALLEL:
 	case FAMILY_FIXED:
-		d->near = sized_sub(sized_of(gaze * p->near),
-		    sized_of(gaze * w));
+		d->near = sized_sub(sized_of(gaze * p->near), sized_of(gaze * w));
 		d->upward = (p->far > p->near) == (gaze > 0);
 		break;
 	case FAMILY_VOLUME:
@@ -61,14 +59,12 @@ static struct sized distance_at(const struct distance *d, const double p[4])
 	return d->upward ? sized_sub(z, d->near) : sized_sub(d->near, z);
 }
 
-static bool sample_picker(int e, struct scene *s, struct transform *t,
-    struct picker *k)
+static bool sample_picker(int e, struct scene *s, struct transform *t, struct picker *k)
 {
 	sample_scene(s, e);
 	sample_answer(s);
 	if (s->projection.type == PROJECTION_MATRIX ||
-	    transform_of_scene(s, SPACE_MODEL, SPACE_DEVICE, false, t) !=
-		NULL ||
+	    transform_of_scene(s, SPACE_MODEL, SPACE_DEVICE, false, t) != NULL ||
 	    picker_of(s, t, k) != NULL)
 		return false;
 	return true;
@@ -85,8 +81,7 @@ static void check_distances(const struct picker *k, const struct distance *d,
 		bool doubtful;
 		int order;
 
-		verdicts[truth_verdict(pick_distance(k, p), at, d->divisor,
-		    false)]++;
+		verdicts[truth_verdict(pick_distance(k, p), at, d->divisor, false)]++;
 		order = truth_sign(sized_sub(at, distance_at(d, q)), &doubtful);
 		if (order == 0 || !doubtful)
 			assert_int_equal(pick_compare(k, p, q), order);
@@ -95,8 +90,7 @@ static void check_distances(const struct picker *k, const struct distance *d,
 }
 
 /* Returns whether the image, n / d, is within the radius of at, the picked position. */
-static bool is_within(const struct picker *k, const struct image *image,
-    bool *doubtful)
+static bool is_within(const struct picker *k, const struct image *image, bool *doubtful)
 {
 	struct sized d = sized_mul(sized_of(k->radius), image->d);
 
@@ -111,8 +105,8 @@ static bool is_within(const struct picker *k, const struct image *image,
 }
 
 /* Checks points around a point on the edge of the circle. */
-static void check_radius(struct picker *k, const struct truth *truth,
-    struct block *b, size_t n[2])
+static void check_radius(struct picker *k, const struct truth *truth, struct block *b,
+    size_t n[2])
 {
 	map_block_exactly(k->to_device, b, POINTS);
 	k->at[0] = b->out[0][0];
@@ -137,8 +131,7 @@ static void check_radius(struct picker *k, const struct truth *truth,
 
 			n[within]++;
 			if (!doubtful)
-				assert_int_equal(pick_is_within(k, p, device),
-				    within);
+				assert_int_equal(pick_is_within(k, p, device), within);
 		}
 		real_release(mark);
 	}
@@ -169,14 +162,12 @@ static void random_scenes(void **state)
 		check_radius(&k, &truth, &b, n);
 		real_release(mark);
 	}
-	print_message(
-	    "%d distances, %d within the tolerance; %zu points within, "
-	    "%zu not\n",
-	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE],
-	    verdicts[WITHIN_TOLERANCE], n[1], n[0]);
+	print_message("%d distances, %d within the tolerance; %zu points within, "
+		      "%zu not\n",
+	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE], verdicts[WITHIN_TOLERANCE],
+	    n[1], n[0]);
 	assert_int_equal(verdicts[WRONG], 0);
-	assert_true(
-	    verdicts[NEAREST] > 5000 && verdicts[WITHIN_TOLERANCE] < 10);
+	assert_true(verdicts[NEAREST] > 5000 && verdicts[WITHIN_TOLERANCE] < 10);
 	assert_true(n[0] > 1000 && n[1] > 300);
 }
 
@@ -186,17 +177,12 @@ static void tiny_distances_are_exact(void **state)
 {
 	struct scene s = { .has_viewport = true,
 		.convention = { .origin_bottom_left = true },
-		.viewport = { .x = -1,
-		    .y = -1,
-		    .width = 2,
-		    .height = 2,
-		    .max_z = 1 } };
+		.viewport = { .x = -1, .y = -1, .width = 2, .height = 2, .max_z = 1 } };
 	struct transform t;
 	struct picker k;
 
 	(void)state;
-	assert_null(
-	    transform_of_scene(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
 	assert_null(picker_of(&s, &t, &k));
 	k.at[0] = k.at[1] = 0;
 	for (int e = 1; e < 1000; e++) {
@@ -212,13 +198,11 @@ static void tiny_distances_are_exact(void **state)
 		assert_int_equal(pick_is_within(&k, p, device), over == 1);
 	}
 	k.radius = 5 * 0x1p40;
-	assert_true(
-	    pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
-		(double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+	assert_true(pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
 	k.radius = nextafter(k.radius, 0);
-	assert_false(
-	    pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
-		(double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+	assert_false(pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
 }
 
 /* 1 + 2^-60 on the device is not within 1 of 0, though its nearest double is. */
@@ -228,19 +212,14 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 		.has_world = true,
 		.convention = { .origin_bottom_left = true },
 		.world = { { 1 }, { 0x1p-60, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
-		.viewport = { .x = -1,
-		    .y = -1,
-		    .width = 2,
-		    .height = 2,
-		    .max_z = 1 } };
+		.viewport = { .x = -1, .y = -1, .width = 2, .height = 2, .max_z = 1 } };
 	struct transform t;
 	struct picker k;
 	const double p[4] = { 1, 1, 0, 1 };
 	double device[4];
 
 	(void)state;
-	assert_null(
-	    transform_of_scene(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
 	assert_null(picker_of(&s, &t, &k));
 	point_exact(&t, p, device);
 	assert_number(device[0], 1);

@@ -15,8 +15,7 @@ static double most_off(const struct scene *s, const struct scene *r,
 	double worst = 0;
 
 	assert_null(transform_of_scene(s, SPACE_WORLD, SPACE_NDC, false, &a));
-	const char *why = transform_of_scene(r, SPACE_WORLD, SPACE_NDC, false,
-	    &b);
+	const char *why = transform_of_scene(r, SPACE_WORLD, SPACE_NDC, false, &b);
 
 	if (why != NULL)
 		print_message("%s\n", why);
@@ -91,8 +90,7 @@ static void to_matrices(struct scene *s)
 	assert_null(scene_map(s, SPACE_VIEW, SPACE_CLIP, &projection));
 	for (int i = 0; i < 16; i++) {
 		s->camera.matrix[i / 4][i % 4] = element(&camera, i / 4, i % 4);
-		s->projection.matrix[i / 4][i % 4] = element(&projection, i / 4,
-		    i % 4);
+		s->projection.matrix[i / 4][i % 4] = element(&projection, i / 4, i % 4);
 	}
 	s->camera.way = CAMERA_MATRIX;
 	s->camera.orthonormalize = false;
@@ -111,8 +109,7 @@ static void matrices_give_their_parameters(void **state)
 	SAMPLES(k, 1000) {
 		sample_scene(&s, 0);
 		s.answer = NULL;
-		if (!has_planes(&s.projection) ||
-		    projection_is_open(&s.projection) ||
+		if (!has_planes(&s.projection) || projection_is_open(&s.projection) ||
 		    picture_of(&s, &was) != NULL)
 			continue;
 		if (!was.has_scene || !(was.near < was.far) ||
@@ -149,19 +146,17 @@ static void corner_at(const struct scene *s, const struct truth *back,
 	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
 	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	const double sign[4] = { -1, 1, -up, up };
-	struct sized at = sized_mul((struct sized){ limit[side / 2],
-					limit[side / 2] },
+	struct sized at = sized_mul((struct sized){ limit[side / 2], limit[side / 2] },
 	    sized_of(sign[side]));
 
 	for (int j = 0; j < 4; j++)
 		h[j] = sized_add(truth_column(back, j,
-				     (double[]){ 0, 0,
-					 far != reversed ? 1 : low, 1 }),
+				     (double[]){ 0, 0, far != reversed ? 1 : low, 1 }),
 		    sized_mul(at, truth_element(back, side / 2, j)));
 }
 
-static void corner_of(const struct scene *s, const struct truth *back,
-    bool reversed, bool far, int side, struct sized h[4])
+static void corner_of(const struct scene *s, const struct truth *back, bool reversed,
+    bool far, int side, struct sized h[4])
 {
 	real limit[2];
 
@@ -188,15 +183,13 @@ static void check_edges(const struct scene *s, const struct truth *back,
 	for (int side = 0; side < 4; side++) {
 		struct sized h[4], n, d, eye[2];
 
-		corner_at(s, back, one, r->reverse_z, p->near != r->near, side,
-		    h);
+		corner_at(s, back, one, r->reverse_z, p->near != r->near, side, h);
 		n = h[side / 2];
 		d = h[3];
 		eye[0] = truth_element(back, 2, side / 2);
 		eye[1] = truth_element(back, 2, 3);
 		if (p->type == PROJECTION_PERSP) {
-			n = sized_sub(sized_mul(n, eye[1]),
-			    sized_mul(eye[0], d));
+			n = sized_sub(sized_mul(n, eye[1]), sized_mul(eye[0], d));
 			d = sized_mul(d, eye[1]);
 		}
 		count_verdict(copysign(edge[side],
@@ -255,23 +248,20 @@ static void check_frustum_planes(const struct scene *s, const struct picture *r,
 	truth_scene(s, SPACE_WORLD, SPACE_CLIP, &t);
 	truth_limits(s, limit);
 	for (int k = 0; k < 6; k++) {
-		struct sized v[4],
-		    most = sized_of(sign[k] < 0 || c->depth_minus_one);
+		struct sized v[4], most = sized_of(sign[k] < 0 || c->depth_minus_one);
 
 		if (k < 4)
 			most = (struct sized){ limit[k / 2], limit[k / 2] };
 		for (int i = 0; i < 4; i++)
-			v[i] = sized_add(sized_mul(most,
-					     truth_element(&t, i, 3)),
-			    sized_mul(sized_of(sign[k]),
-				truth_element(&t, i, k / 2)));
+			v[i] = sized_add(sized_mul(most, truth_element(&t, i, 3)),
+			    sized_mul(sized_of(sign[k]), truth_element(&t, i, k / 2)));
 		struct sized length = sized_length(v);
 
 		for (int i = 0; i < 4; i++)
 			if (truth_sign(length, NULL) != 0 &&
 			    !(k >= 4 && projection_is_open(&s->projection)))
-				count_verdict(r->frustum_plane[k][i], v[i],
-				    length, tally);
+				count_verdict(r->frustum_plane[k][i], v[i], length,
+				    tally);
 			else
 				assert_true(isnan(r->frustum_plane[k][i]));
 	}
@@ -289,8 +279,8 @@ static void clear_slants(double m[4][4])
 
 static void numbers_are_nearest(void **state)
 {
-	static const char *const what[] = { "distances", "sides",
-		"frustum planes", "edges" };
+	static const char *const what[] = { "distances", "sides", "frustum planes",
+		"edges" };
 	int tally[4][VERDICTS] = { 0 };
 	struct scene s;
 	static struct picture r;
@@ -308,8 +298,7 @@ static void numbers_are_nearest(void **state)
 		clear_slants(s.projection.matrix);
 		if (picture_of(&s, &r) != NULL)
 			continue;
-		told += s.projection.type == PROJECTION_MATRIX &&
-		    !isnan(r.near);
+		told += s.projection.type == PROJECTION_MATRIX && !isnan(r.near);
 		check_frustum_planes(&s, &r, tally[2]);
 		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &back);
 		if (!isnan(r.near))
@@ -320,8 +309,8 @@ static void numbers_are_nearest(void **state)
 		for (int side = 0; side < 4; side++) {
 			corner_of(&s, &back, r.reverse_z, false, side, h);
 			if (!isnan(r.near_edge[side]))
-				count_verdict(r.near_edge[side], h[side / 2],
-				    h[3], tally[1]);
+				count_verdict(r.near_edge[side], h[side / 2], h[3],
+				    tally[1]);
 		}
 		real_release(mark);
 	}
@@ -357,8 +346,8 @@ static void parameters_are_found_again(void **state)
 			assert_true(r.near == p->near && r.far == p->far);
 		assert_true(r.reverse_z == p->reverse_z);
 		n++;
-		if (p->section.way != SECTION_EDGES ||
-		    p->section.edges_at > 0 || !r.has_scene)
+		if (p->section.way != SECTION_EDGES || p->section.edges_at > 0 ||
+		    !r.has_scene)
 			continue;
 		const struct projection *q = &r.scene.projection;
 		int mirror = s.convention.right_handed ==
@@ -383,8 +372,7 @@ static void to_one_matrix(struct scene *s)
 	s->answer = NULL;
 	assert_null(scene_map(s, SPACE_WORLD, SPACE_CLIP, &clip));
 	for (int i = 0; i < 16; i++)
-		s->projection.matrix[i / 4][i % 4] = element(&clip, i / 4,
-		    i % 4);
+		s->projection.matrix[i / 4][i % 4] = element(&clip, i / 4, i % 4);
 	s->projection.type = PROJECTION_MATRIX;
 	s->projection.without_camera = true;
 	s->has_camera = false;
@@ -405,14 +393,13 @@ static void count_nearest(double got, real exact, int tally[2])
  * z', w'. The plane of ndc depth k is at the distance D from the eye for which z(eye) +
  * D z' . n = k D |w'|. The edges on this plane are (side |w'| - x' . n) D / (x' .
  * right), and the same with y' and up. */
-static void check_combined(const struct scene *s, const struct picture *r,
-    int tally[2])
+static void check_combined(const struct scene *s, const struct picture *r, int tally[2])
 {
 	const struct convention *c = &s->convention;
 	const struct projection *p = &r->scene.projection;
 	const struct camera *camera = &r->scene.camera;
-	const double edge[4] = { p->section.left, p->section.right,
-		p->section.bottom, p->section.top };
+	const double edge[4] = { p->section.left, p->section.right, p->section.bottom,
+		p->section.top };
 	const double first = c->depth_minus_one ? -1 : 0,
 		     distance[2] = { r->near, r->far };
 	real g[4][4], m[4][4], back[4][4], eye[3], n[3], up[3], right[3];
@@ -454,8 +441,7 @@ static void check_combined(const struct scene *s, const struct picture *r,
 		real *axis = i < 2 ? right : up, *x = g[i / 2];
 		real off = sub(mul(real_of(i % 2 ? 1 : -1), w), dot(x, n, 3));
 
-		count_nearest(edge[i], divide(mul(off, d[0]), dot(x, axis, 3)),
-		    tally);
+		count_nearest(edge[i], divide(mul(off, d[0]), dot(x, axis, 3)), tally);
 	}
 }
 
@@ -473,14 +459,12 @@ static void cameras_are_found_in_matrices(void **state)
 
 		sample_scene(&s, 0);
 		s.answer = NULL;
-		if (!has_planes(&s.projection) ||
-		    projection_is_open(&s.projection) ||
+		if (!has_planes(&s.projection) || projection_is_open(&s.projection) ||
 		    s.projection.section.way == SECTION_INTRINSICS ||
 		    picture_of(&s, &was) != NULL)
 			continue;
 		if (!was.has_scene || !(was.near < was.far) ||
-		    was.far - was.near < 1e-3 * fabs(was.near) ||
-		    fabs(was.near) < 1e-3)
+		    was.far - was.near < 1e-3 * fabs(was.near) || fabs(was.near) < 1e-3)
 			continue;
 		to_one_matrix(&s);
 		assert_null(picture_of(&s, &is));
@@ -499,8 +483,8 @@ static void cameras_are_found_in_matrices(void **state)
 		}
 		real_release(mark);
 	}
-	print_message("%d numbers are nearest, %d are not; %d parallel\n",
-	    tally[1], tally[0], parallel);
+	print_message("%d numbers are nearest, %d are not; %d parallel\n", tally[1],
+	    tally[0], parallel);
 	assert_true(tally[1] > 500 && parallel > 50);
 	assert_int_equal(tally[0], 0);
 }

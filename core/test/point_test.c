@@ -47,8 +47,8 @@ static void random_points(void **state)
 		}
 		real_release(mark);
 	}
-	print_message("%zu numbers, %zu within the tolerance\n",
-	    tally.n[NEAREST], tally.n[WITHIN_TOLERANCE]);
+	print_message("%zu numbers, %zu within the tolerance\n", tally.n[NEAREST],
+	    tally.n[WITHIN_TOLERANCE]);
 	assert_int_equal(tally.n[WRONG], 0);
 	assert_true(tally.n[NEAREST] > 10000);
 }
@@ -64,8 +64,8 @@ static void transform_of_rows(const double m[3][4], struct transform *t)
 	transform_init(t, SPACE_MODEL, SPACE_WORLD, false);
 }
 
-static void assert_image(const struct transform *t, double x, double y,
-    double z, const double expected[3])
+static void assert_image(const struct transform *t, double x, double y, double z,
+    const double expected[3])
 {
 	const char *const *copy = copies;
 	const double p[4] = { x, y, z };
@@ -90,12 +90,12 @@ static void assert_image(const struct transform *t, double x, double y,
  * exact, so that no part of a sum is too small to decide a tie or a sign. */
 static void sums_of_given_numbers(void **state)
 {
-	static const double cancelling[3][4] = { { 1, 1, 1, 0 },
-		{ 1, 1, 0x1p-1000, 0 }, { 1, 1, 1, 1e-150 } };
+	static const double cancelling[3][4] = { { 1, 1, 1, 0 }, { 1, 1, 0x1p-1000, 0 },
+		{ 1, 1, 1, 1e-150 } };
 	static const double tied[3][4] = { { 1, 0, 0, 0x1p-53 },
 		{ 1, 0, 0x1p-400, 0x1p-53 }, { 1, 0, -0x1p-400, 0x1p-53 } };
-	static const double odd[3][4] = { { 3, 0, 0, 0x1p-52 },
-		{ 1, 0, 0, -0x1p-54 }, { 1, 0x1p-1000, 0, -0x1p-54 } };
+	static const double odd[3][4] = { { 3, 0, 0, 0x1p-52 }, { 1, 0, 0, -0x1p-54 },
+		{ 1, 0x1p-1000, 0, -0x1p-54 } };
 	struct transform t;
 
 	(void)state;
@@ -178,8 +178,7 @@ static void underflow(void **state)
 	    (double[]){ 1e150 * 1e-300, 0x1p-500 * 1e-165 + 0x1p-1074,
 		0x1p-500 * 1e-165 });
 	/* y and z are 1.5 and 0.5, then 2.5 times the least double */
-	assert_image(&t, 0x1p-575, 0, 0,
-	    (double[]){ 0x1p-575 * 1e-150, 0x1p-1073, 0 });
+	assert_image(&t, 0x1p-575, 0, 0, (double[]){ 0x1p-575 * 1e-150, 0x1p-1073, 0 });
 	assert_image(&t, 0x5p-575, 0, 0,
 	    (double[]){ 0x5p-575 * 1e-150, 0x4p-1074, 0x2p-1074 });
 	assert_image(&t, 0x5p-575, 0x1p-200, 0,
@@ -194,9 +193,7 @@ static void underflow(void **state)
 static void ties_of_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
-		.camera = { .way = CAMERA_GAZE,
-		    .at = { 0, 1, 1 },
-		    .up = { 0, 1, 0 } },
+		.camera = { .way = CAMERA_GAZE, .at = { 0, 1, 1 }, .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_PERSP,
 		    .section.way = SECTION_FOVY,
 		    .section.angle = 90,
@@ -204,17 +201,12 @@ static void ties_of_irrational_parts(void **state)
 		    .near = 1,
 		    .far = 2 },
 		.has_viewport = true,
-		.viewport = { .x = 0.5,
-		    .y = 0.5,
-		    .width = 1,
-		    .height = 1,
-		    .max_z = 1 },
+		.viewport = { .x = 0.5, .y = 0.5, .width = 1, .height = 1, .max_z = 1 },
 		.convention = { .origin_bottom_left = true } };
 	struct transform t;
 
 	(void)state;
-	assert_null(
-	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
 	for (int k = -99; k < 100; k++) {
 		double y = 0.5 + k * 0x1p-53, z = 0.5 - k * 0x1p-53, q[4];
 		int mark = real_mark();
@@ -251,8 +243,7 @@ static void ties_of_different_irrational_parts(void **state)
 	static struct transform t;
 
 	(void)state;
-	assert_null(
-	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
 	for (int c = 0; c < COPIES; c++) {
 		if (!kernels_choose(copies[c]))
 			continue;
@@ -264,11 +255,9 @@ static void ties_of_different_irrational_parts(void **state)
 		map_block_exactly(&t, &b, 200);
 		for (int i = 0; i < 200; i++) {
 			int mark = real_mark();
-			real exact = sub(real_of(1),
-			    real_of((100 - i) * 0x1p-53));
+			real exact = sub(real_of(1), real_of((100 - i) * 0x1p-53));
 
-			assert_number(b.out[0][i],
-			    mpfr_get_d(exact, MPFR_RNDN));
+			assert_number(b.out[0][i], mpfr_get_d(exact, MPFR_RNDN));
 			real_release(mark);
 		}
 	}
@@ -308,9 +297,7 @@ static void no_image(void **state)
 					/* depth is beyond the range of doubles at the
 					 * least z */
 					none |= j == 2 && i == 5;
-					assert_int_equal(isnan(b.out[j][k]) !=
-						0,
-					    none);
+					assert_int_equal(isnan(b.out[j][k]) != 0, none);
 				}
 		}
 	}

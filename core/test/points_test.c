@@ -46,8 +46,7 @@ static void zeros_of_whole_numbers(void **state)
 	assert_true(tally.n[NEAREST] > 100000);
 }
 
-static bool sample_any(int e, struct scene *s, enum space *from,
-    struct transform *t)
+static bool sample_any(int e, struct scene *s, enum space *from, struct transform *t)
 {
 	struct truth truth = { 0 };
 	int mark = real_mark();
@@ -57,8 +56,7 @@ static bool sample_any(int e, struct scene *s, enum space *from,
 	return accepted;
 }
 
-static bool same_images(const struct block *a, const struct block *b, int out,
-    size_t n)
+static bool same_images(const struct block *a, const struct block *b, int out, size_t n)
 {
 	for (int j = 0; j < out; j++)
 		for (size_t i = 0; i < n; i++)

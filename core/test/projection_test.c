@@ -2,13 +2,12 @@
 /* The projections and their inverses against MPFR, and refusals. */
 #include "claims.h"
 
-static const struct convention d3d,
-    gl = { true, true, true, false, true, false };
+static const struct convention d3d, gl = { true, true, true, false, true, false };
 
 /* Compares the matrix of a projection and its inverse with the truth. Returns the
  * reason if the projection is refused. */
-static const char *compare(const struct projection *p,
-    const struct convention *c, struct worst *w)
+static const char *compare(const struct projection *p, const struct convention *c,
+    struct worst *w)
 {
 	struct scene s = { .projection = *p, .convention = *c };
 	struct map m;
@@ -109,8 +108,7 @@ static void volumes_by_angle(void **state)
 		p.volume.z_far = i & 1 ? 11 : -11;
 		p.aspect[0] = i % 5;
 		p.aspect[1] = i % 5 == 0 ? 0 : i % 7 + 1;
-		p.volume.half_height = p.aspect[1] == 0 ? 2 :
-							  p.volume.half_width;
+		p.volume.half_height = p.aspect[1] == 0 ? 2 : p.volume.half_width;
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
 	assert_maps("volumes by angle", &w);
@@ -125,8 +123,8 @@ static void narrow_and_wide_angles(void **state)
 
 	(void)state;
 	for (int k = 0; k < 45; k++)
-		for (p.section.way = SECTION_FOVY;
-		     p.section.way <= SECTION_VIEW_ANGLE; p.section.way++) {
+		for (p.section.way = SECTION_FOVY; p.section.way <= SECTION_VIEW_ANGLE;
+		     p.section.way++) {
 			p.type = PROJECTION_PERSP;
 			p.section.angle = 180 - ldexp(1, -k);
 			assert_null(compare(&p, &d3d, &w));
@@ -162,10 +160,8 @@ static void elements_by_bc(void **state)
 	assert_number(element(&m, 3, 3), 0);
 	p.section.angle = 60;
 	map_for(&p, &m);
-	assert_number(element(&m, 1, 1),
-	    1.7320508075688772935274463415058723669);
-	assert_number(element(&m, 0, 0),
-	    0.8660254037844386467637231707529361835);
+	assert_number(element(&m, 1, 1), 1.7320508075688772935274463415058723669);
+	assert_number(element(&m, 0, 0), 0.8660254037844386467637231707529361835);
 
 	p = (struct projection){ .type = PROJECTION_OBLIQUE,
 		.shear.kind = OBLIQUE_CABINET,
@@ -184,8 +180,7 @@ static void elements_by_bc(void **state)
 	p.shear.kind = OBLIQUE_CAVALIER;
 	p.shear.direction = 45;
 	map_for(&p, &m);
-	assert_number(element(&m, 2, 0),
-	    0.7071067811865475244008443621048490393);
+	assert_number(element(&m, 2, 0), 0.7071067811865475244008443621048490393);
 }
 
 static void assert_projection_refused(const struct projection *p, bool inverse,
@@ -270,8 +265,7 @@ static void transposed_matrices(void **state)
 		memcpy(p.matrix[3], cases[k].row, sizeof cases[k].row);
 		for (int i = 0; i < 4; i++)
 			p.matrix[i][3] = cases[k].column[i];
-		for (int inverse = 0; inverse < 2 && cases[k].refused;
-		     inverse++)
+		for (int inverse = 0; inverse < 2 && cases[k].refused; inverse++)
 			assert_projection_refused(&p, inverse,
 			    "/projection/matrix: is transposed");
 		if (!cases[k].refused)

@@ -13,8 +13,8 @@ struct truth_ray {
 	struct sized n[4], gain[3], length;
 };
 
-static void truth_ray(const struct truth *back, const double at[2],
-    double depth, bool against, struct truth_ray *r)
+static void truth_ray(const struct truth *back, const double at[2], double depth,
+    bool against, struct truth_ray *r)
 {
 	const double p[4] = { at[0], at[1], depth, 1 };
 	struct sized sign = sized_of(against ? -1 : 1);
@@ -35,12 +35,11 @@ struct rays {
 	double at[2][POINTS_BLOCK], ray[6][POINTS_BLOCK];
 };
 
-static void cast_block(const struct ray_maker *r, bool single, size_t n,
-    struct rays *b)
+static void cast_block(const struct ray_maker *r, bool single, size_t n, struct rays *b)
 {
 	const double *const at[2] = { b->at[0], b->at[1] };
-	double *const out[6] = { b->ray[0], b->ray[1], b->ray[2], b->ray[3],
-		b->ray[4], b->ray[5] };
+	double *const out[6] = { b->ray[0], b->ray[1], b->ray[2], b->ray[3], b->ray[4],
+		b->ray[5] };
 
 	rays_cast(r, single, at, out, out + 3, n);
 }
@@ -48,8 +47,8 @@ static void cast_block(const struct ray_maker *r, bool single, size_t n,
 /* Checks a ray. If there are no near and far planes, it begins at the eye, where clip
  * x, y and w are 0. */
 static void check_ray(const struct ray_maker *r, const struct truth *back,
-    const struct truth *eye, bool against, const struct rays *b, size_t i,
-    bool single, int verdicts[VERDICTS])
+    const struct truth *eye, bool against, const struct rays *b, size_t i, bool single,
+    int verdicts[VERDICTS])
 {
 	const double at[2] = { b->at[0][i], b->at[1][i] };
 	struct truth_ray ray;
@@ -66,14 +65,11 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 			assert_true(isnan(point) && isnan(direction));
 			continue;
 		}
-		struct sized n = eye != NULL ? truth_element(eye, 2, j) :
-					       ray.n[j];
-		struct sized d = eye != NULL ? truth_element(eye, 2, 3) :
-					       ray.n[3];
+		struct sized n = eye != NULL ? truth_element(eye, 2, j) : ray.n[j];
+		struct sized d = eye != NULL ? truth_element(eye, 2, 3) : ray.n[3];
 
 		verdicts[truth_verdict(point, n, d, single)]++;
-		verdicts[truth_verdict(direction, ray.gain[j], ray.length,
-		    single)]++;
+		verdicts[truth_verdict(direction, ray.gain[j], ray.length, single)]++;
 	}
 	real_release(mark);
 }
@@ -123,17 +119,14 @@ static void rays_are_exact(void **state)
 			cast_block(&r, single, 10, &b);
 			for (size_t i = 0; i < 10; i++)
 				check_ray(&r, &back, open ? &eye : NULL,
-				    is_depth_against_rays(&s), &b, i, single,
-				    verdicts);
+				    is_depth_against_rays(&s), &b, i, single, verdicts);
 		}
 		real_release(mark);
 	}
 	print_message("%d numbers, %d within the tolerance\n",
-	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE],
-	    verdicts[WITHIN_TOLERANCE]);
+	    verdicts[NEAREST] + verdicts[WITHIN_TOLERANCE], verdicts[WITHIN_TOLERANCE]);
 	assert_int_equal(verdicts[WRONG], 0);
-	assert_true(
-	    verdicts[NEAREST] > 20000 && verdicts[WITHIN_TOLERANCE] < 10);
+	assert_true(verdicts[NEAREST] > 20000 && verdicts[WITHIN_TOLERANCE] < 10);
 }
 
 /* A ray does not depend on the other rays of its block. */
@@ -222,8 +215,7 @@ static void truth_meeting(const struct truth *back, const struct truth *clip,
 		w = sized_add(w, sized_mul(n, truth_element(clip, j, 3)));
 	}
 	for (int i = 0; i < 3; i++)
-		w_is_constant &= truth_sign(truth_element(clip, i, 3), NULL) ==
-		    0;
+		w_is_constant &= truth_sign(truth_element(clip, i, 3), NULL) == 0;
 	int side = truth_sign(w, NULL);
 	int w_sign = truth_sign(image->d, &doubtful);
 
@@ -231,9 +223,8 @@ static void truth_meeting(const struct truth *back, const struct truth *clip,
 	image->exists = w_sign != 0 && (w_is_constant || side == w_sign);
 }
 
-static void judge_meetings(const struct scene *s, enum space from,
-    enum space to, const double plane[4], const struct transform *t,
-    struct tally *tally)
+static void judge_meetings(const struct scene *s, enum space from, enum space to,
+    const double plane[4], const struct transform *t, struct tally *tally)
 {
 	static struct rays b;
 	static struct block block;
@@ -250,8 +241,7 @@ static void judge_meetings(const struct scene *s, enum space from,
 	map_block_exactly(t, &block, POINTS);
 	for (size_t i = 0; i < POINTS; i++) {
 		const double at[2] = { block.in[0][i], block.in[1][i] };
-		double got[3] = { block.out[0][i], block.out[1][i],
-			block.out[2][i] };
+		double got[3] = { block.out[0][i], block.out[1][i], block.out[2][i] };
 		int mark = real_mark();
 		struct image image;
 
@@ -297,8 +287,7 @@ static void planes_are_met(void **state)
 		n++;
 	}
 	print_message("%d planes, %zu numbers, %zu within the tolerance\n", n,
-	    tally.n[NEAREST] + tally.n[WITHIN_TOLERANCE],
-	    tally.n[WITHIN_TOLERANCE]);
+	    tally.n[NEAREST] + tally.n[WITHIN_TOLERANCE], tally.n[WITHIN_TOLERANCE]);
 	assert_true(n > 300 && tally.n[NEAREST] > 10000);
 	assert_true(tally.n[WITHIN_TOLERANCE] < tally.n[NEAREST] / 100);
 	assert_int_equal(tally.n[WRONG], 0);

@@ -249,8 +249,7 @@ double u2_error(dd got, real exact, double size)
 	double r = 0;
 
 	if (mpfr_cmp_d(off, LOW_PART_LOSS) > 0)
-		r = mpfr_get_d(divide(off,
-				   mul(real_of(0x1p-106), real_of(size))),
+		r = mpfr_get_d(divide(off, mul(real_of(0x1p-106), real_of(size))),
 		    MPFR_RNDN);
 	real_release(mark);
 	return r;

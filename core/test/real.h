@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Numbers of REAL_BITS bits, for tests. The functions return results of MPFR, so that
  * formulas need no variable for each intermediate result. */
-#ifndef REAL_H
-#define REAL_H
+#pragma once
 
 #include <mpfr.h>
 #include <stdbool.h>
@@ -58,5 +57,3 @@ double ulps(double printed, real exact);
 /* Returns |got - exact| in units of 2^-106 size. Returns 0 for a difference that the
  * underflow of low parts explains. */
 double u2_error(dd got, real exact, double size);
-
-#endif

@@ -57,8 +57,7 @@ static void check_places(bool wide, int numbers, size_t n)
 	for (size_t i = 0; i < all; i++) {
 		double v = i % 7 == 0 ? 0 : (double)i - 9.25;
 
-		assert_true(
-		    columns[i % (size_t)numbers][i / (size_t)numbers] == v);
+		assert_true(columns[i % (size_t)numbers][i / (size_t)numbers] == v);
 		assert_true(number_back(wide, i) == v &&
 		    !signbit(number_back(wide, i)) == (v >= 0));
 	}
@@ -89,8 +88,7 @@ static void check_range_of_rows(bool wide, double v, bool within)
 		for (size_t i = 0; i < ROWS * (size_t)numbers; i++) {
 			for (size_t k = 0; k < ROWS * (size_t)numbers; k++)
 				put_row_number(wide, k, k == i ? v : 1);
-			assert_int_equal(rows_to_columns(wide, numbers, ROWS),
-			    within);
+			assert_int_equal(rows_to_columns(wide, numbers, ROWS), within);
 		}
 }
 
@@ -99,10 +97,11 @@ static void check_rounding_to_rows(bool wide, double v, bool sure)
 	for (int numbers = 2; numbers <= 4; numbers++)
 		for (size_t i = 0; i < ROWS * (size_t)numbers; i++) {
 			for (size_t k = 0; k < ROWS * (size_t)numbers; k++)
-				columns[k % (size_t)numbers]
-				       [k / (size_t)numbers] = k == i ? v : 1;
-			assert_int_equal(columns_to_rows(wide, numbers, ROWS),
-			    sure);
+				columns[k % (size_t)numbers][k / (size_t)numbers] = k ==
+					i ?
+				    v :
+				    1;
+			assert_int_equal(columns_to_rows(wide, numbers, ROWS), sure);
 		}
 }
 
@@ -171,8 +170,8 @@ static void floats_as_by_doubles(void **state)
 			    b.in[i % (size_t)t.in][i / (size_t)t.in]);
 		if (!points_map_floats(&t, rows + 1, back + 1, n))
 			continue;
-		assert_true(kernels_chosen()->to_columns[false][t.in](rows + 1,
-		    b.in, n, SCENE_MAGNITUDE_MAX));
+		assert_true(kernels_chosen()->to_columns[false][t.in](rows + 1, b.in, n,
+		    SCENE_MAGNITUDE_MAX));
 		map_block(&t, PRECISION_SINGLE, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.out; i++)
 			assert_true(number_back(false, i) ==

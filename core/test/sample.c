@@ -191,8 +191,7 @@ void sample_camera(struct camera *c, int e)
 	if (sample_below(2))
 		memcpy(c->up, (double[]){ 0, 1, 0 }, sizeof c->up);
 	for (int i = 0; i < 4; i++)
-		c->orientation[i] = e > 0 ? sample_number(e) :
-					    ordinary_number();
+		c->orientation[i] = e > 0 ? sample_number(e) : ordinary_number();
 	if (c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION)
 		sample_rotation_vector(c->rvec, e);
 	sample_affine(c->matrix, e);
@@ -204,8 +203,7 @@ void sample_camera(struct camera *c, int e)
 	if (sample_below(3) == 0)
 		c->roll = 15 * whole_number(24);
 	else if (sample_below(2))
-		c->roll = e > 0 ? sample_number(150) :
-				  sample_between(-180, 180);
+		c->roll = e > 0 ? sample_number(150) : sample_between(-180, 180);
 }
 
 /* Samples a matrix to orthonormalize: a rotation whose elements have errors of up to
@@ -238,8 +236,7 @@ void sample_orthonormalize(struct camera *c, int e)
 		double *m = &c->matrix[i / 3][i % 3];
 
 		*m *= size / norm *
-		    (e > 0 ? stretch[i % 3] :
-			     1 + drift * sample_between(-1, 1));
+		    (e > 0 ? stretch[i % 3] : 1 + drift * sample_between(-1, 1));
 	}
 	sample_vector(c->matrix[3], e > 0 ? 20 : 0);
 	c->matrix[3][3] = 1;
@@ -285,8 +282,7 @@ static void sample_planes(struct projection *p, int e)
 	const enum projection_family family = projection_family(p);
 
 	p->near = e > 0 ? sample_size(e) : 1 + sample_below(9);
-	p->far = e > 0 ? p->near + sample_size(e) :
-			 p->near * sample_between(1, 1000);
+	p->far = e > 0 ? p->near + sample_size(e) : p->near * sample_between(1, 1000);
 	switch (sample_below(e > 0 ? 3 : 6)) {
 	case 0:
 		p->far = p->near * (1 + pow(10, sample_between(-15, 0)));
@@ -323,8 +319,7 @@ static void sample_volume(struct projection *p, int e)
 	if (sample_below(2))
 		p->aspect[0] = p->aspect[1] = 0;
 	else
-		v->half_height =
-		    v->half_width; /* size is half the smaller side */
+		v->half_height = v->half_width; /* size is half the smaller side */
 }
 
 /* Converts the angles to radians for one projection in four. Angles that were next to
@@ -413,9 +408,8 @@ static void sample_intrinsics(struct projection *p, int e)
 void sample_remember(const struct projection *p)
 {
 	type_now = p->type;
-	way_now = projection_family(p) == FAMILY_VOLUME ?
-	    (int)p->volume.eye_given_by :
-	    (int)p->section.way;
+	way_now = projection_family(p) == FAMILY_VOLUME ? (int)p->volume.eye_given_by :
+							  (int)p->section.way;
 }
 
 void sample_projection(struct projection *p, int e)
@@ -520,8 +514,7 @@ void sample_scene(struct scene *s, int e)
 
 void sample_answer(struct scene *s)
 {
-	s->answer = sample_below(2) ? &named_conventions[sample_below(5)] :
-				      NULL;
+	s->answer = sample_below(2) ? &named_conventions[sample_below(5)] : NULL;
 }
 
 static void round_matrix(double m[4][4], int columns)
@@ -537,8 +530,7 @@ void sample_round_scene(struct scene *s)
 
 	do
 		sample_scene(s, 0);
-	while (projection_family(p) == FAMILY_PARALLEL &&
-	    p->type != PROJECTION_ORTHO);
+	while (projection_family(p) == FAMILY_PARALLEL && p->type != PROJECTION_ORTHO);
 	round_matrix(s->world, 3);
 	s->has_camera = sample_below(2);
 	s->camera.way = CAMERA_MATRIX;

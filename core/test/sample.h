@@ -3,8 +3,7 @@
  * ordinary: what people write, among them small whole numbers. With e > 0 they are
  * hostile: magnitudes are mixed, from 10^-e to 10^e, cameras are far from the origin,
  * and scenes are nearly degenerate. */
-#ifndef SAMPLE_H
-#define SAMPLE_H
+#pragma once
 
 #include "../scene/scene.h"
 
@@ -46,5 +45,3 @@ void sample_answer(struct scene *);
 /* Samples a scene of numbers with few digits in which no angle and no length occurs, so
  * that all elements of its maps are rational. */
 void sample_round_scene(struct scene *);
-
-#endif

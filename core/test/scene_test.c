@@ -55,10 +55,8 @@ static void models_far_from_the_origin(void **state)
 		s.camera.way = CAMERA_AT;
 		for (int k = 0; k < 3; k++) {
 			s.world[3][k] = 1e15 * sample_between(-1, 1);
-			s.camera.eye[k] = s.world[3][k] +
-			    sample_between(-20, 20);
-			s.camera.at[k] = s.camera.eye[k] +
-			    sample_between(-20, 20);
+			s.camera.eye[k] = s.world[3][k] + sample_between(-20, 20);
+			s.camera.at[k] = s.camera.eye[k] + sample_between(-20, 20);
 		}
 		compare(&s, SPACE_MODEL, SPACE_VIEW, &w);
 		compare(&s, SPACE_MODEL, SPACE_CLIP, &w);
@@ -75,11 +73,8 @@ static void around_all_conventions(void **state)
 		{ .right_handed = true,
 		    .depth_minus_one = true,
 		    .origin_bottom_left = true },
-		{ .right_handed = true, .ndc_y_down = true },
-		{ .right_handed = true },
-		{ .right_handed = true,
-		    .view_y_down = true,
-		    .ndc_y_down = true } };
+		{ .right_handed = true, .ndc_y_down = true }, { .right_handed = true },
+		{ .right_handed = true, .view_y_down = true, .ndc_y_down = true } };
 
 	(void)state;
 	for (int k = 0; k < 25; k++) {
@@ -87,11 +82,11 @@ static void around_all_conventions(void **state)
 			.convention = known[k % 5],
 			.has_camera = true,
 			.camera = { .way = CAMERA_MATRIX,
-			    .matrix = { { 0, 3, 4, 0 }, { 5, 0, 1, 0 },
-				{ 1, 2, 3, 0 }, { 7, -8, 9, 1 } } },
+			    .matrix = { { 0, 3, 4, 0 }, { 5, 0, 1, 0 }, { 1, 2, 3, 0 },
+				{ 7, -8, 9, 1 } } },
 			.projection = { .type = PROJECTION_MATRIX,
-			    .matrix = { { 2, 0, 0, 0 }, { 0, 3, 0, 0 },
-				{ 4, 5, 6, 1 }, { 7, 8, 10, 0 } } },
+			    .matrix = { { 2, 0, 0, 0 }, { 0, 3, 0, 0 }, { 4, 5, 6, 1 },
+				{ 7, 8, 10, 0 } } },
 		};
 		struct scene given = s;
 		struct map view, clip, m;
@@ -100,15 +95,13 @@ static void around_all_conventions(void **state)
 			int next = (k % 5 + i * (1 + k / 5 % 4)) % 5;
 
 			s.answer = &known[next];
-			assert_null(
-			    scene_map(&s, SPACE_WORLD, SPACE_VIEW, &view));
-			assert_null(
-			    scene_map(&s, SPACE_VIEW, SPACE_CLIP, &clip));
+			assert_null(scene_map(&s, SPACE_WORLD, SPACE_VIEW, &view));
+			assert_null(scene_map(&s, SPACE_VIEW, SPACE_CLIP, &clip));
 			for (int j = 0; j < 16; j++) {
-				s.camera.matrix[j / 4][j % 4] = element(&view,
+				s.camera.matrix[j / 4][j % 4] = element(&view, j / 4,
+				    j % 4);
+				s.projection.matrix[j / 4][j % 4] = element(&clip,
 				    j / 4, j % 4);
-				s.projection.matrix[j / 4][j % 4] =
-				    element(&clip, j / 4, j % 4);
 			}
 			s.convention = known[next];
 		}
@@ -116,8 +109,8 @@ static void around_all_conventions(void **state)
 		    sizeof s.convention);
 		assert_memory_equal(s.camera.matrix, given.camera.matrix,
 		    sizeof s.camera.matrix);
-		assert_memory_equal(s.projection.matrix,
-		    given.projection.matrix, sizeof s.projection.matrix);
+		assert_memory_equal(s.projection.matrix, given.projection.matrix,
+		    sizeof s.projection.matrix);
 		assert_null(scene_map(&given, SPACE_WORLD, SPACE_CLIP, &m));
 	}
 }
@@ -134,8 +127,7 @@ static void device_is_the_same_in_all_conventions(void **state)
 		sample_scene(&s, 0);
 		sample_answer(&s);
 		if (s.answer != NULL)
-			s.convention.origin_bottom_left =
-			    s.answer->origin_bottom_left;
+			s.convention.origin_bottom_left = s.answer->origin_bottom_left;
 		if (scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &other) != NULL)
 			continue;
 		s.answer = NULL;
@@ -160,8 +152,7 @@ static void map_to_the_same_space(void **state)
 	(void)state;
 	sample_scene(&s, 0);
 	for (int space = SPACE_MODEL; space <= SPACE_DEVICE; space++) {
-		assert_null(
-		    scene_map(&s, (enum space)space, (enum space)space, &m));
+		assert_null(scene_map(&s, (enum space)space, (enum space)space, &m));
 		assert_identity(&m);
 	}
 	for (int space = FLAT_WINDOW; space <= FLAT_DEVICE; space++) {
@@ -174,8 +165,8 @@ static void map_to_the_same_space(void **state)
 	assert_identity(&m);
 }
 
-static void assert_scene_refused(const struct scene *s, enum space from,
-    enum space to, const char *member)
+static void assert_scene_refused(const struct scene *s, enum space from, enum space to,
+    const char *member)
 {
 	struct map m;
 
@@ -201,20 +192,16 @@ static void refusals(void **state)
 	assert_scene_refused(&s, SPACE_DEVICE, SPACE_MODEL, "/viewport");
 	s.world[0][3] = 1e-9;
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world");
-	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL,
-	    "/world: " MAP_NOT_AFFINE);
+	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL, "/world: " MAP_NOT_AFFINE);
 	s.world[3][0] = 1;
-	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD,
-	    "/world: " MAP_NOT_AFFINE);
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world: " MAP_NOT_AFFINE);
 	s.world[0][3] = s.world[3][0] = 0;
 	s.world[0][0] = 0;
 	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");
 	s.world[0][0] = 1e150;
 	s.projection.section.width = 1e-150;
 	s.has_viewport = true;
-	s.viewport = (struct viewport){ .width = 1e150,
-		.height = 1,
-		.max_z = 1 };
+	s.viewport = (struct viewport){ .width = 1e150, .height = 1, .max_z = 1 };
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/projection");
 	s.projection.section.width = 1;
 	memcpy(s.camera.at, s.camera.eye, sizeof s.camera.at);

@@ -20,10 +20,8 @@ static void assert_error_bound(struct sum zero_with_error, int e)
 	double greatest_zero = ldexp(1, SUM_QUOTIENT_ERROR - EX_RANGE + e);
 
 	for (int minus = 0; minus < 2; minus++) {
-		struct sum least = sum_of_double(
-		    nextafter(greatest_zero, HUGE_VAL));
-		struct sum off = sum_add(zero_with_error,
-		    sum_of_double(greatest_zero));
+		struct sum least = sum_of_double(nextafter(greatest_zero, HUGE_VAL));
+		struct sum off = sum_add(zero_with_error, sum_of_double(greatest_zero));
 
 		assert_int_equal(sum_sign(off), 0);
 		assert_number(sum_double(off), 0);
@@ -47,8 +45,7 @@ static void operations_keep_error_bounds(void **state)
 	assert_error_bound(sum_mul(eight, zero_with_error), 3);
 	assert_error_bound(sum_quotient(zero_with_error, eight), -3);
 	assert_error_bound(sum_add(zero_with_error, zero_with_error), 1);
-	assert_error_bound(sum_sub(zero_with_error, sum_neg(zero_with_error)),
-	    1);
+	assert_error_bound(sum_sub(zero_with_error, sum_neg(zero_with_error)), 1);
 	assert_error_bound(sum_mul(sum_mul(zero_with_error, eight), eight), 6);
 	assert_error_bound(sum_mul(sum_add(zero_with_error, sum_of_double(4)),
 			       zero_with_error),
@@ -62,8 +59,7 @@ static void operations_keep_error_bounds(void **state)
 
 		sum_dot(n, a, a + 1, 1, &r);
 		/* bounds are powers of two: that of three errors is that of four */
-		assert_error_bound(sum_quotient(r, sum_of_double(n)),
-		    3 + (n == 3));
+		assert_error_bound(sum_quotient(r, sum_of_double(n)), 3 + (n == 3));
 	}
 }
 
@@ -94,15 +90,14 @@ static void short_roots_and_quotients_are_exact(void **state)
 {
 	(void)state;
 	assert_int_equal(sum_sqrt(sum_of_double(2.25)).error, 0);
-	assert_int_equal(sum_quotient(sum_of_double(6), sum_of_double(3)).error,
-	    0);
+	assert_int_equal(sum_quotient(sum_of_double(6), sum_of_double(3)).error, 0);
 	struct sum root = sum_sqrt(sum_of_double(4 + 0x1p-50));
 	struct sum third = sum_quotient(sum_of_double(1), sum_of_double(3));
 
 	assert_int_equal(root.error, 2 + SUM_QUOTIENT_ERROR);
 	assert_int_equal(third.error, -1 + SUM_QUOTIENT_ERROR);
-	assert_int_equal(sum_sign(sum_sub(sum_mul(root, root),
-			     sum_of_double(4 + 0x1p-50))),
+	assert_int_equal(sum_sign(
+			     sum_sub(sum_mul(root, root), sum_of_double(4 + 0x1p-50))),
 	    0);
 	assert_int_equal(sum_sign(sum_sub(sum_mul(third, sum_of_double(3)),
 			     sum_of_double(1))),

@@ -28,20 +28,16 @@ static const struct regime {
 	{ "short", 0, 4, -3, 4, 7, 0, 1, { 8, 0, 19, 20, 6, 3 } },
 	{ "far off", 30, 34, -3, 4, 53, 0, 1, { 6, 11, 6, 13, 1, 4 } },
 	{ "farther off", 44, 74, -3, 4, 53, 0, 1, { 947, 14, 5, 6071, 1, 5 } },
-	{ "mixed", 0, 4, -24, 14, 53, 0, 1,
-	    { 13381, 13483, 8638, 5383, 1, 2 } },
+	{ "mixed", 0, 4, -24, 14, 53, 0, 1, { 13381, 13483, 8638, 5383, 1, 2 } },
 	{ "times 2^40", 0, 4, -3, 4, 53, 40, 64, { 15, 11, 19, 14, 6, 2 } },
-	{ "times 2^84", 0, 4, -3, 4, 53, 84, 108,
-	    { 14, 11270, 8, 11, 2, 23552 } },
-	{ "times 2^110", 0, 4, -3, 4, 53, 110, 134,
-	    { 15, 24576, 4, 11, 5, 24576 } },
+	{ "times 2^84", 0, 4, -3, 4, 53, 84, 108, { 14, 11270, 8, 11, 2, 23552 } },
+	{ "times 2^110", 0, 4, -3, 4, 53, 110, 134, { 15, 24576, 4, 11, 5, 24576 } },
 	{ "times 2^182", 0, 4, -3, 4, 53, 182, 206,
 	    { 9223, 24576, 10242, 18436, 7169, 24576 } },
 	{ "times 2^208", 0, 4, -3, 4, 53, 208, 232,
 	    { 24576, 24576, 24576, 24576, 24576, 24576 } },
 	{ "times 2^-92", 0, 4, -3, 4, 53, -92, -68, { 18, 0, 9, 16, 1, 3 } },
-	{ "times 2^-142", 0, 4, -3, 4, 53, -142, -118,
-	    { 10, 0, 0, 7, 3, 24576 } },
+	{ "times 2^-142", 0, 4, -3, 4, 53, -142, -118, { 10, 0, 0, 7, 3, 24576 } },
 	{ "times 2^-206", 0, 4, -3, 4, 53, -206, -182,
 	    { 3087, 8192, 3088, 3079, 6147, 24576 } },
 };
@@ -53,8 +49,7 @@ static int scale; /* all random numbers are scaled by 2^scale */
 static double random_number(int low, int high, int digits)
 {
 	int e = scale + low + (int)sample_below((unsigned)(high - low));
-	double v = ldexp(floor(ldexp(1 + sample_unit(), digits - 1)),
-	    e + 1 - digits);
+	double v = ldexp(floor(ldexp(1 + sample_unit(), digits - 1)), e + 1 - digits);
 
 	return sample_below(2) ? v : -v;
 }
@@ -90,8 +85,7 @@ static void sample_regime_scene(const struct regime *r, struct scene *s)
 		double eye = random_number(r->eye_low, r->eye_high, r->digits);
 
 		for (int k = 0; k < 3; k++)
-			s->world[i][k] = random_number(r->low, r->high,
-			    r->digits);
+			s->world[i][k] = random_number(r->low, r->high, r->digits);
 		s->world[i][3] = i == 3;
 		if (i == 3)
 			break;
@@ -115,8 +109,8 @@ static void sample_pixels(const struct regime *r, struct block *b)
 	scale = 0;
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		for (int k = 0; k < 3; k++)
-			b->in[k][i] = fabs(random_number(k < 2 ? 0 : -6,
-			    k < 2 ? 9 : 0, r->digits));
+			b->in[k][i] = fabs(
+			    random_number(k < 2 ? 0 : -6, k < 2 ? 9 : 0, r->digits));
 }
 
 /* Returns the number of points that a kernel leaves undecided: it sets them to nan. */
@@ -133,16 +127,14 @@ static unsigned count_undecided(exact_kernel kernel, const struct kernel_map *m,
 	return n;
 }
 
-static unsigned count_transform(const struct transform *t,
-    enum kernel_kind kind, struct block *b)
+static unsigned count_transform(const struct transform *t, enum kernel_kind kind,
+    struct block *b)
 {
 	assert_int_equal(t->kernel, kind);
-	return count_undecided(kernels_chosen()->exact[kind], &t->for_kernel,
-	    b);
+	return count_undecided(kernels_chosen()->exact[kind], &t->for_kernel, b);
 }
 
-static void count_block(const struct regime *r, struct block *b,
-    unsigned n[COUNTERS])
+static void count_block(const struct regime *r, struct block *b, unsigned n[COUNTERS])
 {
 	struct scene s;
 	struct transform t;
@@ -151,8 +143,7 @@ static void count_block(const struct regime *r, struct block *b,
 
 	sample_regime_scene(r, &s);
 	sample_regime_points(r, origin, b);
-	assert_null(
-	    transform_of_scene(&s, SPACE_MODEL, SPACE_WORLD, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_MODEL, SPACE_WORLD, false, &t));
 	n[RATIONAL] += count_transform(&t, KERNEL_AFFINE, b);
 	sample_regime_points(r, s.camera.eye, b);
 	assert_null(transform_of_window(&s, FLAT_WINDOW, FLAT_DEVICE, &t));
@@ -160,12 +151,10 @@ static void count_block(const struct regime *r, struct block *b,
 	sample_regime_points(r, s.camera.eye, b);
 	assert_null(transform_of_scene(&s, SPACE_WORLD, SPACE_VIEW, false, &t));
 	n[AFFINE] += count_transform(&t, KERNEL_AFFINE, b);
-	assert_null(
-	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
 	n[DEPTH] += count_transform(&t, KERNEL_DEPTH, b);
 	sample_pixels(r, b);
-	assert_null(
-	    transform_of_scene(&s, SPACE_DEVICE, SPACE_WORLD, false, &t));
+	assert_null(transform_of_scene(&s, SPACE_DEVICE, SPACE_WORLD, false, &t));
 	n[PROJECTIVE] += count_transform(&t, KERNEL_PROJECTIVE, b);
 	assert_null(ray_maker_of(&s, &ray));
 	n[RAY] += count_undecided(kernels_chosen()->exact[KERNEL_DIRECTION],

@@ -7,11 +7,10 @@
 
 static void kinds_have_their_names(void **state)
 {
-	static const double along[5][3] = { { 0, 0, 1 }, { 1, 1, 1 },
-		{ 1, 1, 3 }, { 1, 2, 3 }, { 1, 0, 3 } };
+	static const double along[5][3] = { { 0, 0, 1 }, { 1, 1, 1 }, { 1, 1, 3 },
+		{ 1, 2, 3 }, { 1, 0, 3 } };
 	static const enum taxon_kind orthographic[] = { TAXON_MULTIVIEW,
-		TAXON_ISOMETRIC, TAXON_DIMETRIC, TAXON_TRIMETRIC,
-		TAXON_TRIMETRIC };
+		TAXON_ISOMETRIC, TAXON_DIMETRIC, TAXON_TRIMETRIC, TAXON_TRIMETRIC };
 	static const enum taxon_kind perspective[] = { TAXON_ONE_POINT,
 		TAXON_THREE_POINT, TAXON_THREE_POINT, TAXON_THREE_POINT,
 		TAXON_TWO_POINT };
@@ -87,8 +86,7 @@ static void eyes_are_on_their_side(void **state)
 	for (int k = 0; k < 16; k++) {
 		bool reverse = k & 1, right = k & 2, bare = k & 4;
 		bool turned = reverse && bare;
-		enum taxon taxon = reverse && !bare ? TAXON_REVERSE :
-						      TAXON_PERSPECTIVE;
+		enum taxon taxon = reverse && !bare ? TAXON_REVERSE : TAXON_PERSPECTIVE;
 		double sign = right ? -1 : 1;
 		struct map m;
 
@@ -140,8 +138,7 @@ static void depth_may_be_reversed(void **state)
 			p->type = PROJECTION_MATRIX;
 			p->reverse_z = false;
 			for (int i = 0; i < 16; i++)
-				p->matrix[i / 4][i % 4] = element(&m, i / 4,
-				    i % 4);
+				p->matrix[i / 4][i % 4] = element(&m, i / 4, i % 4);
 		}
 		assert_null(picture_of(&s, &t));
 		assert_true(t.reverse_z);

@@ -16,8 +16,8 @@ static void count_verdict(double got, struct sized n, struct sized d,
 }
 
 /* Checks that got is h / w, or nan if the point is not visible or w is 0. */
-static void check_point(const double *got, const struct sized h[4], int n,
-    bool visible, struct tally *tally)
+static void check_point(const double *got, const struct sized h[4], int n, bool visible,
+    struct tally *tally)
 {
 	bool doubtful;
 	int w = truth_sign(h[3], &doubtful);
@@ -35,8 +35,8 @@ static void matrix_row(const struct truth *t, int i, struct sized h[4])
 		h[j] = truth_element(t, i, j);
 }
 
-static void check_vanishing_points(const struct scene *s,
-    const struct taxonomy *t, struct tally *tally)
+static void check_vanishing_points(const struct scene *s, const struct taxonomy *t,
+    struct tally *tally)
 {
 	struct truth truth;
 
@@ -54,8 +54,7 @@ static void check_vanishing_points(const struct scene *s,
 static void check_places(const struct scene *s, const struct picture *p,
     struct tally *tally)
 {
-	static const int side[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 },
-		{ -1, 1 } };
+	static const int side[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } };
 	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
 	struct truth truth;
@@ -74,16 +73,13 @@ static void check_places(const struct scene *s, const struct picture *p,
 			at[k] = sized_mul((struct sized){ limit[k], limit[k] },
 			    sized_of(side[c % 4][k] * (k == 0 ? 1 : up)));
 		for (int j = 0; j < 4; j++) {
-			h[j] = truth_column(&truth, j,
-			    (double[]){ 0, 0, depth, 1 });
+			h[j] = truth_column(&truth, j, (double[]){ 0, 0, depth, 1 });
 			for (int k = 0; k < 2; k++)
 				h[j] = sized_add(h[j],
-				    sized_mul(at[k],
-					truth_element(&truth, k, j)));
+				    sized_mul(at[k], truth_element(&truth, k, j)));
 		}
 		check_point(p->taxonomy.corner[c], h, 3,
-		    mpfr_sgn(h[3].value) > 0 &&
-			!projection_is_open(&s->projection),
+		    mpfr_sgn(h[3].value) > 0 && !projection_is_open(&s->projection),
 		    tally);
 	}
 }
@@ -120,8 +116,8 @@ static void check_fov(const struct scene *s, const struct taxonomy *t,
 /* Checks foreshortening. A world axis is a sum of a vector along the projectors and two
  * perpendicular vectors in the plane. The length of the sum of these two vectors is the
  * length of the image. */
-static void check_foreshortening(const struct scene *s,
-    const struct taxonomy *t, struct tally *tally)
+static void check_foreshortening(const struct scene *s, const struct taxonomy *t,
+    struct tally *tally)
 {
 	real m[4][4], axis[4][4], basis[4][4], in[4][4];
 	real x[3], y[3], n[3], zero[3], *d = basis[0];
@@ -195,8 +191,8 @@ static void check_gaze(const struct scene *s, const struct taxonomy *t,
 
 static void numbers_are_nearest(void **state)
 {
-	static const char *const what[] = { "places", "gazes",
-		"foreshortenings", "vanishing points", "angles" };
+	static const char *const what[] = { "places", "gazes", "foreshortenings",
+		"vanishing points", "angles" };
 	struct tally tally[5] = { 0 };
 	struct scene s;
 	static struct picture p;
@@ -233,8 +229,8 @@ static void numbers_are_nearest(void **state)
 
 		print_message("%s: %d numbers, %d within the tolerance, %d "
 			      "wrong\n",
-		    what[i], v[NEAREST] + v[WITHIN_TOLERANCE],
-		    v[WITHIN_TOLERANCE], v[WRONG]);
+		    what[i], v[NEAREST] + v[WITHIN_TOLERANCE], v[WITHIN_TOLERANCE],
+		    v[WRONG]);
 	}
 	for (int i = 0; i < 5; i++)
 		assert_int_equal(tally[i].n[WRONG], 0);

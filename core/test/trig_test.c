@@ -35,8 +35,7 @@ static void check_cotangent(double angle, enum angle_unit unit)
 	int mark = real_mark();
 
 	if (angle < (unit == ANGLE_RADIANS ? PI / 2 : 90))
-		keep_worst_error(trig_cot(angle, unit),
-		    cotangent(angle, unit, 1));
+		keep_worst_error(trig_cot(angle, unit), cotangent(angle, unit, 1));
 	keep_worst_error(trig_cot(angle / 2, unit), cotangent(angle, unit, 2));
 	real_release(mark);
 }
@@ -186,8 +185,8 @@ static void roots_of_sums_of_squares(void **state)
 
 static void exact_values(void **state)
 {
-	static const double sines[12] = { 0, 0.5, 2, 1, 2, 0.5, 0, -0.5, 2, -1,
-		2, -0.5 };
+	static const double sines[12] = { 0, 0.5, 2, 1, 2, 0.5, 0, -0.5, 2, -1, 2,
+		-0.5 };
 
 	(void)state;
 	for (int i = -48; i <= 48; i++) {
@@ -210,8 +209,7 @@ static void arctangents_of_zeros(void **state)
 	(void)state;
 	for (double v = 2; v < 6; v++) {
 		struct sum root = sum_sqrt(sum_of_double(v));
-		struct sum zero = sum_sub(sum_mul(root, root),
-		    sum_of_double(v));
+		struct sum zero = sum_sub(sum_mul(root, root), sum_of_double(v));
 		struct sum one = sum_of_double(1);
 		struct sum least = sum_of_double(0x1p-1074);
 
@@ -219,8 +217,7 @@ static void arctangents_of_zeros(void **state)
 			assert_number(trig_atan2_degrees(zero, one), 0);
 			assert_number(trig_atan2_degrees(zero, least), 0);
 			assert_number(trig_atan2_degrees(one, zero), 90);
-			assert_number(trig_atan2_degrees(zero, sum_neg(one)),
-			    180);
+			assert_number(trig_atan2_degrees(zero, sum_neg(one)), 180);
 			assert_true(isnan(trig_atan2_degrees(zero, zero)));
 			zero = sum_neg(zero);
 		}

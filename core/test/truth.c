@@ -31,8 +31,7 @@ static void append_stage(struct truth_stage *r, const struct truth_stage *s)
 
 			for (int k = 0; k < 4; k++) {
 				v = add(v, mul(r->m[i][k], s->m[k][j]));
-				size = add(size,
-				    mul(r->size[i][k], size_of(s, k, j)));
+				size = add(size, mul(r->size[i][k], size_of(s, k, j)));
 			}
 			product.m[i][j] = v;
 			product.size[i][j] = size;
@@ -81,8 +80,7 @@ struct sized sized_length(const struct sized v[3])
 {
 	real r = root(sized_dot(v, v).value);
 
-	return (struct sized){ r,
-		add(add(r, v[0].size), add(v[1].size, v[2].size)) };
+	return (struct sized){ r, add(add(r, v[0].size), add(v[1].size, v[2].size)) };
 }
 
 struct sized truth_column(const struct truth *t, int j, const double p[4])
@@ -117,8 +115,7 @@ int truth_sign(struct sized a, bool *doubtful)
 
 static double rounded(real a, bool single)
 {
-	return single ? (double)mpfr_get_flt(a, MPFR_RNDN) :
-			mpfr_get_d(a, MPFR_RNDN);
+	return single ? (double)mpfr_get_flt(a, MPFR_RNDN) : mpfr_get_d(a, MPFR_RNDN);
 }
 
 static bool is_even(double a, bool single)
@@ -142,13 +139,11 @@ static double nearest(real a, real within, bool single)
 	return is_even(low, single) ? low : high;
 }
 
-static enum verdict judge(double printed, struct sized n, struct sized d,
-    bool single)
+static enum verdict judge(double printed, struct sized n, struct sized d, bool single)
 {
 	if (truth_sign(n, NULL) == 0)
 		return printed == 0 ? NEAREST : WRONG;
-	real v = divide(n.value, d.value),
-	     within = magnitude(divide(n.size, n.value));
+	real v = divide(n.value, d.value), within = magnitude(divide(n.size, n.value));
 
 	within = add(within, magnitude(divide(d.size, d.value)));
 	within = mul(within, magnitude(v));
@@ -165,8 +160,7 @@ static enum verdict judge(double printed, struct sized n, struct sized d,
 	    WRONG;
 }
 
-enum verdict truth_verdict(double printed, struct sized n, struct sized d,
-    bool single)
+enum verdict truth_verdict(double printed, struct sized n, struct sized d, bool single)
 {
 	int mark = real_mark();
 	enum verdict r = judge(printed, n, d, single);
@@ -181,18 +175,17 @@ double element(const struct map *m, int i, int j)
 }
 
 /* Keeps the value a of element i j if it is the largest so far. */
-static void keep_largest(struct largest *l, double a, const struct map *m,
-    int i, int j)
+static void keep_largest(struct largest *l, double a, const struct map *m, int i, int j)
 {
 	if (a <= l->value)
 		return;
 	l->value = a;
-	snprintf(l->where, sizeof l->where, "%s; element %d %d is %.17g",
-	    sample_name(), i, j, map_element_nearest(m, i, j, false));
+	snprintf(l->where, sizeof l->where, "%s; element %d %d is %.17g", sample_name(),
+	    i, j, map_element_nearest(m, i, j, false));
 }
 
-static void compare_element(const struct map *m, int i, int j,
-    const struct truth *t, struct worst *w)
+static void compare_element(const struct map *m, int i, int j, const struct truth *t,
+    struct worst *w)
 {
 	struct sized exact = truth_element(t, i, j), one = sized_of(1);
 	struct sum got = map_element(m, i, j);
@@ -201,12 +194,10 @@ static void compare_element(const struct map *m, int i, int j,
 	real off = magnitude(sub(real_of_ex(got.value), exact.value));
 
 	for (int single = 0; single < 2; single++) {
-		enum verdict v = truth_verdict(map_element_nearest(m, i, j,
-						   single),
+		enum verdict v = truth_verdict(map_element_nearest(m, i, j, single),
 		    exact, one, single);
 
-		w->verdicts[v == WITHIN_TOLERANCE && !t->irrational ? WRONG :
-								      v]++;
+		w->verdicts[v == WITHIN_TOLERANCE && !t->irrational ? WRONG : v]++;
 	}
 	if (truth_sign(exact, NULL) == 0)
 		w->false_nonzeros += sum_sign(got) != 0;
@@ -225,12 +216,11 @@ static void compare_element(const struct map *m, int i, int j,
 	if (!t->irrational || !mpfr_zero_p(bound))
 		w->beyond_error += mpfr_cmp(off, bound) > 0;
 	keep_largest(&w->fault,
-	    w->verdicts[WRONG] + w->beyond_error + w->false_nonzeros > 0, m, i,
-	    j);
+	    w->verdicts[WRONG] + w->beyond_error + w->false_nonzeros > 0, m, i, j);
 	if (!mpfr_zero_p(bound))
 		keep_largest(&w->sum_bound,
-		    mpfr_get_d(divide(bound, tolerance(exact.size)), MPFR_RNDU),
-		    m, i, j);
+		    mpfr_get_d(divide(bound, tolerance(exact.size)), MPFR_RNDU), m, i,
+		    j);
 }
 
 void truth_compare(const struct truth *t, const struct map *r, struct worst *w)

@@ -4,8 +4,7 @@
  * under test but the structs of its parameters. A map is a product of stages:
  * truth_scene.c makes those of a whole scene, truth_projection.c those of a projection,
  * and truth.c multiplies them and tells which double is nearest. */
-#ifndef TRUTH_H
-#define TRUTH_H
+#pragma once
 
 #include "real.h"
 #include "../scene/scene.h"
@@ -34,8 +33,7 @@ void truth_compose(struct truth *);
 
 /* Sets the stages to those between two spaces of a scene that is not degenerate, and
  * multiplies them. */
-void truth_scene(const struct scene *, enum space from, enum space to,
-    struct truth *);
+void truth_scene(const struct scene *, enum space from, enum space to, struct truth *);
 void truth_flat(const struct scene *, enum flat_space from, enum flat_space to,
     struct truth *);
 
@@ -46,8 +44,7 @@ double truth_gaze_sign(const struct convention *);
 const struct convention *truth_answer(const struct scene *);
 
 /* Sets m to the product of the stages of truth_scene. */
-void truth_matrix(const struct scene *, enum space from, enum space to,
-    real m[4][4]);
+void truth_matrix(const struct scene *, enum space from, enum space to, real m[4][4]);
 
 /* Returns the limits of |x| and |y| in ndc on the viewport, less the margin of the
  * scene. */
@@ -87,7 +84,7 @@ int truth_sign(struct sized, bool *doubtful);
 
 /* The result of the comparison of a number with the truth. */
 enum verdict {
-	NEAREST, /* the nearest double or float; of two, the even one */
+	NEAREST,          /* the nearest double or float; of two, the even one */
 	WITHIN_TOLERANCE, /* nearest to a number that differs by less than the tolerance */
 	WRONG,
 	VERDICTS,
@@ -95,8 +92,7 @@ enum verdict {
 
 /* Returns the verdict on a computed number whose true value is n / d. It must be nan if
  * that is beyond the range of doubles, or floats. */
-enum verdict truth_verdict(double printed, struct sized n, struct sized d,
-    bool single);
+enum verdict truth_verdict(double printed, struct sized n, struct sized d, bool single);
 
 /* Returns the double nearest to an element. */
 double element(const struct map *, int i, int j);
@@ -109,17 +105,13 @@ struct largest {
 
 /* The worst errors in many maps. TRUTH_TOLERANCE excuses none in a rational scene. */
 struct worst {
-	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
-	struct largest
-	    pair_error; /* of an element's pair of doubles, in 2^-106 */
-	struct largest
-	    sum_bound;      /* bound of a sum / (TRUTH_TOLERANCE times size) */
-	int beyond_error;   /* elements whose error is above its bound */
-	int false_nonzeros; /* elements that are not 0 where the truth is */
-	struct largest fault; /* 1: the first that is wrong, beyond or not 0 */
+	int verdicts[VERDICTS];    /* of elements as doubles and as floats */
+	struct largest pair_error; /* of an element's pair of doubles, in 2^-106 */
+	struct largest sum_bound;  /* bound of a sum / (TRUTH_TOLERANCE times size) */
+	int beyond_error;          /* elements whose error is above its bound */
+	int false_nonzeros;        /* elements that are not 0 where the truth is */
+	struct largest fault;      /* 1: the first that is wrong, beyond or not 0 */
 };
 
 /* Compares every element of the map with the truth. */
 void truth_compare(const struct truth *, const struct map *, struct worst *);
-
-#endif

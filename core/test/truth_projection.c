@@ -9,8 +9,7 @@
 /* Sets s to the scales of x and y, 2n / (b - a) for edges a and b, and off to the
  * centre's distance from the axis in units of half the side, (a + b) / (b - a). n is
  * the near distance of a perspective, else 1. */
-static void section_by_edges(const struct projection *p, real n, real s[2],
-    real off[2])
+static void section_by_edges(const struct projection *p, real n, real s[2], real off[2])
 {
 	real a[2], b[2];
 
@@ -29,8 +28,7 @@ static real tangent(double angle, bool radians)
 
 /* Does what section_by_edges does, with the tangents of the four angles as edges at
  * distance 1. */
-static void section_by_angles(const struct projection *p, real s[2],
-    real off[2])
+static void section_by_angles(const struct projection *p, real s[2], real off[2])
 {
 	const double *angle = p->section.angles;
 
@@ -45,8 +43,8 @@ static void section_by_angles(const struct projection *p, real s[2],
 
 /* Sets s to the scales of x and y. One of them is given, that of x if x_given, and the
  * aspect gives the other. */
-static void section_by_aspect(const struct projection *p, bool x_given,
-    real given, real s[2])
+static void section_by_aspect(const struct projection *p, bool x_given, real given,
+    real s[2])
 {
 	real aspect = divide(real_of(p->aspect[0]), real_of(p->aspect[1]));
 
@@ -54,28 +52,23 @@ static void section_by_aspect(const struct projection *p, bool x_given,
 	s[1] = x_given ? mul(given, aspect) : given;
 }
 
-static void cross_section(const struct projection *p, real n, real s[2],
-    real off[2])
+static void cross_section(const struct projection *p, real n, real s[2], real off[2])
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
 
 	set_reals(off, 2, NULL);
 	switch (p->section.way) {
 	case SECTION_FOVY:
-		section_by_aspect(p, false,
-		    cotangent(p->section.angle, p->unit, 2), s);
+		section_by_aspect(p, false, cotangent(p->section.angle, p->unit, 2), s);
 		break;
 	case SECTION_FOVX:
-		section_by_aspect(p, true,
-		    cotangent(p->section.angle, p->unit, 2), s);
+		section_by_aspect(p, true, cotangent(p->section.angle, p->unit, 2), s);
 		break;
 	case SECTION_VIEW_ANGLE:
-		section_by_aspect(p, !wide,
-		    cotangent(p->section.angle, p->unit, 2), s);
+		section_by_aspect(p, !wide, cotangent(p->section.angle, p->unit, 2), s);
 		break;
 	case SECTION_FIELD:
-		section_by_aspect(p, wide,
-		    divide(ONE, real_of(p->section.field)), s);
+		section_by_aspect(p, wide, divide(ONE, real_of(p->section.field)), s);
 		break;
 	case SECTION_HEIGHT:
 		section_by_aspect(p, false,
@@ -124,14 +117,12 @@ static void depth(const struct projection *p, bool minus_one, real *a, real *b)
 	*b = negative(divide(mul(k, mul(n, f)), sub(f, n)));
 }
 
-static void persp(const struct projection *p, const struct convention *c,
-    real m[4][4])
+static void persp(const struct projection *p, const struct convention *c, real m[4][4])
 {
 	real s[2], off[2];
 
 	cross_section(p,
-	    real_of(p->section.edges_at > 0 ? p->section.edges_at : p->near), s,
-	    off);
+	    real_of(p->section.edges_at > 0 ? p->section.edges_at : p->near), s, off);
 	m[0][0] = s[0];
 	m[1][1] = s[1];
 	m[2][0] = negative(off[0]);
@@ -176,8 +167,7 @@ static void ortho(const struct projection *p, const struct convention *c,
 	m[2][2] = divide(c->depth_minus_one ? TWO : ONE, sub(f, n));
 	m[3][0] = negative(off[0]);
 	m[3][1] = negative(off[1]);
-	m[3][2] = negative(
-	    divide(c->depth_minus_one ? add(f, n) : n, sub(f, n)));
+	m[3][2] = negative(divide(c->depth_minus_one ? add(f, n) : n, sub(f, n)));
 	stage->size[0][0] = magnitude(m[0][0]);
 	stage->size[3][2] = magnitude(
 	    divide(add(magnitude(f), magnitude(n)), sub(f, n)));
@@ -220,34 +210,28 @@ static void size_depth(const struct projection *p, bool minus_one, real q,
 {
 	real zn = magnitude(real_of(p->volume.z_near)),
 	     zf = magnitude(real_of(p->volume.z_far));
-	real deep = magnitude(
-	    sub(real_of(p->volume.z_near), real_of(p->volume.z_far)));
+	real deep = magnitude(sub(real_of(p->volume.z_near), real_of(p->volume.z_far)));
 	real a = mul(zf, magnitude(q)), b = mul(zn, magnitude(q));
 	real one = add(ONE, a);
 
 	s->size[0][0] = magnitude(s->m[0][0]);
 	s->size[2][3] = magnitude(s->m[2][3]);
 	s->size[2][2] = divide(minus_one ? add(one, add(ONE, b)) : one, deep);
-	s->size[3][2] = divide(minus_one ?
-		add(mul(zn, one), mul(zf, add(ONE, b))) :
-		mul(zn, one),
+	s->size[3][2] = divide(minus_one ? add(mul(zn, one), mul(zf, add(ONE, b))) :
+					   mul(zn, one),
 	    deep);
 }
 
-static void volume(const struct projection *p, bool minus_one,
-    struct truth_stage *s)
+static void volume(const struct projection *p, bool minus_one, struct truth_stage *s)
 {
 	real(*m)[4] = s->m;
 	real zn = real_of(p->volume.z_near), zf = real_of(p->volume.z_far);
-	real hw = real_of(p->volume.half_width),
-	     hh = real_of(p->volume.half_height);
+	real hw = real_of(p->volume.half_width), hh = real_of(p->volume.half_height);
 	real q = real_of(p->volume.inverse_eye_z);
-	real tx = real_of(p->volume.tan_skew[0]),
-	     ty = real_of(p->volume.tan_skew[1]);
+	real tx = real_of(p->volume.tan_skew[0]), ty = real_of(p->volume.tan_skew[1]);
 
 	if (p->aspect[1] != 0) {
-		real aspect = divide(real_of(p->aspect[0]),
-		    real_of(p->aspect[1]));
+		real aspect = divide(real_of(p->aspect[0]), real_of(p->aspect[1]));
 
 		if (mpfr_cmp(aspect, ONE) >= 0)
 			hw = mul(hw, aspect);
@@ -255,8 +239,7 @@ static void volume(const struct projection *p, bool minus_one,
 			hh = divide(hh, aspect);
 	}
 	if (p->volume.eye_given_by == EYE_BY_ANGLE)
-		q = p->volume.view_angle > 0 ? inverse_eye_z(p, hw, hh) :
-					       real_of(0);
+		q = p->volume.view_angle > 0 ? inverse_eye_z(p, hw, hh) : real_of(0);
 	if (p->volume.eye_given_by == EYE_BY_POINT) {
 		q = divide(ONE, real_of(p->volume.eye[2]));
 		tx = mul(real_of(p->volume.eye[0]), q);
@@ -266,8 +249,7 @@ static void volume(const struct projection *p, bool minus_one,
 	m[1][1] = divide(ONE, hh);
 	m[2][0] = negative(divide(tx, hw));
 	m[2][1] = negative(divide(ty, hh));
-	m[2][2] = minus_one ? sub(mul(add(zn, zf), q), TWO) :
-			      sub(mul(zf, q), ONE);
+	m[2][2] = minus_one ? sub(mul(add(zn, zf), q), TWO) : sub(mul(zf, q), ONE);
 	m[3][2] = minus_one ? sub(add(zn, zf), mul(TWO, mul(zn, mul(zf, q)))) :
 			      mul(zn, sub(ONE, mul(zf, q)));
 	m[2][2] = divide(m[2][2], sub(zn, zf));

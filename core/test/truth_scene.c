@@ -62,8 +62,7 @@ static void quaternion_matrix(const double orientation[4], real m[4][4])
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
-		m[i][i] = sub(ONE,
-		    mul(TWO, add(mul(q[j], q[j]), mul(q[k], q[k]))));
+		m[i][i] = sub(ONE, mul(TWO, add(mul(q[j], q[j]), mul(q[k], q[k]))));
 		m[j][i] = mul(TWO, add(mul(q[i], q[j]), mul(q[3], q[k])));
 		m[k][i] = mul(TWO, sub(mul(q[i], q[k]), mul(q[3], q[j])));
 	}
@@ -121,8 +120,7 @@ static void camera(struct truth *t, const struct camera *c,
 	}
 	bool down = convention->view_y_down, by_axes = c->way > CAMERA_GAZE;
 	bool by_eye = c->way < CAMERA_TRANSLATION;
-	bool by_rvec = c->way == CAMERA_RVEC ||
-	    c->way == CAMERA_RVEC_TRANSLATION;
+	bool by_rvec = c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION;
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
 	struct truth_stage *origin = truth_stage(t);
 
@@ -155,8 +153,7 @@ double truth_gaze_sign(const struct convention *c)
 }
 
 /* Sets axis i of a stage to x' = x + side / 2 + scale X. */
-static void to_device(struct truth_stage *s, int i, double x, double side,
-    real scale)
+static void to_device(struct truth_stage *s, int i, double x, double side, real scale)
 {
 	s->m[i][i] = scale;
 	s->m[3][i] = add(real_of(x), divide(real_of(side), TWO));
@@ -214,8 +211,7 @@ static void adapt(const struct window *w, const struct device *d, real size[2])
 
 /* Adds the stage from window to ndc: a translation by the negative centre, and the
  * scales 2 / width and 2 / height. */
-static void window(struct truth *t, const struct window *w,
-    const struct device *d)
+static void window(struct truth *t, const struct window *w, const struct device *d)
 {
 	struct truth_stage *s = truth_stage(t);
 	real c[2], size[2], from[2], to[2], about[2], zoom = real_of(w->zoom);
@@ -255,8 +251,7 @@ static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
 				    mul(magnitude(r->m[i / 4][k / 4]),
 					mul(s->size[k / 4][k % 4],
 					    magnitude(r->m[k % 4][i % 4]))));
-		r->size[i / 4][i % 4] = add(size,
-		    magnitude(r->m[i / 4][i % 4]));
+		r->size[i / 4][i % 4] = add(size, magnitude(r->m[i / 4][i % 4]));
 	}
 }
 
@@ -287,7 +282,7 @@ void truth_limits(const struct scene *s, real limit[2])
 	for (int k = 0; k < 2; k++) {
 		double scale = v->scale == SCALE_FILL ? side[k] / 2 :
 		    v->scale == SCALE_GIVEN           ? v->scales[k] :
-					      fmax(side[0], side[1]) / 2;
+							fmax(side[0], side[1]) / 2;
 
 		limit[k] = s->has_viewport ?
 		    divide(real_of(side[k] / 2), real_of(scale)) :
@@ -318,8 +313,7 @@ static void convert_view(struct truth *t, const struct scene *s)
 
 	if (a->view_y_down != s->convention.view_y_down)
 		turn->m[1][1] = real_of(-1);
-	turn->m[2][2] = real_of(
-	    truth_gaze_sign(a) * truth_gaze_sign(&s->convention));
+	turn->m[2][2] = real_of(truth_gaze_sign(a) * truth_gaze_sign(&s->convention));
 }
 
 /* Adds the stage from the clip space of the scene to that of the answer. Z from 0 to 1
@@ -342,8 +336,7 @@ static void convert_clip(struct truth *t, const struct scene *s)
 		turn->m[2][2] = turn->m[3][2] = divide(ONE, TWO);
 }
 
-void truth_scene(const struct scene *s, enum space from, enum space to,
-    struct truth *t)
+void truth_scene(const struct scene *s, enum space from, enum space to, struct truth *t)
 {
 	const struct convention *c = &s->convention;
 
@@ -367,8 +360,7 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 	truth_compose(t);
 }
 
-void truth_matrix(const struct scene *s, enum space from, enum space to,
-    real m[4][4])
+void truth_matrix(const struct scene *s, enum space from, enum space to, real m[4][4])
 {
 	struct truth t;
 

@@ -39,8 +39,7 @@ static void products(void **state)
 		uint64_t before = any_word(), carry = before;
 		uint64_t p = wide_multiply_add(a, b, c, &carry);
 
-		assert_true(
-		    wide_of_words(carry, p) == (wide)a * b + c + before);
+		assert_true(wide_of_words(carry, p) == (wide)a * b + c + before);
 	}
 }
 

@@ -46,8 +46,7 @@ static void check_viewports(const char *what, int e, int tries)
 
 		sample_convention(&s.convention);
 		sample_viewport(&s.viewport, e);
-		if (viewport_map(&s.viewport, &s.convention, back, &m) ==
-		    NULL) {
+		if (viewport_map(&s.viewport, &s.convention, back, &m) == NULL) {
 			truth_scene(&s, back ? SPACE_DEVICE : SPACE_NDC,
 			    back ? SPACE_NDC : SPACE_DEVICE, &t);
 			truth_compare(&t, &m, &w);
@@ -66,8 +65,8 @@ static void random_viewports(void **state)
 }
 
 /* Asserts which part of the x axis the window shows: its centre and half its width. */
-static void check_shown(const struct window *w, const struct device *d,
-    double center, double half)
+static void check_shown(const struct window *w, const struct device *d, double center,
+    double half)
 {
 	struct map m;
 
@@ -79,10 +78,7 @@ static void check_shown(const struct window *w, const struct device *d,
 
 static void window_members(void **state)
 {
-	struct window w = { .center = { 8, 0 },
-		.width = 4,
-		.height = 4,
-		.zoom = 1 };
+	struct window w = { .center = { 8, 0 }, .width = 4, .height = 4, .zoom = 1 };
 	struct device d = { .width = 200, .height = 100 };
 
 	(void)state;

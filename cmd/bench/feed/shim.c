@@ -25,8 +25,7 @@ ssize_t read(int fd, void *to, size_t n)
 	long long start = now(CLOCK_THREAD_CPUTIME_ID);
 
 	if (real == NULL)
-		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT,
-		    "read");
+		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT, "read");
 	n = (size_t)real(fd, to, n);
 	reading += now(CLOCK_THREAD_CPUTIME_ID) - start;
 	return (ssize_t)n;
@@ -38,8 +37,7 @@ ssize_t write(int fd, const void *from, size_t n)
 	long long start = now(CLOCK_THREAD_CPUTIME_ID);
 
 	if (real == NULL)
-		real = (ssize_t(*)(int, const void *, size_t))dlsym(RTLD_NEXT,
-		    "write");
+		real = (ssize_t(*)(int, const void *, size_t))dlsym(RTLD_NEXT, "write");
 	n = (size_t)real(fd, from, n);
 	writing += now(CLOCK_THREAD_CPUTIME_ID) - start;
 	return (ssize_t)n;
@@ -52,8 +50,7 @@ __attribute__((destructor)) static void report(void)
 
 	if (to == NULL)
 		return;
-	fprintf(to, "%.6f\t%.6f\t%.6f\n",
-	    (double)now(CLOCK_PROCESS_CPUTIME_ID) * 1e-9,
+	fprintf(to, "%.6f\t%.6f\t%.6f\n", (double)now(CLOCK_PROCESS_CPUTIME_ID) * 1e-9,
 	    (double)reading * 1e-9, (double)writing * 1e-9);
 	fclose(to);
 }

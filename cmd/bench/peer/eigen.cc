@@ -12,9 +12,8 @@ static Eigen::Matrix4d current;
 // Eigen has neither a camera nor a perspective.
 static void prepare(const struct view *v)
 {
-	current =
-	    Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(
-		&v->matrix[0][0]);
+	current = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(
+	    &v->matrix[0][0]);
 }
 
 template <class T> static void carry(const void *in, void *out, size_t n)
@@ -25,14 +24,11 @@ template <class T> static void carry(const void *in, void *out, size_t n)
 	auto q = static_cast<column *>(out);
 	const Eigen::Index size = Eigen::Index(n);
 	const Eigen::Matrix<T, 4, 4> m = current.cast<T>();
-	const auto x = p[0].head(size), y = p[1].head(size),
-		   z = p[2].head(size);
-	const segment w =
-	    (m(3, 0) * x + m(3, 1) * y + m(3, 2) * z + m(3, 3)).inverse();
+	const auto x = p[0].head(size), y = p[1].head(size), z = p[2].head(size);
+	const segment w = (m(3, 0) * x + m(3, 1) * y + m(3, 2) * z + m(3, 3)).inverse();
 
 	for (int k = 0; k < 3; k++)
-		q[k].head(size) = (m(k, 0) * x + m(k, 1) * y + m(k, 2) * z +
-				      m(k, 3)) *
+		q[k].head(size) = (m(k, 0) * x + m(k, 1) * y + m(k, 2) * z + m(k, 3)) *
 		    w;
 }
 
@@ -43,8 +39,7 @@ static const char version[] = VERSION(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
     EIGEN_MINOR_VERSION);
 
 const struct peer peers_eigen[] = {
-	{ "Eigen, double", version, false, { COLUMNS }, prepare,
-	    carry<double> },
+	{ "Eigen, double", version, false, { COLUMNS }, prepare, carry<double> },
 	{ "Eigen, float", version, true, { COLUMNS }, prepare, carry<float> },
 	{},
 };

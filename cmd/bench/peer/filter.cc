@@ -119,8 +119,7 @@ static bool carry_lines(blocks<T> &b, const char *s, const char *end)
 		b.p->carry(b.in, b.out, n);
 		for (size_t i = 0; i < n; i++)
 			for (size_t k = 0; k < 3; k++) {
-				to = Number::write(to,
-				    b.out[k * PEER_BLOCK + i]);
+				to = Number::write(to, b.out[k * PEER_BLOCK + i]);
 				*to++ = k < 2 ? ' ' : '\n';
 			}
 		if (!put(lines, size_t(to - lines)))

@@ -26,8 +26,7 @@ template <class T> static mat4<T> perspective(const struct view *v)
 	T fovy = glm::radians(T(v->fovy)), aspect = T(v->width / v->height);
 
 	if (!std::isinf(v->far))
-		return glm::perspectiveLH_ZO(fovy, aspect, T(v->near),
-		    T(v->far));
+		return glm::perspectiveLH_ZO(fovy, aspect, T(v->near), T(v->far));
 	mat4<T> half(T(1));
 
 	half[2][2] = half[3][2] = T(0.5);
@@ -40,8 +39,7 @@ template <class T> static void prepare(const struct view *v)
 	const mat4<T> viewport(x, 0, 0, 0, 0, -y, 0, 0, 0, 0, 1, 0, x, y, 0, 1);
 
 	current<T> = viewport * perspective<T>(v) *
-	    glm::lookAtLH(vector<T>(v->eye), vector<T>(v->at),
-		vector<T>(v->up));
+	    glm::lookAtLH(vector<T>(v->eye), vector<T>(v->at), vector<T>(v->up));
 }
 
 // Transforms points. In double, vectors of four are the fastest, as they have

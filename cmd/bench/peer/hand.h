@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 // Reads and writes numbers by hand, eight digits at a time in a word of 64 bits.
 // dragonbox finds the shortest digits, which are written to their final place.
-#ifndef HAND_BENCH_H
-#define HAND_BENCH_H
+#pragma once
 
 #include <charconv>
 #include <cmath>
@@ -22,10 +21,10 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__,
 // follows.
 enum { HAND_MAX = 25 };
 
-static const uint64_t hand_powers[] = { 1, 10, 100, 1000, 10000, 100000,
-	1000000, 10000000, 100000000, 1000000000, 10000000000, 100000000000,
-	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
-	10000000000000000, 100000000000000000 };
+static const uint64_t hand_powers[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
+	10000000, 100000000, 1000000000, 10000000000, 100000000000, 1000000000000,
+	10000000000000, 100000000000000, 1000000000000000, 10000000000000000,
+	100000000000000000 };
 
 static const uint64_t hand_zeros = 0x3030303030303030;
 
@@ -82,8 +81,7 @@ static inline const char *hand_read(const char *s, const char *end, T *value)
 			next += decimals;
 		}
 		if (decimals < 8 && (*next | 0x20) != 'e') {
-			double v = double(digits) /
-			    double(hand_powers[decimals]);
+			double v = double(digits) / double(hand_powers[decimals]);
 
 			*value = T(negative ? -v : v);
 			return next;
@@ -159,9 +157,6 @@ template <class T> static inline char *hand_write(char *to, T value)
 	hand_store(to + 2, middle);
 	hand_store(to + 10, last);
 	hand_store(to,
-	    (head & before) | uint64_t('.') << 8 * whole |
-		(head << 8 & ~before << 8));
+	    (head & before) | uint64_t('.') << 8 * whole | (head << 8 & ~before << 8));
 	return to + (n > whole ? n + 1 : whole);
 }
-
-#endif

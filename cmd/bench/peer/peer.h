@@ -2,8 +2,7 @@
 /* Other people's libraries, each used as by a user who cares for speed: one
  * composed matrix, then a product and a division for each point, with points in
  * the layout in which the library is fastest. */
-#ifndef PEER_BENCH_H
-#define PEER_BENCH_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -46,8 +45,7 @@ struct peer {
 };
 
 /* The peers of each library, none if it is not installed; a name NULL ends them. */
-extern const struct peer peers_plain[], peers_glm[], peers_cglm[],
-    peers_eigen[];
+extern const struct peer peers_plain[], peers_glm[], peers_cglm[], peers_eigen[];
 
 /* Runs a whole program around a peer, from standard input to standard output. filter is
  * stdio, standard, hand or binary. Returns false if the program failed. */
@@ -55,6 +53,4 @@ bool peer_filter(const struct peer *, const char *filter);
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -30,8 +30,7 @@ static inline uint32_t in_set(const struct byte_set *set, const char *s)
 	high = _mm256_shuffle_epi8(high,
 	    _mm256_and_si256(_mm256_srli_epi16(x, 4), low_four));
 	return ~(uint32_t)_mm256_movemask_epi8(
-	    _mm256_cmpeq_epi8(_mm256_and_si256(low, high),
-		_mm256_setzero_si256()));
+	    _mm256_cmpeq_epi8(_mm256_and_si256(low, high), _mm256_setzero_si256()));
 }
 
 /* Joins digits to numbers of two, then four, then eight digits, by multiply-adds. */
@@ -42,8 +41,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 	for (int k = 0; k < 2; k++) {
 		const uint8_t *at = rows + 64 * k + 16 * half;
 
-		x[k] = _mm256_loadu2_m128i((const void *)(at + 32),
-		    (const void *)at);
+		x[k] = _mm256_loadu2_m128i((const void *)(at + 32), (const void *)at);
 		x[k] = _mm256_maddubs_epi16(x[k], _mm256_set1_epi16(0x010a));
 		x[k] = _mm256_madd_epi16(x[k], _mm256_set1_epi32(0x00010064));
 	}
@@ -56,8 +54,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 
 #define STORE_INTS(p, a) _mm_storeu_si128((__m128i *)(p), _mm256_cvtpd_epi32(a))
 #define FLOOR(a) _mm256_floor_pd(a)
-#define NEAREST(a) \
-	_mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
+#define NEAREST(a) _mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
 #define REGISTER "x"
 #define SHR(a, n) _mm256_srli_epi64(a, n)
 #define SHR16(a, n) _mm256_srli_epi16(a, n)
@@ -84,8 +81,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 }
 
 #define TEXT_AT(i) ((__m128i *)(to + (i)*step))
-static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
-    I b)
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a, I b)
 {
 	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
 	/* a has the digits of numbers 0 and 2, b the digits of 1 and 3 */
@@ -93,8 +89,7 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));
 
 	_mm_storel_epi64((__m128i *)nonzero,
-	    _mm_unpacklo_epi16(_mm_cvtsi32_si128(in_a),
-		_mm_cvtsi32_si128(in_b)));
+	    _mm_unpacklo_epi16(_mm_cvtsi32_si128(in_a), _mm_cvtsi32_si128(in_b)));
 	a |= zeros;
 	b |= zeros;
 	_mm_storeu_si128(TEXT_AT(0), _mm256_castsi256_si128(a));

@@ -30,8 +30,7 @@ typedef uint64_t row_mask;
 #define LEADING_ZEROS(x) ((counts)_mm256_lzcnt_epi32((__m256i)(x)))
 #define LARGER(a, b) ((row)_mm512_max_epu8((__m512i)(a), (__m512i)(b)))
 #define ANY_TOP_BIT(x) (_mm256_movemask_epi8((__m256i)(x)) != 0)
-#define ANY_ABOVE_9(x) \
-	(_mm512_cmpgt_epu8_mask((__m512i)(x), _mm512_set1_epi8(9)) != 0)
+#define ANY_ABOVE_9(x) (_mm512_cmpgt_epu8_mask((__m512i)(x), _mm512_set1_epi8(9)) != 0)
 
 static inline row_mask row_mask_at(const uint32_t *keys)
 {
@@ -44,10 +43,8 @@ static inline row_mask row_mask_at(const uint32_t *keys)
 static inline uint64_t in_set(const struct byte_set *set, const char *s)
 {
 	__m512i x = _mm512_loadu_si512(s), low_four = _mm512_set1_epi8(15);
-	__m512i low = _mm512_broadcast_i32x4(
-	    _mm_loadu_si128((const void *)set->low));
-	__m512i high = _mm512_broadcast_i32x4(
-	    _mm_loadu_si128((const void *)set->high));
+	__m512i low = _mm512_broadcast_i32x4(_mm_loadu_si128((const void *)set->low));
+	__m512i high = _mm512_broadcast_i32x4(_mm_loadu_si128((const void *)set->high));
 
 	low = _mm512_shuffle_epi8(low, _mm512_and_si512(x, low_four));
 	high = _mm512_shuffle_epi8(high,
@@ -77,10 +74,8 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 	*low = _mm512_srli_epi64(y, 32);
 }
 
-#define STORE_INTS(p, a) \
-	_mm256_storeu_si256((__m256i *)(p), _mm512_cvtpd_epi32(a))
-#define FLOOR(a) \
-	_mm512_roundscale_pd(a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)
+#define STORE_INTS(p, a) _mm256_storeu_si256((__m256i *)(p), _mm512_cvtpd_epi32(a))
+#define FLOOR(a) _mm512_roundscale_pd(a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)
 #define NEAREST(a) \
 	_mm512_roundscale_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
 #define REGISTER "v"
@@ -95,9 +90,8 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 
 /* power_of_ten looks 10^scale up in registers: compilers load the table outside of the
  * caller's loop. The lowest bits of the double 2^52 + index are the index. */
-#define POWERS_AT(i, order)                                  \
-	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, \
-	    LOAD(powers[8 * (i) + 4]))
+#define POWERS_AT(i, order) \
+	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, LOAD(powers[8 * (i) + 4]))
 static inline void power_of_ten(V scale, V *hi, V *lo)
 {
 	const I even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
@@ -113,8 +107,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 }
 
 #define TEXT_AT(i) ((__m128i *)(to + (i)*step))
-static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
-    I b)
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a, I b)
 {
 	const I zeros = _mm512_set1_epi8('0');
 	/* a has the digits of numbers 0, 2, 4, 6, b the digits of 1, 3, 5, 7 */

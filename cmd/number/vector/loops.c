@@ -18,8 +18,8 @@ const struct number_loops *number_loops(void)
 	return copies[kernels_chosen()->processor];
 }
 
-void number_texts(const double *v, size_t n, bool single,
-    struct number_style style, struct number_text *t)
+void number_texts(const double *v, size_t n, bool single, struct number_style style,
+    struct number_text *t)
 {
 	const struct number_loops *loops = number_loops();
 

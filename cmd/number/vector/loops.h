@@ -3,8 +3,7 @@
  * kind of processor. The loops read plain numbers: [-] digits [. digits], or these with
  * an exponent as %e writes it; number_read reads all other legal numbers. The loops
  * give the same bits as number_read and the same bytes as number_write. */
-#ifndef LOOPS_H
-#define LOOPS_H
+#pragma once
 
 #include <stddef.h>
 #include <stdint.h>
@@ -56,11 +55,10 @@ struct number_loops {
 	 * than 19 digits after leading zeros, or is too near to the middle between two
 	 * doubles. An exponent has to have a sign and two digits, and the number of
 	 * decimals less the exponent has to be 0 to 22. */
-	uint64_t (*read)(const struct plain_places *, size_t n,
-	    double v[PLAIN_BATCH]);
+	uint64_t (*read)(const struct plain_places *, size_t n, double v[PLAIN_BATCH]);
 	/* Does what number_texts does. */
-	void (*write)(const double *v, size_t n, bool single,
-	    struct number_style style, struct number_text *t);
+	void (*write)(const double *v, size_t n, bool single, struct number_style style,
+	    struct number_text *t);
 };
 
 extern const struct number_loops number_loops_avx512, number_loops_avx2,
@@ -72,15 +70,15 @@ const struct number_loops *number_loops(void);
 /* Makes the texts of n numbers, of floats if single is true. t and v have room for n
  * rounded up to a multiple of NUMBER_BATCH; the numbers in v after the first n are
  * ignored. If number_loops returns NULL, all layouts become 0. */
-void number_texts(const double *v, size_t n, bool single,
-    struct number_style style, struct number_text *t);
+void number_texts(const double *v, size_t n, bool single, struct number_style style,
+    struct number_text *t);
 
 /* The most characters of a struct number_text on either side of the point. */
 enum { NUMBER_SIDE = 24 };
 
 /* Writes v as number_write does, but copies its text t if number_texts has made it. */
-static inline char *number_text_put(char *s, const struct number_text *t,
-    double v, bool single, struct number_style style)
+static inline char *number_text_put(char *s, const struct number_text *t, double v,
+    bool single, struct number_style style)
 {
 	uint32_t layout = t->layout;
 	const char *from = t->chars + (layout & 255);
@@ -99,6 +97,4 @@ static inline char *number_text_put(char *s, const struct number_text *t,
 
 #ifdef __cplusplus
 }
-#endif
-
 #endif

@@ -20,8 +20,7 @@
 /* Returns a mask: bit i is set if byte i of low, high is 255, and clear if it is 0. */
 static inline uint32_t mask(uint8x16_t low, uint8x16_t high)
 {
-	const uint8x16_t bit = vreinterpretq_u8_u64(
-	    vdupq_n_u64(0x8040201008040201));
+	const uint8x16_t bit = vreinterpretq_u8_u64(vdupq_n_u64(0x8040201008040201));
 	uint8x16_t sum = vpaddq_u8(vandq_u8(low, bit), vandq_u8(high, bit));
 
 	sum = vpaddq_u8(sum, sum);
@@ -32,8 +31,7 @@ static inline uint32_t mask(uint8x16_t low, uint8x16_t high)
 static inline uint8x16_t in_set(const struct byte_set *set, const char *s)
 {
 	uint8x16_t x = vld1q_u8((const uint8_t *)s);
-	uint8x16_t low = vqtbl1q_u8(vld1q_u8(set->low),
-	    vandq_u8(x, vdupq_n_u8(15)));
+	uint8x16_t low = vqtbl1q_u8(vld1q_u8(set->low), vandq_u8(x, vdupq_n_u8(15)));
 
 	return vtstq_u8(low, vqtbl1q_u8(vld1q_u8(set->high), vshrq_n_u8(x, 4)));
 }
@@ -42,8 +40,7 @@ static inline uint32_t equal_bits(const uint8_t *x, char c)
 {
 	uint8x16_t all = vdupq_n_u8((uint8_t)c);
 
-	return mask(vceqq_u8(vld1q_u8(x), all),
-	    vceqq_u8(vld1q_u8(x + 16), all));
+	return mask(vceqq_u8(vld1q_u8(x), all), vceqq_u8(vld1q_u8(x + 16), all));
 }
 
 static inline int any_top_bit(const uint8_t *x)
@@ -93,8 +90,7 @@ static inline uint16x8_t upper_product_halves(uint16x8_t a, uint16x8_t b)
 	uint32x4_t low = vmull_u16(vget_low_u16(a), vget_low_u16(b));
 	uint32x4_t high = vmull_high_u16(a, b);
 
-	return vuzp2q_u16(vreinterpretq_u16_u32(low),
-	    vreinterpretq_u16_u32(high));
+	return vuzp2q_u16(vreinterpretq_u16_u32(low), vreinterpretq_u16_u32(high));
 }
 
 static inline void power_of_ten(V scale, V *hi, V *lo)
@@ -112,15 +108,13 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 static inline uint16_t nonzero_bits(uint8x16_t digits)
 {
 	const uint8x8_t bit = vcreate_u8(0x8040201008040201);
-	uint8x16_t bits = vandq_u8(vtstq_u8(digits, digits),
-	    vcombine_u8(bit, bit));
+	uint8x16_t bits = vandq_u8(vtstq_u8(digits, digits), vcombine_u8(bit, bit));
 
-	return (uint16_t)(vaddv_u8(vget_low_u8(bits)) |
-	    vaddv_u8(vget_high_u8(bits)) << 8);
+	return (
+	    uint16_t)(vaddv_u8(vget_low_u8(bits)) | vaddv_u8(vget_high_u8(bits)) << 8);
 }
 
-static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
-    I b)
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a, I b)
 {
 	nonzero[0] = nonzero_bits(BYTES(a));
 	nonzero[1] = nonzero_bits(BYTES(b));

@@ -143,8 +143,7 @@ static inline uint64_t read_plain(const struct plain_places *at, size_t n,
 	struct digit_rows r;
 	uint64_t bad = 0;
 
-	set_rows(&r, needs, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
-	    at);
+	set_rows(&r, needs, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP, at);
 	for (size_t i = 0; exponent != NULL && i < n; i++) {
 		double p = divisors[abs(exponent[i])], d = r.divisor[i];
 
@@ -228,8 +227,8 @@ static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 	return at + n;
 }
 
-static size_t loops_find(const struct byte_set *set, const char *text,
-    size_t size, uint16_t *at)
+static size_t loops_find(const struct byte_set *set, const char *text, size_t size,
+    uint16_t *at)
 {
 	uint16_t *end = at;
 	char rest[64] = { 0 };
@@ -238,7 +237,6 @@ static size_t loops_find(const struct byte_set *set, const char *text,
 	for (; size - i >= 64; i += 64)
 		end = put_places(IN_SET(set, text + i), i, end);
 	memcpy(rest, text + i, size - i);
-	end = put_places(IN_SET(set, rest) & ((1ull << (size - i)) - 1), i,
-	    end);
+	end = put_places(IN_SET(set, rest) & ((1ull << (size - i)) - 1), i, end);
 	return (size_t)(end - at);
 }

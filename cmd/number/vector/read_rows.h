@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Makes rows of digits of plain numbers (loops.h), for read_body.h. */
-#ifndef READ_ROWS_H
-#define READ_ROWS_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -28,12 +27,12 @@ struct group_needs {
  * are doubles. With more decimals, or no digits (NO_DIGITS), the divisor is nan. */
 enum { NO_POINT = 32, NO_DIGITS = 23, POWER_END = 23 };
 #define BAD (double)NAN
-static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
-	1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
-	1e21, 1e22, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, 1e0, -1e0,
-	-1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11,
-	-1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18, -1e19, -1e20, -1e21,
-	-1e22, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, -1e0 };
+static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9,
+	1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+	BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, 1e0, -1e0, -1e1, -1e2, -1e3, -1e4,
+	-1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13, -1e14, -1e15, -1e16,
+	-1e17, -1e18, -1e19, -1e20, -1e21, -1e22, BAD, BAD, BAD, BAD, BAD, BAD, BAD,
+	BAD, BAD, -1e0 };
 
 typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
 
@@ -134,8 +133,8 @@ static inline bool count_digits(struct marks *m, size_t i)
 /* Sets row i to the digits of its numbers without the point, and returns the row. The
  * decimals come from the 32 bytes before a number's end, the digits before the point
  * from the 32 bytes that begin one byte earlier. */
-static inline row set_row(struct digit_rows *r, size_t i,
-    const char *const *end, const struct marks *m)
+static inline row set_row(struct digit_rows *r, size_t i, const char *const *end,
+    const struct marks *m)
 {
 	row x = PICK(LAST_BYTES(m->decimals + i), ROW_BEFORE(end, 32),
 	    ROW_BEFORE(end, 33));
@@ -148,8 +147,8 @@ static inline row set_row(struct digit_rows *r, size_t i,
 /* Sets the rows of n numbers and the needs of each group. Each step has a loop of its
  * own over all numbers: loading a vector just after its parts were stored takes
  * long, because the load waits for these stores. */
-static inline void set_rows(struct digit_rows *r, struct group_needs *needs,
-    size_t n, const struct plain_places *at)
+static inline void set_rows(struct digit_rows *r, struct group_needs *needs, size_t n,
+    const struct plain_places *at)
 {
 	struct marks m;
 
@@ -174,4 +173,3 @@ static inline void set_rows(struct digit_rows *r, struct group_needs *needs,
 		needs[i / PLAIN_GROUP].digit_test = ANY_ABOVE_9(most);
 	}
 }
-#endif

@@ -153,8 +153,8 @@ INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
 }
 
 /* Makes the texts of count numbers. The kind NUMBER_DECIMALS keeps zeros at the end. */
-INLINE void write_all(const double *v, size_t count, enum number_kind kind,
-    int n, bool single, struct number_text *t)
+INLINE void write_all(const double *v, size_t count, enum number_kind kind, int n,
+    bool single, struct number_text *t)
 {
 	const bool decimals = kind == NUMBER_DECIMALS;
 	const bool float_shortest = single && kind == NUMBER_SHORTEST;

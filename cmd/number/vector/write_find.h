@@ -2,8 +2,7 @@
 /* Finds a given number of decimals or of significant digits by the operations on doubles
  * that write_body.h lists. If rounding could change the digits of a number, number_write
  * makes its text. */
-#ifndef WRITE_FIND_H
-#define WRITE_FIND_H
+#pragma once
 
 #include <math.h>
 
@@ -87,8 +86,7 @@ INLINE V power_of_two_up_to(V a)
 	return (V)((I)(a) & (I)(ALL((double)INFINITY)));
 }
 
-INLINE void store_lanes(struct batch_digits *f, size_t i, V v, struct digits d,
-    V scale)
+INLINE void store_lanes(struct batch_digits *f, size_t i, V v, struct digits d, V scale)
 {
 	M minus = LESS(v, ALL(0)) & ~EQUAL(d.whole, ALL(0));
 
@@ -104,8 +102,7 @@ INLINE void find_decimals(struct batch_digits *f, size_t i, int n, V v)
 
 	power_of_ten(scale, &hi, &lo);
 	struct product x = multiply_exactly(ABS(v), hi, lo, true);
-	struct digits d = { round_ties_even(x, &rest), ALL(0),
-		LESS(x.p, ALL(0x1p53)) };
+	struct digits d = { round_ties_even(x, &rest), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
 	store_lanes(f, i, v, d, scale);
 }
@@ -140,5 +137,3 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	d.sure = d.sure & (exact | LESS(ALL(WRITE_MARGIN), ABS(rest)));
 	store_lanes(f, i, v, d, scale);
 }
-
-#endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Finds the shortest digits of numbers. Those of numbers from 2^-17 to 2^52 (floats: to
  * 2^23) are found without rounding. */
-#ifndef WRITE_SHORTEST_H
-#define WRITE_SHORTEST_H
+#pragma once
 
 #include "write_find.h"
 
@@ -37,8 +36,8 @@
  * so that a comparison is right if its sides differ by WRITE_MARGIN, 512 units. If
  * they differ by less, number_write makes the text: for example in exact ties, which
  * are frequent if scale < 0. */
-INLINE struct digits shortest_digits(V a, V top, V scale, V hi,
-    struct product x, bool single, bool whole_powers)
+INLINE struct digits shortest_digits(V a, V top, V scale, V hi, struct product x,
+    bool single, bool whole_powers)
 {
 	const V one = ALL(1);
 	M exact = LESS(ALL(-0.5), scale);
@@ -71,13 +70,12 @@ INLINE struct digits shortest_digits(V a, V top, V scale, V hi,
  * Numbers outside these limits are computed as if they were 1, so that their scale is
  * in the table; number_write makes their texts. find_shortest sets exact only if no
  * number is outside and no scale is negative. */
-INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
-    bool exact, V v)
+INLINE void find_in_range(struct batch_digits *f, size_t i, bool single, bool exact,
+    V v)
 {
 	const V one = ALL(1);
 	V a = ABS(v), hi, lo;
-	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
-	    ~LESS(a, ALL(0x1p-17));
+	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) & ~LESS(a, ALL(0x1p-17));
 	V top = power_of_two_up_to(exact ? a : SELECT(in_range, a, one));
 	V q = log2_of_power(top, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
@@ -100,13 +98,10 @@ INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
 INLINE void find_shortest(struct batch_digits *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
-	M exact = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &
-	    ~LESS(a, ALL(0x1p-17));
+	M exact = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) & ~LESS(a, ALL(0x1p-17));
 
 	if (MASK_BITS(exact) == (1u << WIDTH) - 1)
 		find_in_range(f, i, single, true, v);
 	else
 		find_in_range(f, i, single, false, v);
 }
-
-#endif

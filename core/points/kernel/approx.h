@@ -56,9 +56,8 @@ static inline __attribute__((always_inline)) void NAME(
 }
 
 static inline __attribute__((always_inline)) int NAME(
-    approx)(const struct kernel_map *m, const double *const in[3],
-    double *restrict x, double *restrict y, double *restrict z, size_t n,
-    enum kernel_kind kind)
+    approx)(const struct kernel_map *m, const double *const in[3], double *restrict x,
+    double *restrict y, double *restrict z, size_t n, enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind);
 	/* copies: the compiler knows that stores to x, y and z do not change them */
@@ -83,11 +82,11 @@ static inline __attribute__((always_inline)) int NAME(
 	return nonfinite == 0;
 }
 
-#define LOOP(KIND, name)                                                     \
-	static int NAME(name)(const struct kernel_map *m,                    \
-	    const double *const in[3], double *const out[3], size_t n)       \
-	{                                                                    \
-		return NAME(approx)(m, in, out[0], out[1], out[2], n, KIND); \
+#define LOOP(KIND, name)                                                             \
+	static int NAME(name)(const struct kernel_map *m, const double *const in[3], \
+	    double *const out[3], size_t n)                                          \
+	{                                                                            \
+		return NAME(approx)(m, in, out[0], out[1], out[2], n, KIND);         \
 	}
 
 LOOP(KERNEL_FLAT, flat)

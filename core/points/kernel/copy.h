@@ -55,8 +55,7 @@
 
 #define KERNELS_OF(prefix, depth)                                         \
 	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
-	[KERNEL_PROJECTIVE] = prefix##_projective,                        \
-	[KERNEL_DEPTH] = prefix##_##depth
+	[KERNEL_PROJECTIVE] = prefix##_projective, [KERNEL_DEPTH] = prefix##_##depth
 
 #define ROWS_OF(name)                                          \
 	{                                                      \

@@ -114,8 +114,7 @@ static struct kernel_range range_of(double low, double high, double origin)
 /* Finds the least and the greatest of n coordinates: infinity and -infinity if all are
  * nan. Vectors in even and in odd places have separate minima and maxima, as operations
  * on the same minimum have to wait for each other. */
-static void find_limits(const double *in, size_t n, double *least,
-    double *greatest)
+static void find_limits(const double *in, size_t n, double *least, double *greatest)
 {
 	V low[2] = { ALL(HUGE_VAL), ALL(HUGE_VAL) };
 	V high[2] = { ALL(-HUGE_VAL), ALL(-HUGE_VAL) };
@@ -160,8 +159,7 @@ static bool low_parts_are_noise(const struct kernel_map *m, int j, int terms,
 
 	for (int i = 0; i < 4; i++)
 		if ((i == 3 || i < terms) && !m->hi_is_exact[i][j])
-			all += fabs(m->lo[i][j]) *
-				(i == 3 ? 1 : range[i].largest) +
+			all += fabs(m->lo[i][j]) * (i == 3 ? 1 : range[i].largest) +
 			    TINY;
 	return fmax(all, m->least_noise[j]) == m->least_noise[j];
 }
@@ -198,8 +196,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 		double shift = range[i].rest * c->element[i], old = c->rest[3];
 
 		c->rest[3] = old - shift;
-		c->noise_only &= is_product(range[i].rest, c->element[i],
-				     shift) &&
+		c->noise_only &= is_product(range[i].rest, c->element[i], shift) &&
 		    old - c->rest[3] == shift && c->rest[3] + shift == old;
 	}
 	double noise = largest_noise(m, j, terms, range);
@@ -233,10 +230,8 @@ static struct kernel_block block_of(const struct kernel_map *m,
 		b.has_whole |= fabs(b.range[k].whole) > 0;
 	}
 	for (int j = 0; j < 4; j++)
-		if (j < kernel_outputs(kind) ||
-		    (j == 3 && kernel_divides(kind)))
-			b.moderate &= cut_column(m, j, terms, b.range,
-			    &b.column[j]);
+		if (j < kernel_outputs(kind) || (j == 3 && kernel_divides(kind)))
+			b.moderate &= cut_column(m, j, terms, b.range, &b.column[j]);
 	for (int j = 0; j < 3 && kind == KERNEL_DIRECTION; j++)
 		b.column[3].bound += b.column[j].bound;
 	return b;
@@ -262,8 +257,8 @@ static inline vdd normalise(vdd a)
 
 /* Writes the points' differences from the origin as cut + rest, without the origin's
  * rest, whose product with the element cut_column has subtracted from the column. */
-static inline void cut_points(const struct kernel_block *b, const V p[3],
-    int terms, V cut[3], V rest[3])
+static inline void cut_points(const struct kernel_block *b, const V p[3], int terms,
+    V cut[3], V rest[3])
 {
 	for (int k = 0; k < terms; k++) {
 		const struct kernel_range *o = &b->range[k];
@@ -306,8 +301,8 @@ static inline V inexact_if_noisy(V a, double noisy_below)
  * whatever the noise. Any other sum differs from each midpoint by at least half a unit
  * in the last place of the sum, or by 2^-53 |lo|. So inexact_if_noisy tests that the
  * noise is small beside the sum, and beside lo. */
-static inline V column_inexactness(const struct column_cut *c, vdd sum,
-    const V cut[3], const V rest[3], int terms)
+static inline V column_inexactness(const struct column_cut *c, vdd sum, const V cut[3],
+    const V rest[3], int terms)
 {
 	V lo = ALL(c->rest[3]), inexact = ALL(c->noise_only ? 0 : 1);
 
@@ -344,8 +339,7 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
  * the low parts, which are up to 9 times 2^-26 of their column's B. `bound` is above
  * 2^-74 |n|, and w_bound above 2^-74 w. If w is above w_bound, all errors together
  * leave a sixth of the bounds unused, even if the exact divisor is less than w. */
-static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
-    V *sure)
+static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound, V *sure)
 {
 	V q = (n.hi + n.lo) * reciprocal;
 	V rest = FMA(q, -w.hi, n.hi) + MADD(q, -w.lo, n.lo);
@@ -360,8 +354,8 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 /* Rounds undivided columns once more, with error 0 for each column that is exact: an
  * exact column is often midway between two doubles, where no larger error lets it be
  * rounded. A lane of the result is positive if all roundings of the lane are sure. */
-static V round_exact(const struct kernel_block *b, const V cut[3],
-    const V rest[3], enum kernel_kind kind, V q[])
+static V round_exact(const struct kernel_block *b, const V cut[3], const V rest[3],
+    enum kernel_kind kind, V q[])
 {
 	const int terms = kernel_inputs(kind);
 	V sure = ALL(b->moderate);
@@ -412,9 +406,8 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
  * Each of these is above 2^-74 of its column, and so the sum is above 2^-74 of the
  * length, as quotient() requires. If the length is below its bound, the error of each
  * quotient exceeds the quotient: no rounding is sure. */
-static inline __attribute__((always_inline)) bool
-image_of(const struct kernel_block *b, const V p[3], V q[],
-    enum kernel_kind kind)
+static inline __attribute__((always_inline)) bool image_of(const struct kernel_block *b,
+    const V p[3], V q[], enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind), columns = kernel_outputs(kind);
 	const bool divide = kernel_divides(kind);
@@ -434,13 +427,11 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 	if (direction)
 		w = length_of(c, &r);
 	for (int k = 0; k < columns; k++) {
-		vdd s = direction ? c[k] :
-				    column_sum(&b->column[k], cut, rest, terms);
+		vdd s = direction ? c[k] : column_sum(&b->column[k], cut, rest, terms);
 		V error = ALL(b->column[k].bound);
 
-		q[k] = divide || direction ?
-		    quotient(s, w, r, error, bound, &sure) :
-		    round_surely(s.hi, s.lo, error, &sure);
+		q[k] = divide || direction ? quotient(s, w, r, error, bound, &sure) :
+					     round_surely(s.hi, s.lo, error, &sure);
 	}
 	if (divide) /* if w is above its bound, it is surely positive */
 		sure = MIN(w_sum - bound, sure);
@@ -456,8 +447,8 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 }
 
 static inline __attribute__((always_inline)) int
-exact_images(const struct kernel_map *m, const double *const in[3],
-    double *const out[], size_t n, enum kernel_kind kind)
+exact_images(const struct kernel_map *m, const double *const in[3], double *const out[],
+    size_t n, enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind), outputs = kernel_outputs(kind);
 	const struct kernel_block b = block_of(m, in, n, kind);

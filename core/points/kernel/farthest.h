@@ -4,8 +4,7 @@
 
 /* Returns the greatest m[0] x + m[1] y + m[2] z of n points. Keeps two maxima, of even
  * and of odd vectors: with a single one, each MAX would wait for the MAX before it. */
-static double farthest_along(const double m[3], const double *const in[3],
-    size_t n)
+static double farthest_along(const double m[3], const double *const in[3], size_t n)
 {
 	const V a = ALL(m[0]), b = ALL(m[1]), c = ALL(m[2]);
 	V even = ALL(-HUGE_VAL), odd = even;
@@ -22,8 +21,8 @@ static double farthest_along(const double m[3], const double *const in[3],
 	return greatest_lane(MAX(even, odd));
 }
 
-static void farthest(const double (*m)[3], int directions,
-    const double *const in[3], size_t n, double *most, double largest[3])
+static void farthest(const double (*m)[3], int directions, const double *const in[3],
+    size_t n, double *most, double largest[3])
 {
 	for (int j = 0; j < directions; j++)
 		most[j] = farthest_along(m[j], in, n);

@@ -7,9 +7,8 @@
  * coordinates are values of floats. This gives the bits of a difference of doubles that
  * is rounded to float: if no double equals a difference of two floats, the difference
  * is so near to the larger float that both ways round to this float. */
-static inline __attribute__((always_inline)) int
-float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
-    enum kernel_kind kind, bool origin_is_float)
+static inline __attribute__((always_inline)) int float_rows(const struct kernel_map *m,
+    const char *in, char *out, size_t n, enum kernel_kind kind, bool origin_is_float)
 {
 	const size_t terms = (size_t)kernel_inputs(kind);
 	const struct kernel_map map = *m;
@@ -18,8 +17,7 @@ float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
 
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < terms; k++)
-			column[k][i] = (float)little_get(in +
-				4 * (terms * i + k),
+			column[k][i] = (float)little_get(in + 4 * (terms * i + k),
 			    false);
 	for (size_t i = 0; i < n; i++) {
 		float p[3], q[3], sum = 0;
@@ -28,8 +26,7 @@ float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
 			float a = column[k][i];
 			double o = map.origin[k];
 
-			p[k] = origin_is_float ? a - (float)o :
-						 (float)((double)a - o);
+			p[k] = origin_is_float ? a - (float)o : (float)((double)a - o);
 		}
 		single_image(&map, p, q, kind);
 		for (size_t k = 0; k < terms; k++) {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels, the inner loops over points. The loop of each precision is written once,
  * and compiled for each kind of processor. All processors get the same bits. */
-#ifndef KERNEL_H
-#define KERNEL_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -15,13 +14,13 @@ enum { POINTS_BLOCK = 1024 };
 
 /* The kinds of kernels, by the structure of the matrix. */
 enum kernel_kind {
-	KERNEL_NONE,   /* no kernel: points.c and point.c compute the images */
-	KERNEL_FLAT,   /* two coordinates, not divided */
-	KERNEL_AFFINE, /* x, y and z, not divided */
-	KERNEL_XYZW,   /* x, y, z and w, not divided; PRECISION_EXACT only */
+	KERNEL_NONE,       /* no kernel: points.c and point.c compute the images */
+	KERNEL_FLAT,       /* two coordinates, not divided */
+	KERNEL_AFFINE,     /* x, y and z, not divided */
+	KERNEL_XYZW,       /* x, y, z and w, not divided; PRECISION_EXACT only */
 	KERNEL_PROJECTIVE, /* x, y and z divided by w */
-	KERNEL_DEPTH,     /* z is a + b / w; in PRECISION_EXACT as PROJECTIVE */
-	KERNEL_DIRECTION, /* from x and y to x, y and z of a unit vector */
+	KERNEL_DEPTH,      /* z is a + b / w; in PRECISION_EXACT as PROJECTIVE */
+	KERNEL_DIRECTION,  /* from x and y to x, y and z of a unit vector */
 	KERNELS,
 };
 
@@ -66,31 +65,30 @@ struct kernel_map {
  * an image becomes infinite if w is surely not positive, so that there is no image, or
  * else nan if the rounding of any of the coordinates is not certain. Returns true if
  * neither happened. Columns have room for n rounded up to a multiple of 16. */
-typedef int (*exact_kernel)(const struct kernel_map *,
-    const double *const in[3], double *const out[], size_t n);
+typedef int (*exact_kernel)(const struct kernel_map *, const double *const in[3],
+    double *const out[], size_t n);
 
 /* Writes images computed in double or single precision. A coordinate becomes nan or
  * infinite if its point has no image, or if an intermediate value is beyond the range
  * of the precision. Returns true only if all coordinates are finite. */
-typedef int (*approx_kernel)(const struct kernel_map *,
-    const double *const in[3], double *const out[3], size_t n);
+typedef int (*approx_kernel)(const struct kernel_map *, const double *const in[3],
+    double *const out[3], size_t n);
 
 /* Does what approx_kernel does in single precision, on rows of floats; -0 becomes 0. */
-typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
-    char *out, size_t n);
+typedef int (
+    *float_rows_kernel)(const struct kernel_map *, const char *in, char *out, size_t n);
 
 /* The factor of u in the error bound of approx_kernel; approx.h derives the bound. */
 #define APPROX_BOUND 10
 
 /* Copies points from rows of floats or doubles to columns of doubles. Returns true if
  * no magnitude is above `max`. A nan is not above it. */
-typedef int (*to_columns_kernel)(const char *rows,
-    double (*columns)[POINTS_BLOCK], size_t n, double max);
+typedef int (*to_columns_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
+    size_t n, double max);
 
 /* Copies columns of doubles to rows of floats or doubles; -0 becomes 0. Returns true
  * only if all numbers of the rows are finite and floats are surely right (midway.h). */
-typedef int (
-    *to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
+typedef int (*to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
 /* A map in doubles, with the matrix m, which finds signs of the columns of an exact map
  * by estimates. Let size be |x| + |y| + |z|, relative to the origin. If low <= size <
@@ -109,8 +107,8 @@ enum { SIGNS_UNSURE = 1 << 16 };
 #define ESTIMATE_BOUND 0x1p-50
 
 /* Returns column j of the image of x, y, z, which are relative to the origin. */
-static inline double estimate_column(const double m[4][4], int j, double x,
-    double y, double z)
+static inline double estimate_column(const double m[4][4], int j, double x, double y,
+    double z)
 {
 	return x * m[0][j] + y * m[1][j] + z * m[2][j] + m[3][j];
 }
@@ -118,8 +116,8 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 /* Adds weight * 2^j to word[i] if column j, one of 3 or 4, is negative at point i. Adds
  * SIGNS_UNSURE to word[i] if the sign of any column is not sure at point i. Words are
  * doubles, so that vector operations on doubles can add to them. */
-typedef void (*signs_kernel)(const struct estimate *, int columns,
-    double weight, const double *const in[3], double *word, size_t n);
+typedef void (*signs_kernel)(const struct estimate *, int columns, double weight,
+    const double *const in[3], double *word, size_t n);
 
 /* The kinds of processors that the kernels are compiled for. */
 enum processor {
@@ -159,5 +157,3 @@ bool kernels_choose(const char *name);
 
 /* Returns the kernels that were chosen, or those of baseline if none were. */
 const struct kernels *kernels_chosen(void);
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads and writes numbers of binary files: little-endian, at any address. */
-#ifndef LITTLE_H
-#define LITTLE_H
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -34,5 +33,3 @@ static inline void little_put(char *p, bool is_double, double v)
 	v += 0.0;
 	little_copy(p, is_double ? (void *)&v : &single, is_double ? 8 : 4);
 }
-
-#endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Tells whether a number that was rounded to double can safely be rounded to float. */
-#ifndef MIDWAY_H
-#define MIDWAY_H
+#pragma once
 
 #include <math.h>
 #include <stdbool.h>
@@ -16,8 +15,5 @@ static inline bool is_midway(double v)
 	uint64_t bits;
 
 	memcpy(&bits, &v, sizeof bits);
-	return ((bits & 0x1fffffff) == 0x10000000) |
-	    ((fabs(v) < 0x1p-126) & (v != 0));
+	return ((bits & 0x1fffffff) == 0x10000000) | ((fabs(v) < 0x1p-126) & (v != 0));
 }
-
-#endif

@@ -8,9 +8,9 @@
 #include "little.h"
 #include "midway.h"
 
-static inline __attribute__((always_inline)) int
-to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
-    size_t n, double max, size_t numbers, bool is_double)
+static inline __attribute__((always_inline)) int to_columns(const char *restrict rows,
+    double (*restrict columns)[POINTS_BLOCK], size_t n, double max, size_t numbers,
+    bool is_double)
 {
 	int64_t above = 0;
 
@@ -58,16 +58,16 @@ to_rows(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 	return unsure == 0;
 }
 
-#define ROWS(name, numbers, is_double)                                        \
-	static int to_columns_##name(const char *rows,                        \
-	    double(*columns)[POINTS_BLOCK], size_t n, double max)             \
-	{                                                                     \
-		return to_columns(rows, columns, n, max, numbers, is_double); \
-	}                                                                     \
-	static int to_rows_##name(double(*columns)[POINTS_BLOCK], char *rows, \
-	    size_t n)                                                         \
-	{                                                                     \
-		return to_rows(columns, rows, n, numbers, is_double);         \
+#define ROWS(name, numbers, is_double)                                                 \
+	static int to_columns_##name(const char *rows, double(*columns)[POINTS_BLOCK], \
+	    size_t n, double max)                                                      \
+	{                                                                              \
+		return to_columns(rows, columns, n, max, numbers, is_double);          \
+	}                                                                              \
+	static int to_rows_##name(double(*columns)[POINTS_BLOCK], char *rows,          \
+	    size_t n)                                                                  \
+	{                                                                              \
+		return to_rows(columns, rows, n, numbers, is_double);                  \
 	}
 
 ROWS(floats_2, 2, false)

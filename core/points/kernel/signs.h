@@ -4,17 +4,16 @@
 #include "kernel.h"
 
 /* Does what signs_kernel says. If low <= size < high, no estimate is nan. */
-static inline __attribute__((always_inline)) void
-add_signs(const struct estimate *e, int columns, double weight,
-    const double *const in[3], double *restrict word, size_t n)
+static inline __attribute__((always_inline)) void add_signs(const struct estimate *e,
+    int columns, double weight, const double *const in[3], double *restrict word,
+    size_t n)
 {
 	const double *x = in[0], *y = in[1], *z = in[2];
 
 	for (size_t i = 0; i < n; i++) {
 		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
 		double c = z[i] - e->origin[2];
-		double size = fabs(a) + fabs(b) + fabs(c),
-		       least = (double)INFINITY;
+		double size = fabs(a) + fabs(b) + fabs(c), least = (double)INFINITY;
 		double sum = word[i];
 
 		for (int j = 0; j < columns; j++) {
