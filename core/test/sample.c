@@ -346,10 +346,10 @@ static void sample_four_angles(struct projection *p, int e)
 		double a = right * sample_between(-0.95, 0);
 		double b = right * sample_between(0.01, 0.95);
 
-		if (e == 0 && sample_below(3) == 0)
-			b = a + 0.01 + sample_unit() * (right - a - 0.02);
 		if (e == 0 && p->unit == ANGLE_DEGREES && sample_below(3) == 0)
 			a = -45;
+		if (e == 0 && sample_below(3) == 0)
+			b = a + 0.01 + sample_unit() * (right - a - 0.02);
 		switch (e > 0 ? sample_below(4) : 4) {
 		case 0:
 			b = nextafter(a, 1);
@@ -398,6 +398,8 @@ static void sample_intrinsics(struct projection *p, int e)
 		k[0][3] = k[1][3] = k[2][3] = 0;
 	if (sample_below(3) == 0)
 		sample_p_rows(k, e);
+	if (k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0)
+		k[2][2] = 1;
 	if (sample_below(4) > 0)
 		return;
 	p->near = 0;
