@@ -117,7 +117,6 @@ static void next_of_csv(struct cursor *c, struct field *f)
 		    (struct span){ f->value.s + 1, f->value.end - 1 });
 }
 
-/* Sets *f to the next element of an array or member of an object. */
 static void next_of_json(struct cursor *c, struct field *f)
 {
 	const char *s = c->s;
@@ -135,7 +134,6 @@ static void next_of_json(struct cursor *c, struct field *f)
 	f->next = *after == ',' ? json_skip_blanks(after + 1, c->end) : NULL;
 }
 
-/* Returns whether each quote that opens a field is closed; else writes the reason. */
 static bool csv_check(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(d, line);
@@ -201,8 +199,7 @@ const struct format_row format_rows[] = {
 
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32", NULL };
 
-/* Writes the control character c: in JSON as an escape, in other formats as a blank,
- * because c could end the line. In csv, where the field is in quotes, a tab stays. */
+/* Writes a control character: outside of JSON as a blank, as it could end the line. */
 static char *put_control(const struct format_row *out, char c, char *at)
 {
 	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";

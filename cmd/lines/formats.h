@@ -8,14 +8,14 @@
 
 #include "../message/utf8.h"
 
-/* The formats of lines come before the binary formats. */
+/* Formats of lines, of which tsv is csv with tabs; then little-endian binary numbers. */
 enum format {
 	FORMAT_TEXT,
 	FORMAT_CSV,
-	FORMAT_TSV, /* csv with tabs */
+	FORMAT_TSV,
 	FORMAT_JSON,
-	FORMAT_F64, /* little-endian doubles */
-	FORMAT_F32, /* little-endian floats */
+	FORMAT_F64,
+	FORMAT_F32
 };
 
 /* A format with its separator. The dialect of tsv is FORMAT_CSV with a tab. */
@@ -26,8 +26,7 @@ struct dialect {
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
-	/* the field without a member's name, quotes of csv and outer blanks */
-	struct span value;
+	struct span value;        /* without name, quotes of csv and outer blanks */
 	struct span whole;        /* with name; in csv with quotes and blanks */
 	struct span name;         /* a member's name, quoted; else s is NULL */
 	const char *previous_end; /* the end of the field before, or NULL */
@@ -63,11 +62,9 @@ struct format_row {
 	bool blanks; /* blanks separate fields, with or without one comma */
 	bool header; /* the first line may name the fields */
 
-	/* Returns whether a line can be divided into fields; if not, writes the
-	 * reason. NULL: every line can. */
+	/* Returns whether a line has fields; if not, writes why. NULL: it has. */
 	bool (*check)(struct dialect, struct span line, char reason[REASON_MAX]);
-	/* Sets the field that begins at c->s, except its previous_end and
-	 * comma. Sets c->previous_end to the end of that field. */
+	/* Sets the field at c->s, for cursor_next, and c->previous_end to its end. */
 	void (*next)(struct cursor *c, struct field *);
 };
 
@@ -93,7 +90,6 @@ static inline bool format_is_binary(enum format f)
 	return format_rows[f].size > 0;
 }
 
-/* Returns the size in bytes of a binary point that has `coordinates` numbers. */
 static inline size_t format_point_size(enum format f, int coordinates)
 {
 	return (size_t)coordinates * format_rows[f].size;
@@ -103,9 +99,8 @@ static inline size_t format_point_size(enum format f, int coordinates)
  * Returns the end of the number or word, or NULL if neither is at s. */
 const char *format_read(struct dialect, const char *s, const char *end, double *v);
 
-/* Writes the field f of the dialect `in` as a field of the dialect `out`. Returns the
- * end of the output. The output has at most two quotes, and six bytes for each byte of
- * f, because JSON writes a control character as \u0001. */
+/* Writes the field f of the dialect `in` as one of `out`. Returns the end of the
+ * output: at most two quotes, and six bytes for each byte of f (\u0001 in JSON). */
 char *format_convert(struct dialect in, struct dialect out, struct span f, char *at);
 
 /* Returns whether a carriage return outside of quotes has more than blanks after it, as
@@ -131,7 +126,6 @@ static inline const char *skip_blanks(struct dialect d, const char *s, const cha
 	return s;
 }
 
-/* Returns f without white space at its ends. */
 static inline struct span trimmed(struct dialect d, struct span f)
 {
 	f.s = skip_blanks(d, f.s, f.end);
@@ -140,7 +134,6 @@ static inline struct span trimmed(struct dialect d, struct span f)
 	return f;
 }
 
-/* Returns s or, if a byte order mark is at s, the byte after it. */
 static inline const char *skip_bom(const char *s, const char *end)
 {
 	return end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? s + 3 : s;

@@ -9,17 +9,15 @@
  * A later line such as #N/A,2,3 is none if it has as many fields as the first line. */
 bool header_is_comment(const struct layout *, struct span text, bool first);
 
-/* Reads the first line, whose text has no byte order mark. Returns false if the line is
- * a row. A header that can be used gets the kind LINE_HEADER, and sets the columns,
- * header_fields and max_fields. Any other header gets LINE_REFUSED and a reason. */
+/* Reads the first line, without byte order mark. Returns false if it is a row. A header
+ * sets the columns, header_fields and max_fields, or gets LINE_REFUSED and a reason. */
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether a row of csv is too long: there is a header, and the row has more
- * than max_fields fields. If so, writes the reason. An empty last field does not count.
- * A longer first row raises max_fields, but not below a header if a coordinate has a
- * name, or if the row has just one field more than the header. R writes such tables,
- * without a name for the column of row names: each name is one column off. */
+/* Returns whether a row is longer than max_fields below a header; if so, writes why. An
+ * empty last field does not count. A longer first row raises max_fields, but not below
+ * a header that names a coordinate, or if it has one field more: R leaves out the name
+ * of the column of row names, so that each name is one column off. */
 bool header_row_is_long(struct layout *, struct cursor row, enum next_part,
     char reason[REASON_MAX]);
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The layout of points: where the coordinates of a point stand in its line or record,
- * and what is written in their place. A job owns its layout; while the first row of a
- * source is not read, only one thread at a time uses it, and afterwards none changes
- * it. */
+ * and what is written in their place. Until the first row of a source is
+ * read, one thread at a time uses the layout; afterwards none changes it. */
 #pragma once
 
 #include <stddef.h>
@@ -21,8 +20,7 @@ enum {
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
 	int field[4]; /* the index, from 0, of each coordinate's field */
-	/* The name of each coordinate's column or member, by default x, y, z or
-	 * w; or a JSON pointer, which begins with /. NULL: use field[]. */
+	/* of each column or member; or a JSON pointer; NULL: use field[] */
 	const char *name[4];
 	bool by_default; /* --columns is not given */
 };
@@ -33,13 +31,11 @@ enum header { HEADER_MAYBE, HEADER_YES, HEADER_NONE };
 /* What a source has told so far, of its header, its first row and its comments. */
 struct seen {
 	size_t header_fields; /* fields of the header; 0: no header */
-	/* fields of the header, or of a longer first row; 0: not known */
-	size_t max_fields;
-	bool reordered;    /* layout_in_order was false for the last header */
-	size_t first_line; /* the line number of FIRST_LINE, from 1 */
-	/* The columns that a # comment above the first row names. If the row has
-	 * comment_names fields, and numbers in the columns of comment_numbers, then it
-	 * lacks a header, and is refused with comment_reason. */
+	size_t max_fields;    /* of the header or a longer first row; 0: not known */
+	bool reordered;       /* layout_in_order was false for the last header */
+	size_t first_line;    /* the line number of FIRST_LINE, from 1 */
+	/* A # comment above names columns. A first row of comment_names fields, with
+	 * numbers in comment_numbers, lacks a header: it has comment_reason. */
 	size_t comment_names;     /* 0: no names, or the coordinates are first */
 	uint32_t comment_numbers; /* bit i: column i, from 0, needs a number */
 	char comment_reason[REASON_MAX];
@@ -51,8 +47,7 @@ struct output {
 	bool append; /* the line stays, and the numbers are written after it */
 	bool keeps;  /* records are written whole, with new coordinates */
 	bool single; /* numbers are written as floats */
-	/* The name of each written number and, last, of the word of --flags; ""
-	 * for a number or word that gets no name or is not written. */
+	/* of each written number and, last, of the word of --flags; "": no name */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	struct number_style style[COORDINATES_MAX];
 };
@@ -76,13 +71,11 @@ static inline size_t layout_record_size(const struct layout *l)
 	return format_point_size(l->in.format, l->record > 0 ? l->record : l->reads);
 }
 
-/* Returns the index, from 0, of the field that holds coordinate i. */
 static inline int layout_field(const struct layout *l, int i)
 {
 	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
-/* Returns whether the coordinates are the first fields, in the order x, y, z, w. */
 static inline bool layout_in_order(const struct layout *l)
 {
 	for (int i = 0; i < l->reads; i++)
@@ -106,6 +99,3 @@ static inline const char *coordinate_name(int i)
 
 	return names[i];
 }
-
-/* Forgets what a source has told. Call it before the next source. */
-void layout_begin_source(struct layout *);

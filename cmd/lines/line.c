@@ -8,7 +8,6 @@
 #include "reason.h"
 #include "../message/escape.h"
 
-/* Returns whether v, coordinate i, is in range or nan; if not, writes the reason. */
 static bool in_range(const struct layout *l, int i, double v, char reason[REASON_MAX])
 {
 	if (!(fabs(v) > SCENE_MAGNITUDE_MAX))
@@ -98,8 +97,7 @@ static bool is_legal(const struct layout *l, struct cursor c,
 	return false;
 }
 
-/* Finds the coordinates of a line and reads them. Sets the kind of the line, which is
- * LINE_REFUSED if the first row does not fit its header. */
+/* Sets the kind of the line: LINE_REFUSED if the first row does not fit its header. */
 static void read_fields(struct layout *l, struct span text, enum next_part first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {

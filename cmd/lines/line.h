@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads any line of points. line_read alone decides which lines are legal: a cursor
- * (formats.h) goes over the fields of the line, lookup.h finds the coordinates among
- * them, and reason.h says what is wrong. The first line of csv may be a header, which
- * header.h reads. A struct line points to the text, which it does not own. */
+/* Reads any line of points: line_read alone decides which are legal. A cursor goes over
+ * the fields, lookup.h finds the coordinates, reason.h says what is wrong, and header.h
+ * reads the header of csv. A struct line does not own its text. */
 #pragma once
 
 #include "layout.h"
@@ -12,13 +11,15 @@
  * header. FIRST_NONE: any later line. */
 enum next_part { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
+/* COPY: blank, or a comment. BAD: a coordinate is wrong; the other fields are kept. LOST:
+ * no field can be kept. REFUSED: the source is, for a wrong header or first row. */
 enum line_kind {
 	LINE_POINT,
-	LINE_COPY, /* blank, or a comment */
+	LINE_COPY,
 	LINE_HEADER,
-	LINE_BAD,     /* a coordinate is wrong; the other fields are kept */
-	LINE_LOST,    /* wrong, and no field can be kept */
-	LINE_REFUSED, /* a wrong header or first row: the source is refused */
+	LINE_BAD,
+	LINE_LOST,
+	LINE_REFUSED
 };
 
 /* The bytes [from, to) of a line. A line has at most 64 MiB, or 256 MiB in a
@@ -66,9 +67,8 @@ static inline struct part line_part(const struct line *line, struct span f)
 	return (struct part){ (uint32_t)(f.s - line->s), (uint32_t)(f.end - line->s) };
 }
 
-/* Reads a line and its coordinates v. If the line is wrong, writes to reason why, and
- * how to mend it. *first says which part of the source the line is, and is updated for
- * the next line. The first line may begin with a byte order mark, and in csv it may be
- * a header, which sets the columns of the layout. */
+/* Reads a line and its coordinates v. If it is wrong, writes why, and how to mend it.
+ * *first is updated for the next line. The first line may begin with a byte order mark,
+ * and in csv it may be a header, which sets the columns of the layout. */
 void line_read(struct layout *, struct span text, enum next_part *, struct line *,
     double v[4], char reason[REASON_MAX]);

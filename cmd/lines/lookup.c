@@ -22,10 +22,9 @@ bool field_is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether a route leads to the field f, or into the value of f. The route is
- * for element i of struct lookup; f has index k. Sets *rest to the path within the
- * value, or to "" if the route ends at f. In a header the default name x also matches X
- * and, if the points are in a space named device, device_x and device_X. */
+/* Returns whether the route for element i of struct lookup leads to or into f, field k.
+ * Sets *rest to the path within the value, or to "". In a header the default name x
+ * also matches X and, for points in a space named device, device_x and device_X. */
 static bool leads_to(const struct layout *l, const struct route *route, int i,
     const struct cursor *c, const struct field *f, long k, const char **rest)
 {
@@ -82,8 +81,7 @@ static bool separator_counts(const struct search *r, const struct field *f, long
 		    (f->value.s == f->previous_end + 1 && *f->previous_end == ',')));
 }
 
-/* Searches the fields after the cursor. Enters each value once, for all routes that
- * lead into it, so that the time is linear in the length of the line. */
+/* Enters each value once, for all routes into it, so that the time is linear. */
 static void search_fields(struct search *r, struct cursor c,
     const struct route routes[SOUGHT_MAX])
 {

@@ -5,10 +5,8 @@
 
 #include "line.h"
 
-enum {
-	/* elements of struct lookup: 4 coordinates, then added fields */
-	SOUGHT_MAX = 4 + COORDINATES_MAX + 1,
-};
+/* Elements of struct lookup: 4 coordinates, then added fields. */
+enum { SOUGHT_MAX = 4 + COORDINATES_MAX + 1 };
 
 /* The fields that lookup_fields finds: elements 0 to 3 of each array for coordinates,
  * element 4 + k for name k of the layout, if the output adds a field with this name. */
@@ -20,14 +18,12 @@ struct lookup {
 	bool mixed_commas; /* FORMAT_TEXT: only some separators have a comma */
 };
 
-/* Finds the fields of struct lookup in one pass over the fields after the cursor. */
 void lookup_fields(const struct layout *, struct cursor, struct lookup *);
 
 /* Sets the parts of the line that hold its coordinates. */
 void lookup_set_parts(const struct layout *, const struct lookup *, struct line *);
 
-/* Returns the index, from 0, of a coordinate whose value overlaps the value of an
- * earlier coordinate, as in the same column or JSON element; 0 if there is none. */
+/* Returns the first coordinate whose value overlaps that of an earlier one; 0: none. */
 int lookup_find_overlap(const struct layout *, const struct lookup *);
 
 /* Returns whether a column of a header or, if `members` is set, a member of an object

@@ -7,15 +7,13 @@
 
 enum { FLAG_MAX = 48 }; /* bytes for the word of --flags, as left+near */
 
-/* The numbers written for a point: v[k * stride] is number k, and text[k * text_stride]
- * is its text. */
+/* Number k of a point is v[k * stride], and text[k * text_stride] its text. */
 struct image_numbers {
 	const double *v;
 	const struct number_text *text;
 	size_t stride, text_stride;
 };
 
-/* The word of --flags, such as left+near. */
 struct flags {
 	char s[FLAG_MAX];
 	size_t size;
@@ -26,8 +24,6 @@ struct flag_words {
 	struct flags word[256];
 };
 
-/* Returns the word of --flags, such as "in" or "left+near", for a point that is outside
- * of the frustum planes with bits set in `outside`. */
 const struct flags *flags_word(struct flag_words *, unsigned outside);
 
 /* Writes v, number k of a point, for which number_texts (number.h) made no text. nan
@@ -57,8 +53,7 @@ static inline char *put_coordinate(const struct layout *l, struct image_numbers 
 	return number_text_put(out, text, v, l->output.single, l->output.style[k]);
 }
 
-/* Writes the numbers from k on and, unless it is NULL, the word of --flags, each after
- * the separator. */
+/* Writes the numbers from k on and the word unless it is NULL, after separators. */
 static inline char *put_added(const struct layout *l, struct image_numbers n, int k,
     char separator, const struct flags *flags, char *out)
 {

@@ -8,7 +8,6 @@
 #include "../message/escape.h"
 #include "../message/words.h"
 
-/* Appends to the reason the formatted text, cut where the reason is full. */
 static void __attribute__((format(printf, 2, 3)))
 say_more(char reason[REASON_MAX], const char *format, ...)
 {
@@ -25,14 +24,11 @@ static const char *find_byte(struct span f, char c)
 	return f.s < f.end ? memchr(f.s, c, (size_t)(f.end - f.s)) : NULL;
 }
 
-/* Bytes that may separate fields, the likeliest first. `rare` leaves out commas and
- * blanks, which many fields have for other reasons. */
+/* Separators, the likeliest first. `rare` leaves out those that many fields have. */
 static const char rare[] = ";|\t", frequent[] = ";|\t, ";
 
-/* Adds to the reason how to mend f, a line or field. If f begins with one of marks[],
- * adds the remedy for the mark. Otherwise, if f has one of the separators before its
- * last byte, adds the remedy for the separator.
- * Returns false if it adds nothing. */
+/* Adds the remedy for the mark that f, a line or field, begins with, or else for the
+ * separator before its last byte. Returns false if it adds nothing. */
 static bool say_mend(const struct layout *l, struct span f, const char *separators,
     char reason[REASON_MAX])
 {
@@ -72,8 +68,7 @@ static bool say_mend(const struct layout *l, struct span f, const char *separato
 	return true;
 }
 
-/* Adds to the reason how to mend f, a field of text or csv that is no number. Returns
- * false if it adds nothing. */
+/* Adds how to mend f, a field of text or csv. Returns false if it adds nothing. */
 static bool say_remedy(const struct layout *l, struct span f, char reason[REASON_MAX])
 {
 	const char *comma = find_byte(f, ','), *open = find_byte(f, '(');
@@ -104,7 +99,6 @@ static bool say_remedy(const struct layout *l, struct span f, char reason[REASON
 	return true;
 }
 
-/* Returns how to mend f, a value of JSON that is no number; "" if no way is known. */
 static const char *json_remedy(const struct field *f)
 {
 	const char first = *f->value.s;
@@ -143,7 +137,6 @@ enum { NAMES_MAX = 32, COLUMN_ROOM = 64 };
 /* The first NAMES_MAX names of columns or members that are shorter than COLUMN_ROOM. */
 struct names {
 	char name[NAMES_MAX][COLUMN_ROOM];
-	const char *list[NAMES_MAX + 1]; /* NULL ends the list */
 	int n;
 	bool omitted; /* there are more names, or longer ones */
 };
@@ -160,8 +153,7 @@ static struct span name_word(struct span f)
 	return (struct span){ f.s, s };
 }
 
-/* Copies the names of the fields after the cursor: names of members, of a header, or
- * else the words of a comment, cut by name_word. */
+/* Copies names of members or a header, or the words of a comment, after the cursor. */
 static void copy_names(struct cursor c, struct names *names)
 {
 	struct field f;
@@ -182,10 +174,9 @@ static void copy_names(struct cursor c, struct names *names)
 			names->omitted = true;
 			continue;
 		}
-		names->list[names->n] = memcpy(names->name[names->n], all.s, size);
+		memcpy(names->name[names->n], all.s, size);
 		names->name[names->n++][size] = '\0';
 	}
-	names->list[names->n] = NULL;
 }
 
 /* Returns the index of the name that consists of the first n bytes of a and then of
@@ -194,13 +185,12 @@ static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
 	for (int i = 0; i < names->n; i++)
-		if (strncmp(names->list[i], a, n) == 0 &&
-		    strcasecmp(names->list[i] + n, word) == 0)
+		if (strncmp(names->name[i], a, n) == 0 &&
+		    strcasecmp(names->name[i] + n, word) == 0)
 			return i;
 	return -1;
 }
 
-/* Returns whether a shell needs no quotes around the name in --columns. */
 static bool can_be_typed(const char *name)
 {
 	char shown[ESCAPED_MAX];
@@ -209,12 +199,10 @@ static bool can_be_typed(const char *name)
 	    strcmp(escape_short(shown, name, strlen(name)), name) == 0;
 }
 
-/* Finds columns that may be coordinates: their names begin alike and end in the names
- * of axes, such as gps_lon and gps_lat. Sets found[i] to the column of coordinate i, or
- * to -1 if there is none; a point has `reads` coordinates. Each call finds other
- * columns: *k counts the tries, and is 0 before the first call. Returns false if there
- * are no more. Skips quaternions, such as qx, qy, qz and qw, and names such as px if x
- * is a name. */
+/* Finds columns whose names begin alike and end in the names of axes, such as gps_lon
+ * and gps_lat: found[i] is that of coordinate i, or -1. Each call finds others: *k
+ * counts the tries, from 0. Returns false if there are no more. Skips quaternions, such
+ * as qx, qy, qz and qw, and names such as px if x is a name. */
 static bool guess_columns(const struct names *names, int reads, int *k, int found[4])
 {
 	static const char *const axes[][2] = { { "x", "y" },
@@ -229,7 +217,7 @@ static bool guess_columns(const struct names *names, int reads, int *k, int foun
 
 	while (*k < pairs * names->n) {
 		const char *const *axis = axes[*k / names->n];
-		const char *a = names->list[*k % names->n];
+		const char *a = names->name[*k % names->n];
 		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
 		*found = (*k)++ % names->n;
@@ -252,10 +240,9 @@ static bool guess_columns(const struct names *names, int reads, int *k, int foun
 	return false;
 }
 
-/* Adds to the reason the columns that guess_columns finds: "; say --columns px,py,pz or
- * vx,vy,vz". If `numbers` is not NULL, writes column numbers, from 1, instead of names,
- * and sets bit i of *numbers if column i, from 0, is found. Returns false, and adds
- * nothing, if nothing is found or the reason has no room for the text. */
+/* Adds "; say --columns px,py,pz or vx,vy,vz". If `numbers` is not NULL, writes column
+ * numbers, from 1, and sets bit i of *numbers for column i, from 0. Returns false, and
+ * adds nothing, if nothing is found or the reason has no room. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
@@ -276,7 +263,7 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 				*numbers |= 1u << found[i];
 			} else {
 				say_more(reason, "%s",
-				    found[i] < 0 ? "NAME" : names->list[found[i]]);
+				    found[i] < 0 ? "NAME" : names->name[found[i]]);
 			}
 		}
 	}
@@ -287,8 +274,7 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 	return reason[was] != '\0';
 }
 
-/* Adds to the reason what to say instead of `typed`, a name in --columns that no column
- * or member has: "; did you mean 'x'?" */
+/* Adds what to say instead of `typed`, a name in --columns that nothing has. */
 static void say_near(const struct layout *l, struct cursor c, const struct names *names,
     const char *typed, char reason[REASON_MAX])
 {
@@ -311,17 +297,16 @@ static void say_near(const struct layout *l, struct cursor c, const struct names
 		    "number, such as 3,4,5");
 	} else {
 		for (int i = 0; i < names->n; i++)
-			word_offer(&g, word_closeness(typed, names->list[i]),
+			word_offer(&g, word_closeness(typed, names->name[i]),
 			    "; did you mean '%s'?",
-			    escape_short(shown, names->list[i],
-				strlen(names->list[i])));
+			    escape_short(shown, names->name[i],
+				strlen(names->name[i])));
 		say_more(reason, "%s", g.remedy);
 	}
 }
 
-/* Adds to the reason the result of say_near or, if typed is NULL, a guess, "; say
- * --columns lon,lat,h"; without a guess, the remedy of say_mend. If say_mend has no
- * remedy, adds the names of columns or members after the cursor, "; it has x, y". */
+/* Adds the result of say_near or, if typed is NULL, a guess or the remedy of say_mend;
+ * except after that, the names after the cursor, "; it has x, y". */
 static void say_names(const struct layout *l, struct cursor c, const char *typed,
     char reason[REASON_MAX])
 {
@@ -342,7 +327,7 @@ static void say_names(const struct layout *l, struct cursor c, const char *typed
 		if (!blank)
 			say_more(reason,
 			    "; say with --columns which the coordinates are");
-		if (names.n < l->reads || *names.list[names.n - 1] == '\0')
+		if (names.n < l->reads || *names.name[names.n - 1] == '\0')
 			say_more(reason, "; leave out a title line by sed %zud",
 			    l->seen.first_line);
 		if (blank)
@@ -353,7 +338,7 @@ static void say_names(const struct layout *l, struct cursor c, const char *typed
 		    reason[strlen(reason) - 1] == '?' ? "" : ";");
 	for (; i < names.n && strlen(reason) < room; i++)
 		say_more(reason, "%s%s", i > 0 ? ", " : "",
-		    escape_short(shown, names.list[i], strlen(names.list[i])));
+		    escape_short(shown, names.name[i], strlen(names.name[i])));
 	if (i < names.n || names.omitted)
 		say_more(reason, i > 0 ? ", ..." : "...");
 }
@@ -428,7 +413,7 @@ void reason_comment_columns(struct layout *l, struct span text)
 	const char *columns = remedy + strlen("; say --columns ");
 	const bool first = strncmp(columns, "1,2,3,4", n) == 0 &&
 	    (columns[n] == '\0' ||
-		(columns[n] == ' ' && strcasecmp(*names.list, "x") == 0));
+		(columns[n] == ' ' && strcasecmp(*names.name, "x") == 0));
 
 	l->seen.comment_names = first ? 0 : (size_t)names.n;
 	l->seen.comment_numbers = numbers;

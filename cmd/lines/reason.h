@@ -17,10 +17,9 @@ void reason_missing(const struct layout *, int i, struct cursor, const struct lo
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
 void reason_comment_columns(struct layout *, struct span text);
 
-/* Returns whether the first row lacks a header that it needs. If --columns gives names,
- * a LINE_LOST (`lost`) lacks a header, and already has a reason. Without --columns and
- * --no-header, a row lacks one if the last header, in an earlier file, reordered the
- * columns, or if the row fits comment_names and comment_numbers; then writes why. */
+/* Returns whether the first row lacks a header: --columns gives names and it is a
+ * LINE_LOST (`lost`), which has a reason; or, without --columns and --no-header, an
+ * earlier file's header reordered columns, or comment_names fit it. Then writes why. */
 bool reason_needs_header(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* If the format changes, convert_point writes points without --append. convert_line
- * writes the other lines, and LINE_LOST.
- * append_values copies a line and adds values; splice_values changes it field by field.
+ * writes the others. append_values copies a line; splice_values goes field by field.
  *
  * The values of a point are the numbers written for it and the word of --flags: value k
  * is number k if k < COORDINATES_MAX, and value FLAGS is the word. */
@@ -73,8 +72,7 @@ static char *put_value(const struct splice *w, int k, char *out)
 			   put_flags_word(l, w->flags, out);
 }
 
-/* Writes all values from k on that are due, with their names if `members` is set. A
- * separator is before each value that is not the first field of the line. */
+/* Writes all values due from k on, with names if `members` is set. */
 static void put_values(struct splice *w, int k, bool members)
 {
 	size_t gap = (size_t)(w->separator.end - w->separator.s);
@@ -108,9 +106,8 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
-/* Returns the value that replaces the field f, or -1. A coordinate replaces its own
- * field, unless --append keeps the coordinates. An added value replaces a member of the
- * same name, if f is a field of the line itself (outer), not of a value in the line. */
+/* Returns the value that replaces the field f, or -1: a coordinate its own, without
+ * --append; an added value a member of its name, if f is not inside a value (outer). */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
 	const bool keeps = w->l->output.append;
@@ -249,7 +246,6 @@ static void append_values(struct splice *w)
 	put_values(w, 0, w->line->object);
 }
 
-/* Moves the cursor to the field after the value that ends at s. */
 static void cursor_after(struct cursor *c, const char *s)
 {
 	const char *end = c->end, *after;
@@ -266,7 +262,6 @@ static void cursor_after(struct cursor *c, const char *s)
 		c->s = json_skip_blanks(c->s, end);
 }
 
-/* Writes the numbers of a binary record that are not coordinates. */
 static char *put_other_numbers(const struct layout *l, const struct line *line,
     char *out)
 {
@@ -290,8 +285,7 @@ static char *put_other_numbers(const struct layout *l, const struct line *line,
 	return out;
 }
 
-/* Writes each field that holds no coordinate, or by --append every field, in the format
- * of the output. A separator is before each field that is not the first. */
+/* Writes fields that hold no coordinate, or by --append all, in the output's format. */
 static void put_other_fields(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -339,8 +333,7 @@ char *splice_rest(const struct layout *l, const struct line *line, char *out)
 	return w.out;
 }
 
-/* Writes a line in another format, or a LINE_LOST. The values precede the other fields;
- * by --append they follow all fields. */
+/* Values precede the other fields; by --append they follow all fields. */
 static void convert_line(struct splice *w)
 {
 	const struct layout *l = w->l;

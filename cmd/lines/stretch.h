@@ -6,11 +6,9 @@
 #include "../number/vector/loops.h"
 #include "formats.h"
 
-/* The most bytes of a stretch. A stretch of this size stays in the first-level cache
- * until its numbers are read, and the place of a stop fits into 16 bits. */
+/* It stays in the first-level cache, and the place of a stop fits into 16 bits. */
 enum { STRETCH_MAX = 1 << 14 };
 
-/* A stretch of text with its index. Places are counted in bytes from text. */
 struct stretch {
 	const char *readable;             /* vector code may read from here on */
 	const char *text;                 /* the beginning of the stretch */

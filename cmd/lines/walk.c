@@ -77,8 +77,7 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d, const struct tar
 	return true;
 }
 
-/* The ways to find coordinate i. BY_ORDER: it is field i. BY_COLUMN: it is field
- * walk->field[i]. BY_PATH: path i leads to it. NO_LOOKUP: no field is a coordinate. */
+/* How coordinate i is found: as field i, as field walk->field[i], by path i, or not. */
 enum walk_way { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 
 static bool pass_nested(struct walker *, const struct target *,
@@ -129,7 +128,6 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	return json_scalar_end(p->text + from, p->text + p->at) == p->text + p->at;
 }
 
-/* Passes the name of a member and the colon. Sets *name to the name without quotes. */
 INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
     struct span *name)
 {
@@ -144,7 +142,6 @@ INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
 	return true;
 }
 
-/* The fields of a line, an array or an object. */
 struct fields {
 	int n; /* the number of coordinates */
 	enum walk_way lookup;

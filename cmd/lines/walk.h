@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads simple lines fast, many at once. The index of a stretch of text lists the
- * stops, which are the bytes that can end a field. A walk goes from stop to stop and
- * finds the coordinates without looking at the bytes between the stops; vector code
- * then reads many numbers at once. A line that is not simple is left to line_read. */
+/* Reads simple lines fast, many at once. A walk goes from stop to stop of a stretch and
+ * finds the coordinates without a look at the bytes between; vector code then reads the
+ * numbers. A line that is not simple is left to line_read. */
 #pragma once
 
 #include "line.h"
@@ -34,8 +33,7 @@ bool walk_plan(const struct layout *, struct walk *);
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 
-/* Reads the numbers of the n lines that walk_lines walked. If bit i is set in left, the
- * numbers of line i mean nothing. Returns `left` plus the bits of further lines that
- * are left to line_read; all other lines are points. */
+/* Reads the numbers of the n lines of walk_lines, except of those set in `left`.
+ * Returns `left` plus further lines for line_read; all others are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);

@@ -14,7 +14,6 @@ struct walk_paths {
 	size_t size[4];
 };
 
-/* Returns path i without its first name or index, for each bit i set in leads. */
 static inline struct walk_paths paths_inside(const struct walk_paths *t, unsigned leads)
 {
 	struct walk_paths rest;

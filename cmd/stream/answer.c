@@ -17,10 +17,6 @@ static struct {
 	struct place first_imageless;
 } answer;
 
-/* Seconds before the first display of progress, and from one display to the next. */
-#define PROGRESS_DELAY 0.5
-#define PROGRESS_INTERVAL 0.2
-
 static struct {
 	bool on, asked;               /* see answer_start_progress */
 	bool to_terminal;             /* each display overwrites the last */
@@ -92,8 +88,7 @@ static void add_progress(const struct chunk *c)
 		return;
 	double time = seconds_now();
 
-	if (time - progress.start_time > PROGRESS_DELAY &&
-	    time - progress.last_time > PROGRESS_INTERVAL)
+	if (time - progress.start_time > 0.5 && time - progress.last_time > 0.2)
 		show_progress(time);
 }
 
@@ -142,8 +137,7 @@ static void report_imageless(void)
 		    n == 1 ? " has" : "s have");
 }
 
-/* Reports the chunk's bad lines and, if its source has failed, the error. Ends the
- * program after an error, or after a bad line if the job does not keep going. */
+/* Ends the program after an error, or a bad line if the job does not keep going. */
 static void report_bad_lines(const struct job *j, const struct chunk *c)
 {
 	bool refused = c->refused || (c->n_complaints > 0 && !j->keep_going);

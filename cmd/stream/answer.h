@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints the output of chunks in the order of their source, reports bad lines and points
- * without image, and shows progress on standard error. To answer a chunk is to print its
- * output. The totals of the call are kept here. */
+/* Prints the output of chunks in the order of their source (answers them), reports bad
+ * lines and points without image, and shows progress on standard error. */
 #pragma once
 
 #include "job.h"
@@ -12,9 +11,8 @@ void answer_start_progress(bool asked);
 /* Says that the next chunks are of this source. Its lines are counted from 1. */
 void answer_begin_source(const struct job *, const struct point_source *);
 
-/* Prints the output of the next chunk. Then reports its bad lines, which end the
- * program unless the job keeps going, and an error that ended its source, which always
- * ends the program. Any thread may call answer_chunk, but only one at a time. */
+/* Prints the output of the next chunk; then its bad lines, unless the job keeps going,
+ * and an error of its source end the program. Only one thread at a time may call it. */
 void answer_chunk(const struct job *, struct chunk *);
 
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */

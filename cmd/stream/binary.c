@@ -20,8 +20,7 @@ static size_t binary_size(const struct layout *l)
 				 format_point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates of n points, each coordinate of `size` bytes, from records to
- * rows or, if to_records is set, from rows to records. */
+/* Copies coordinates of `size` bytes between records and rows. */
 static inline void copy_numbers(const struct layout *l, size_t size, char *records,
     char *rows, bool to_records, size_t n)
 {
@@ -57,8 +56,7 @@ static size_t count_points(const struct job *j, const struct chunk *c)
 	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
 
-/* Returns rows of the next n points: the text itself or, if it has records, a copy in
- * c->image, which is not in use before the transformation. */
+/* Returns rows of the next n points: the text or, of records, a copy in c->image. */
 static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
 {
 	if (l->record == 0)
@@ -67,7 +65,6 @@ static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
 	return (const char *)c->image;
 }
 
-/* Sets c->line[0..n) to n binary points of `size` bytes each, the first at `text`. */
 static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
@@ -77,16 +74,14 @@ static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-/* Makes line c->line[c->block_lines] bad. Returns what chunk_complain returns. */
 static bool binary_refuse(const struct job *j, struct chunk *c, const char *reason)
 {
 	c->line[c->block_lines].kind = LINE_LOST;
 	return chunk_complain(j, c, reason);
 }
 
-/* Refuses each of n points that has a coordinate beyond SCENE_MAGNITUDE_MAX, and
- * removes it from the columns c->in. If such a point ends the chunk, the block ends
- * before it. */
+/* Refuses each of n points that is out of range, and removes it from the columns c->in.
+ * If such a point ends the chunk, the block ends before it. */
 static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 {
 	size_t *kept = &c->block_points;
@@ -179,8 +174,7 @@ bool binary_write_rows(const struct job *j, struct chunk *c, const char *text)
 	return true;
 }
 
-/* Writes a binary point for a line: the image of its point, which is point p of the
- * block, or nan if the line is bad. Returns the end of the binary point. */
+/* Writes the image of point p of the block or, for a bad line, nan. */
 static char *put_record(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {

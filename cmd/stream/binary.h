@@ -12,14 +12,12 @@ bool binary_is_rows(const struct job *);
  * if a point is bad or binary_is_rows is false. */
 void binary_read_block(const struct job *, struct chunk *);
 
-/* Reads, transforms and writes a block of points if they are f32 in input and output,
- * the precision is single, and layout.keeps is false. If not, or if points_map_floats
- * returns false, as for a point without image, reads nothing and returns false. */
+/* Reads, transforms and writes a block of floats in precision single. Reads nothing and
+ * returns false if it is another, or points_map_floats returns false. */
 bool binary_map_floats(const struct job *, struct chunk *);
 
-/* Appends the images of the block to out. The block's binary points begin at `text`. If
- * an image is not finite, or if point_exact_float has to round a float, only sets the
- * lines of the block, and returns false. */
+/* Appends the images of the block, whose points begin at `text`. If an image is not
+ * finite, or point_exact_float has to round, only sets the lines, and returns false. */
 bool binary_write_rows(const struct job *, struct chunk *, const char *text);
 
 /* Appends a binary point for each point and bad line of the block: the point's image,

@@ -9,8 +9,7 @@
 
 struct chunk *chunk_new(void)
 {
-	/* Vector loops read beyond the last point, so the chunk must be cleared. calloc
-	 * takes this much memory from the system, already cleared, and leaves it so. */
+	/* cleared, as vector loops read beyond the last point */
 	const size_t alignment = _Alignof(struct chunk);
 	char *memory = calloc(1, sizeof(struct chunk) + alignment);
 
@@ -19,8 +18,7 @@ struct chunk *chunk_new(void)
 	struct chunk *c = (void *)(memory + alignment - (uintptr_t)memory % alignment);
 
 	piece_resize(&c->piece, PIECE_ROOM);
-	/* Most output fits into this room. If a thread allocates more, the C library
-	 * maps an arena for the thread, which costs more than the room. */
+	/* most output fits: to allocate more costs a thread an arena */
 	c->room = 16 * PIECE_ROOM;
 	c->out = xrealloc(NULL, c->room);
 	/* cppcheck-suppress memleak; c keeps the allocated bytes */

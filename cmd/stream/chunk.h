@@ -51,8 +51,7 @@ struct chunk {
 
 struct chunk *chunk_new(void);
 
-/* Makes room for n more bytes in the chunk's out, and returns their address. The caller
- * adds to the member size how many bytes it writes there. */
+/* Returns the end of out, with room for n bytes; the caller adds to size. */
 char *chunk_reserve(struct chunk *, size_t n);
 
 /* Adds a complaint on the block's next line. Returns false if the chunk ends there. */

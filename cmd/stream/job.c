@@ -58,7 +58,6 @@ static bool block_add_lines(struct job *j, struct chunk *c, size_t n, uint64_t u
 	return true;
 }
 
-/* Adds lines of the stretch to the block. Returns false if a bad one ends the chunk. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;
@@ -75,7 +74,6 @@ static bool block_walk(struct job *j, struct chunk *c)
 	return block_add_lines(j, c, n, unread, v);
 }
 
-/* Reads up to POINTS_BLOCK lines into the block, and their coordinates into c->in. */
 static void block_read(struct job *j, struct chunk *c)
 {
 	struct stretch *s = &c->stretch;
@@ -102,8 +100,7 @@ static void block_read(struct job *j, struct chunk *c)
 	}
 }
 
-/* Transforms the block's points. Returns true only if all images are finite. Rays are
- * exact in every precision; if `single` is set, they are rounded to floats. */
+/* Returns true only if all images are finite. Rays are exact in every precision. */
 static bool block_transform(const struct job *j, struct chunk *c)
 {
 	bool single = j->precision == PRECISION_SINGLE ||
@@ -117,9 +114,8 @@ static bool block_transform(const struct job *j, struct chunk *c)
 	    points_map(&j->transform, j->precision, in, out, c->block_points);
 }
 
-/* Replaces each coordinate of the image of point p by nan if it is not finite in the
- * output's format. Returns whether any is nan. In precision exact, point_exact_float
- * computes floats: the nearest double may round to a float that is not the nearest. */
+/* Makes nan of each coordinate that is not finite in the output's format; returns
+ * whether any is. The nearest double may round to a float that is not the nearest. */
 static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 {
 	bool nan = false, narrow = j->layout.out.format == FORMAT_F32;
@@ -140,8 +136,7 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
-/* Appends the block's lines, with the images of its points, to the chunk's out. The
- * parameter finite may be true only if all images are finite doubles. */
+/* `finite` may be true only if all images are finite doubles. */
 static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
 	const struct layout *l = &j->layout;
@@ -176,13 +171,12 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(writer_put_block(&block, at) - c->out);
 }
 
-/* Refuses a source of lines that begins like one of the formats in `others`, like .npy,
- * or like binary points. Refuses a source of binary points, which may begin with any
- * bytes, only if it begins like .npy or like three Latin-1 characters in UTF-16. */
+/* Refuses a source that begins like another format. Binary points may begin with any
+ * bytes: only .npy, or what is like three Latin-1 characters in UTF-16, is refused. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
-	static const char utf16[] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
-				    "it UTF-8";
+	static const char utf16[] =
+	    "is UTF-16; iconv -f UTF-16 -t UTF-8 makes it UTF-8";
 	static const char *const others[][2] = {
 		{ "\xff\xfe", utf16 },
 		{ "\xfe\xff", utf16 }, /* high bytes come first */

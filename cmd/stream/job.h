@@ -21,11 +21,10 @@ struct job {
 	bool count_imageless;   /* report points without image at the end */
 	int threads;            /* the most; 0: one for each processor */
 
-	/* Functions of a command that does not print a line for each point; other
-	 * commands leave them NULL. take_block gets each block before its points are
-	 * transformed; it may append to the chunk's out, and runs in any thread.
-	 * collect_chunk gets the chunks in order. flush prints what was collected,
-	 * after the last chunk or before an error ends the program. */
+	/* Functions of a command that does not print a line for each point, or NULL.
+	 * take_block gets each block before it is transformed, in any thread; it may
+	 * append to out. collect_chunk gets the chunks in order. flush prints what was
+	 * collected, at the end or before an error ends the program. */
 	void (*take_block)(const struct job *, struct chunk *);
 	void (*collect_chunk)(const struct job *, const struct chunk *);
 	void (*flush)(const struct job *);

@@ -13,11 +13,9 @@
 /* The most bytes that a line of points may have, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-/* The first pieces of a source have PIECE_FIRST bytes. A later piece has about 1 /
- * PIECE_SHARE of the bytes read before it, and at most PIECE_ROOM. A short source thus
- * uses little fresh memory, which costs the system more time than the points in it cost
- * a thread. As the last pieces are small, too, all threads end at about the same time.
- * */
+/* The first pieces of a source have PIECE_FIRST bytes, so that a short source uses
+ * little fresh memory. A later one has 1 / PIECE_SHARE of the bytes before it, up to
+ * PIECE_ROOM: the last pieces are small, and all threads end at about the same time. */
 enum { PIECE_FIRST = 1 << 15, PIECE_SHARE = 64 };
 
 void piece_resize(struct piece *p, size_t room)

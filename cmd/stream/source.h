@@ -19,14 +19,9 @@ enum { PIPE_ROOM = 2 * PIECE_ROOM };
  * JSON document they may also write them: a newline after a point at the very end. */
 enum { PIECE_MARGIN = 2 };
 
-enum piece_state {
-	PIECE_FULL,
-	PIECE_EARLY, /* not full, as the next read would wait */
-	PIECE_LAST,  /* the source ends with this piece */
-	/* errors that end the source */
-	PIECE_TOO_LONG, /* a line of more than 64 MiB */
-	PIECE_FAILED,   /* a read failed */
-};
+/* EARLY: not full, as the next read would wait. LAST: the source ends with this piece, as
+ * it does after the errors TOO_LONG, a line of more than 64 MiB, and FAILED, of a read. */
+enum piece_state { PIECE_FULL, PIECE_EARLY, PIECE_LAST, PIECE_TOO_LONG, PIECE_FAILED };
 
 struct piece {
 	char *text;        /* NULL before the first use */

@@ -34,19 +34,16 @@ static int start_thread(pthread_t *t, void *(*run)(void *), void *data)
  * for fewer bytes the start takes more time than the thread saves. */
 enum { BYTES_PER_THREAD = 1 << 16 };
 
-/* A thread without a chunk looks LOOKS_MAX times for a chunk before it sleeps: to wake
- * a thread takes longer than to read a piece of a file. Between two looks it runs an
- * empty loop PAUSE_LOOPS times. A call of sched_yield instead of the loop could cost
- * milliseconds if other programs run. */
+/* A thread without a chunk looks LOOKS_MAX times for one before it sleeps, as to wake
+ * takes longer than to read a piece. Between two looks it runs an empty loop:
+ * sched_yield could cost milliseconds if other programs run. */
 enum { LOOKS_MAX = 100, PAUSE_LOOPS = 200 };
 
-/* Each thread repeats three steps: it begins the next chunk, which reads from the
- * source and may wait for input; it does the job on the chunk; and if no other thread
- * is answering, it answers (prints) chunks that are done, in the order of the source.
- * No thread waits until another has answered, and no answer waits for the source.
- *
- * A chunk belongs to the thread that began it until it is done, then to the thread that
- * answers. The lock protects everything else. */
+/* Each thread begins the next chunk, which may wait for input; does the job on it; and,
+ * if no other thread is answering, answers (prints) chunks that are done, in order. No
+ * thread waits until another has answered, and no answer waits for the source. A chunk
+ * belongs to the thread that began it until it is done, then to the one that answers.
+ * The lock protects everything else. */
 static struct {
 	struct job *job;
 	int started_max; /* the largest value that `started` may reach */
@@ -68,9 +65,8 @@ static struct {
 	.queue_end = &pool.oldest,
 };
 
-/* Returns whether a thread can begin a chunk. Before the first row, a chunk waits until
- * the previous chunk, which may have the csv header, is answered. The functions from
- * here to run_chunks are called, and return, with the lock held. */
+/* Before the first row, a chunk waits until the previous one, which may have the csv
+ * header, is answered. The lock is held from here to run_chunks. */
 static bool can_begin_chunk(void)
 {
 	return pool.can_read && pool.unused != NULL &&
@@ -135,7 +131,6 @@ static struct chunk *begin_chunk(void)
 	return c;
 }
 
-/* If no thread is answering, answers the oldest chunks, up to the first not done. */
 static void answer_done_chunks(void)
 {
 	struct chunk *c;
@@ -198,8 +193,7 @@ static void *thread_main(void *unused)
 	return unused;
 }
 
-/* Returns the number of threads to use: at most one for each processor, and so many if
- * `wanted` is 0. More would evict each other's caches. */
+/* More threads than processors would evict each other's caches. */
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);
@@ -224,7 +218,9 @@ void stream_points(struct job *j, struct point_source s)
 	pool.source = &s;
 	pool.can_read = true;
 	pool.first = FIRST_BYTE;
-	layout_begin_source(&j->layout);
+	j->layout.seen = (struct seen){ .reordered = j->layout.seen.reordered };
+	if (j->layout.columns.by_default)
+		j->layout.columns.n = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&pool.lock);
 }
