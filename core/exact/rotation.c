@@ -28,8 +28,9 @@ static void horn_matrix(const struct sum m[4][4], struct sum k[4][4])
  * from sqrt(3 s). Let gap be the distance from x to the second largest root. A step
  * halves the error until it is below gap, and then squares error / gap. The slope, the
  * product of the distances to the other roots, is gap * 4 x^2 within a factor of 3. The
- * last error is below 2^-260 gap. Returns false if gap < 2^-400 x. */
-static bool largest_root(struct sum s, struct sum d, struct sum k, struct sum *x)
+ * last error is below 2^-260 gap. Returns false if gap < least x / 4; least is at least 2^-398. */
+static bool largest_root(struct sum s, struct sum d, struct sum k, double least,
+    struct sum *x)
 {
 	double step, slope, x1;
 
@@ -46,7 +47,7 @@ static bool largest_root(struct sum s, struct sum d, struct sum k, struct sum *x
 
 		step = sum_double(exact_step);
 		x1 = sum_double(*x);
-		if (!(slope > 0x1p-398 * x1 * x1 * x1))
+		if (!(slope > least * x1 * x1 * x1))
 			return false;
 		*x = sum_sub(*x, exact_step);
 		*x = sum_truncate(*x, 16);
@@ -57,7 +58,8 @@ static bool largest_root(struct sum s, struct sum d, struct sum k, struct sum *x
 /* Computes q, the eigenvector of K for the eigenvalue x, from k = K - x I: q is the
  * largest column of the adjugate of k, which is a multiple of q q'. The error of x,
  * below 2^-260 gap (see largest_root), adds multiples of the other three eigenvectors.
- * Each is shorter than 2^-260 times the adjugate's norm, and than 2^-259 times q. */
+ * Each is shorter than 2^-260 times the adjugate's norm, and than 2^-259 times q. The
+ * errors of the elements, for which see rotation_nearest, add 2^-256. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);
@@ -81,32 +83,56 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 		norm = sum_add(norm, sum_abs(q[i]));
 	}
 	for (int i = 0; i < 4; i++)
-		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-257));
+		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-255));
 }
 
-enum rotation_result rotation_nearest(const double matrix[4][4], struct sum q[4])
-{
-	struct sum m[4][4] = { 0 }, k[4][4], x, s = sum_of_double(0);
-	double largest = 0;
-	int e;
+/* The words below the point that an element keeps, if the largest is from 1/2 to 1. A
+ * double of a scene needs no more; a product of many matrices can have more. */
+enum { ELEMENT_WORDS = 25 };
 
-	for (int i = 0; i < 9; i++)
-		largest = fmax(largest, fabs(matrix[i / 3][i % 3]));
-	frexp(largest, &e);
-	const struct sum unit = sum_of_power(-e);
+/* Let the elements have errors up to e. Then the determinant of their values must exceed
+ * its error, and the quaternion is that of the values. K is off by less than 9 e, and
+ * so the quaternion turns by less than 9 e / gap: see `least` for gap. */
+enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum q[4])
+{
+	struct sum cut = sum_of_power(-64 * ELEMENT_WORDS);
+	struct sum m[4][4] = { 0 }, k[4][4], x, s = sum_of_double(0);
+	int top = -EX_RANGE, error = 0;
+
+	for (int i = 0; i < 9; i++) {
+		int e = ex_exponent(&matrix[i / 3][i % 3].value);
+
+		top = e > top ? e : top;
+	}
+	const struct sum unit = sum_of_power(-top);
 
 	for (int i = 0; i < 9; i++) {
 		struct sum *a = &m[i / 3][i % 3];
 
-		*a = sum_scale(unit, matrix[i / 3][i % 3]);
-		s = sum_add(s, sum_mul(*a, *a));
+		*a = sum_mul(unit, matrix[i / 3][i % 3]);
+		int kept = a->value.n + a->value.e + ELEMENT_WORDS;
+
+		if (kept < a->value.n) {
+			cut.error = a->error;
+			*a = sum_add_error(sum_truncate(*a, kept > 0 ? kept : 0), cut);
+		}
+		error = a->error > error ? a->error : error;
 	}
 	struct sum det = map_minor(3, m, 8, 8);
 
 	if (sum_sign(det) <= 0)
 		return ROTATION_NONE;
+	for (int i = 0; i < 9; i++) {
+		m[i / 3][i % 3].error = 0;
+		s = sum_add(s, sum_mul(m[i / 3][i % 3], m[i / 3][i % 3]));
+	}
+	if (error > 0)
+		det = map_minor(3, m, 8, 8);
+	/* gap > least x / 24 then makes 9 e / gap less than 2^-256 */
+	double least = fmax(0x1p-398, ldexp(1, error - EX_RANGE + 265));
+
 	horn_matrix(m, k);
-	if (!largest_root(s, det, map_minor(4, k, 0, 0), &x))
+	if (!largest_root(s, det, map_minor(4, k, 0, 0), least, &x))
 		return ROTATION_MANY;
 	for (int i = 0; i < 4; i++)
 		k[i][i] = sum_sub(k[i][i], x);
@@ -114,27 +140,73 @@ enum rotation_result rotation_nearest(const double matrix[4][4], struct sum q[4]
 	return ROTATION_FOUND;
 }
 
-/* Uses Rodrigues' formula I + a [v] + b [v]^2 for the vector v of length t. [v] is the
- * matrix with [v] p = v x p; a = sin t / t and b = (1 - cos t) / t^2. */
-bool rotation_about(const double vector[3], struct sum r[3][3])
+/* Computes d times the rotation of Rodrigues' formula I + sine [v] + versine [v]^2 for a
+ * vector v. [v] is the matrix with [v] p = v x p. */
+static void rodrigues(const struct sum v[3], struct sum sine, struct sum versine,
+    struct sum d, struct sum r[3][3])
 {
-	struct sum v[3], square[3], a, b;
+	struct sum square[3];
 
-	for (int i = 0; i < 3; i++) {
-		v[i] = sum_of_double(vector[i]);
+	for (int i = 0; i < 3; i++)
 		square[i] = sum_mul(v[i], v[i]);
-	}
-	if (!trig_rodrigues(vec3_dot(v, v), &a, &b))
-		return false;
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
-		struct sum both = sum_mul(b, sum_mul(v[i], v[j]));
-		struct sum turn = sum_mul(a, v[k]);
+		struct sum both = sum_mul(versine, sum_mul(v[i], v[j]));
+		struct sum turn = sum_mul(sine, v[k]);
 
-		r[i][i] = sum_sub(sum_of_double(1),
-		    sum_mul(b, sum_add(square[j], square[k])));
+		r[i][i] = sum_sub(d, sum_mul(versine, sum_add(square[j], square[k])));
 		r[i][j] = sum_sub(both, turn);
 		r[j][i] = sum_add(both, turn);
 	}
+}
+
+/* For a vector of length t, sine is sin t / t, and versine is (1 - cos t) / t^2. */
+bool rotation_about(const double vector[3], struct sum r[3][3])
+{
+	struct sum v[3], sine, versine;
+
+	for (int i = 0; i < 3; i++)
+		v[i] = sum_of_double(vector[i]);
+	if (!trig_rodrigues(vec3_dot(v, v), &sine, &versine))
+		return false;
+	rodrigues(v, sine, versine, sum_of_double(1), r);
 	return true;
+}
+
+/* For an angle t, d times sine is |v| sin t, and d times versine is 1 - cos t, which is
+ * sin^2 t / (1 + cos t): so small angles keep their digits. */
+bool rotation_by_angle(const double axis[3], double angle, enum angle_unit unit,
+    struct sum r[3][3], struct sum *d)
+{
+	const struct sum one = sum_of_double(1);
+	struct sum v[3], sine, cosine;
+
+	trig_sin_cos(angle, unit, &sine, &cosine);
+	struct sum versine = sum_sub(one, cosine);
+
+	for (int i = 0; i < 3; i++)
+		v[i] = sum_of_double(axis[i]);
+	*d = vec3_dot(v, v);
+	if (!sum_is_exact(&cosine) && sum_sign(cosine) > 0)
+		versine = sum_quotient(sum_mul(sine, sine), sum_add(one, cosine));
+	rodrigues(v, sum_mul(sine, sum_sqrt(*d)), versine, *d, r);
+	return !vec3_is_zero(v);
+}
+
+void rotation_of_quaternion(const struct sum q[4], struct sum r[3][3], struct sum *d)
+{
+	struct sum p[4][4];
+
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			p[i][j] = sum_mul(q[i], q[j]);
+	*d = sum_add(sum_add(p[0][0], p[1][1]), sum_add(p[2][2], p[3][3]));
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+		struct sum along = sum_add(p[3][3], p[i][i]);
+
+		r[i][i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
+		r[j][i] = sum_scale(sum_add(p[i][j], p[k][3]), 2);
+		r[k][i] = sum_scale(sum_sub(p[i][k], p[j][3]), 2);
+	}
 }

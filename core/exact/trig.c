@@ -48,12 +48,20 @@ enum { SINE_POWER = 62 };
  * of the squares of three doubles can be as near to 4 pi^2 as 2^-159. */
 enum { SINC_POWER = 190, SINC_WORDS = 12 };
 
+/* The same for x^2 < 9, where a and b are above 2^-5: x^92/92! is below 2^-325,
+ * and the cuts lose less than 2^-370. */
+enum { SHORT_SINC_POWER = 90, SHORT_SINC_WORDS = 7 };
+
 bool trig_rodrigues(struct sum square, struct sum *a, struct sum *b)
 {
 	if (sum_compare(square, sum_scale(sum_mul(HALF_PI, HALF_PI), 16)) > 0)
 		return false;
-	*a = trig_series(&square.value, 1, SINC_POWER, SINC_WORDS);
-	*b = sum_scale(trig_series(&square.value, 2, SINC_POWER, SINC_WORDS), 0.5);
+	const bool is_short = sum_compare(square, sum_of_double(9)) < 0;
+	const int power = is_short ? SHORT_SINC_POWER : SINC_POWER;
+	const int words = is_short ? SHORT_SINC_WORDS : SINC_WORDS;
+
+	*a = trig_series(&square.value, 1, power, words);
+	*b = sum_scale(trig_series(&square.value, 2, power, words), 0.5);
 	return true;
 }
 
@@ -109,15 +117,20 @@ static struct sum sine_or_cosine(const struct reduced_angle *r, int n)
 	return n == 1 ? sum_mul(s, r->rest_radians) : s;
 }
 
+static void reduce(double angle, enum angle_unit unit, struct reduced_angle *r)
+{
+	if (unit == ANGLE_RADIANS)
+		reduce_radians(angle, r);
+	else
+		reduce_degrees(angle, r);
+}
+
 /* Returns the sine of the angle plus quarters times 90 degrees. */
 static struct sum sine(double angle, enum angle_unit unit, unsigned quarters)
 {
 	struct reduced_angle r;
 
-	if (unit == ANGLE_RADIANS)
-		reduce_radians(angle, &r);
-	else
-		reduce_degrees(angle, &r);
+	reduce(angle, unit, &r);
 	quarters += r.quarters;
 	return sum_negated_if(quarters & 2, sine_or_cosine(&r, ~quarters & 1));
 }
@@ -130,6 +143,22 @@ struct sum trig_sin(double angle, enum angle_unit unit)
 struct sum trig_cos(double angle, enum angle_unit unit)
 {
 	return sine(angle, unit, 1);
+}
+
+/* The sine of the rest is at most sqrt(1/2), so its error hardly changes the cosine's. */
+void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
+    struct sum *cosine)
+{
+	const struct sum one = sum_of_double(1);
+	struct reduced_angle r;
+
+	reduce(angle, unit, &r);
+	const bool odd = r.quarters & 1, back = r.quarters & 2;
+	struct sum s = sine_or_cosine(&r, 1);
+	struct sum c = sum_sqrt(sum_sub(one, sum_mul(s, s)));
+
+	*sine = sum_negated_if(back, odd ? c : s);
+	*cosine = sum_negated_if(back != odd, odd ? s : c);
 }
 
 struct sum trig_cot(double angle, enum angle_unit unit)

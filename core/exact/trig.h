@@ -17,6 +17,9 @@ enum angle_unit { ANGLE_DEGREES, ANGLE_RADIANS };
 struct sum trig_sin(double angle, enum angle_unit);
 struct sum trig_cos(double angle, enum angle_unit);
 
+/* Computes both in little more time than one takes. The cosine is a root. */
+void trig_sin_cos(double angle, enum angle_unit, struct sum *sine, struct sum *cosine);
+
 /* Returns the cotangent of an angle above 0 and up to 90 degrees. */
 struct sum trig_cot(double angle, enum angle_unit);
 

@@ -63,36 +63,20 @@ static const char *axes_of_gaze(const struct camera *c,
 	return NULL;
 }
 
-/* Computes the axes of quaternion q: the columns of its rotation matrix times |q|^2. */
-static void axes_of_quaternion(const struct sum q[4], struct axes *a)
-{
-	struct sum p[4][4];
-
-	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++)
-			p[i][j] = sum_mul(q[i], q[j]);
-	struct sum norm = sum_add(sum_add(p[0][0], p[1][1]), sum_add(p[2][2], p[3][3]));
-
-	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3, k = (i + 2) % 3;
-		struct sum along = sum_add(p[3][3], p[i][i]);
-
-		a->length[i] = norm;
-		a->v[i][i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
-		a->v[i][j] = sum_scale(sum_add(p[i][j], p[k][3]), 2);
-		a->v[i][k] = sum_scale(sum_sub(p[i][k], p[j][3]), 2);
-	}
-}
-
 static const char *axes_of_orientation(const struct camera *c, struct axes *a)
 {
-	struct sum q[4];
+	struct sum q[4], columns[3][3], norm;
 
 	for (int i = 0; i < 4; i++)
 		q[i] = sum_of_double(c->orientation[i]);
 	if (vec3_is_zero(q) && sum_sign(q[3]) == 0)
 		return "/camera/orientation: is 0; the identity is 0, 0, 0, 1";
-	axes_of_quaternion(q, a);
+	rotation_of_quaternion(q, columns, &norm);
+	for (int i = 0; i < 3; i++) {
+		a->length[i] = norm;
+		for (int k = 0; k < 3; k++)
+			a->v[i][k] = columns[k][i];
+	}
 	return NULL;
 }
 
@@ -103,30 +87,6 @@ static const char *axes_of_rvec(const struct camera *c, struct axes *a)
 		       "angle in radians";
 	for (int i = 0; i < 3; i++)
 		a->length[i] = sum_of_double(1);
-	return NULL;
-}
-
-/* The message that refuses the camera's pose (if `pose`) or its matrix for `reason`. */
-#define REFUSAL(pose, reason) \
-	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
-
-/* Computes the axes of the rotation nearest to the upper 3x3 of the camera's matrix. An
- * element whose magnitude is at most its error becomes 0. */
-static const char *axes_of_matrix(const struct camera *c, struct axes *a)
-{
-	struct sum q[4];
-	enum rotation_result found = rotation_nearest(c->matrix, q);
-
-	if (found == ROTATION_NONE)
-		return REFUSAL(c->way == CAMERA_POSE,
-		    "its determinant is not positive; a rotation's is 1");
-	if (found == ROTATION_MANY)
-		return REFUSAL(c->way == CAMERA_POSE,
-		    "two directions have all but vanished; no rotation is the "
-		    "nearest");
-	axes_of_quaternion(q, a);
-	for (int i = 0; i < 9; i++)
-		a->v[i / 3][i % 3] = sum_snap_zero(a->v[i / 3][i % 3]);
 	return NULL;
 }
 
@@ -196,32 +156,58 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse, struct 
 	map_multiply(r, &turn, inverse);
 }
 
+/* The message that refuses the camera's pose (if `pose`) or its matrix for `reason`. */
+#define REFUSAL(pose, reason) \
+	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
+
+/* Replaces the upper 3x3 of an affine map by the nearest rotation or, if `inverts`, the
+ * map by the inverse of this. An element of the rotation whose magnitude is at most its
+ * error becomes 0. The origin of the inverse is the rounded translation. */
+static const char *orthonormalize(struct map *r, bool inverts, bool pose)
+{
+	const struct sum divisor = r->divisor;
+	struct sum q[4], v[3][3], d;
+	struct map move;
+	enum rotation_result found = rotation_nearest(r->m, q);
+	double origin[3];
+
+	if (found == ROTATION_NONE)
+		return REFUSAL(pose,
+		    "its determinant is not positive; a "
+		    "rotation's is 1");
+	if (found == ROTATION_MANY)
+		return REFUSAL(pose,
+		    "two directions have all but vanished; "
+		    "no rotation is the nearest");
+	rotation_of_quaternion(q, v, &d);
+	map_identity(&move);
+	for (int k = 0; k < 3; k++) {
+		origin[k] = inverts ? map_element_nearest(r, 3, k, false) : 0;
+		move.m[3][k] = sum_negated_if(inverts, r->m[3][k]);
+		move.m[k][k] = divisor;
+	}
+	move.m[3][3] = move.divisor = divisor;
+	map_set_origin(&move, origin);
+	map_identity(r);
+	for (int i = 0; i < 9; i++)
+		r->m[i / 3][i % 3] = sum_quotient(
+		    sum_snap_zero(inverts ? v[i % 3][i / 3] : v[i / 3][i % 3]), d);
+	map_multiply(r, &move, inverts);
+	return NULL;
+}
+
 /* Computes, by the camera's matrix or pose, the map from world to view space or, if
- * inverse, back. With orthonormalize, the nearest rotation replaces the upper 3x3. */
+ * inverse, back. */
 static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {
-	bool pose = c->way == CAMERA_POSE, inverts = inverse != pose;
-	struct axes axes;
+	const bool pose = c->way == CAMERA_POSE, inverts = inverse != pose;
+	const bool whole = !c->orthonormalize;
+	const char *why = steps_map(&c->steps, c->matrix,
+	    pose ? "/camera/pose" : "/camera/matrix", whole && inverts, whole && pose,
+	    r);
 
-	map_of_doubles(c->matrix, r);
-	if (!map_is_affine(r))
-		return REFUSAL(pose, MAP_NOT_AFFINE);
-	if (!c->orthonormalize) {
-		if ((pose || inverse) && !map_inverse(c->matrix, r))
-			return REFUSAL(pose, "singular; it can't be inverted");
-		if (!inverts)
-			map_of_doubles(c->matrix, r);
-		return NULL;
-	}
-	const char *why = axes_of_matrix(c, &axes);
-
-	if (why != NULL)
-		return why;
-	map_of_axes(&axes, c->matrix[3], true, inverts, r);
-	if (pose)
-		set_map_eye(r, inverse ? NULL : c->matrix[3]);
-	return NULL;
+	return why != NULL || whole ? why : orthonormalize(r, inverts, pose);
 }
 
 const char *camera_map(const struct camera *c, const struct convention *convention,

@@ -4,6 +4,7 @@
 
 #include "../exact/trig.h"
 #include "convention.h"
+#include "steps.h"
 
 struct camera {
 	double eye[3]; /* or translation: the world's origin in view space */
@@ -27,6 +28,7 @@ struct camera {
 	/* The affine matrix, for row vectors, from world to view space or, with
 	 * CAMERA_POSE, from view to world space. */
 	double matrix[4][4];
+	struct steps steps;  /* or the steps that give this matrix */
 	bool orthonormalize; /* replace the matrix by its nearest rotation */
 };
 

@@ -57,20 +57,6 @@ bool scene_is_valid(const struct scene *s)
 	return is;
 }
 
-/* Computes the map from model to world space, or its inverse. */
-static const char *world_map(const struct scene *s, bool inverse, struct map *r)
-{
-	map_identity(r);
-	if (!s->has_world)
-		return NULL;
-	map_of_doubles(s->world, r);
-	if (!map_is_affine(r))
-		return "/world: " MAP_NOT_AFFINE;
-	if (inverse && !map_inverse(s->world, r))
-		return "/world: singular; it can't be inverted";
-	return NULL;
-}
-
 /* Computes the map from the space `first` to the next space, or its inverse. */
 static const char *map_to_next(const struct scene *s, int first, bool inverse,
     struct map *r)
@@ -84,7 +70,11 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 	}
 	switch ((enum space)first) {
 	case SPACE_MODEL:
-		return world_map(s, inverse, r);
+		if (s->has_world)
+			return steps_map(&s->world_steps, s->world, "/world", inverse,
+			    false, r);
+		map_identity(r);
+		return NULL;
 	case SPACE_WORLD:
 		if (s->has_camera)
 			why = camera_map(&s->camera, c, inverse, r);
@@ -142,15 +132,25 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
+const char *scene_too_wide(const struct scene *s)
+{
+	if (s->has_world && s->world_steps.step != NULL)
+		return "/world: " STEPS_TOO_WIDE;
+	if (s->camera.steps.step != NULL)
+		return s->camera.way == CAMERA_POSE ? "/camera/pose: " STEPS_TOO_WIDE :
+						      "/camera/matrix: " STEPS_TOO_WIDE;
+	return "/projection: " SCENE_TOO_WIDE;
+}
+
 /* Returns `err` if it is not NULL: the reason why r was not computed. Otherwise returns
  * NULL, or the reason if r is out of range. If `flat`, r maps a 2D window. */
-static const char *check_range(const char *err, const struct map *r, bool flat)
+static const char *check_range(const char *err, const struct scene *s,
+    const struct map *r, bool flat)
 {
 	if (err != NULL)
 		return err;
 	if (ex_has_overflowed())
-		return flat ? "/window: " SCENE_TOO_WIDE :
-			      "/projection: " SCENE_TOO_WIDE;
+		return flat ? "/window: " SCENE_TOO_WIDE : scene_too_wide(s);
 	if (map_is_finite(r))
 		return NULL;
 	return flat ? "/window: the composed matrix has elements beyond the range of "
@@ -163,7 +163,7 @@ static const char *check_range(const char *err, const struct map *r, bool flat)
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	return check_range(compose(s, (int)from, (int)to, map_to_next, r), r, false);
+	return check_range(compose(s, (int)from, (int)to, map_to_next, r), s, r, false);
 }
 
 const char *scene_map_by_view(const struct scene *s, enum space from, enum space to,
@@ -175,13 +175,13 @@ const char *scene_map_by_view(const struct scene *s, enum space from, enum space
 		why = compose(s, SPACE_VIEW, (int)to, map_to_next, from_view);
 	if (why == NULL)
 		map_multiply(r, from_view, false);
-	return check_range(why, r, false);
+	return check_range(why, s, r, false);
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat_space from,
     enum flat_space to, struct map *r)
 {
-	return check_range(compose(s, (int)from, (int)to, flat_map_to_next, r), r,
+	return check_range(compose(s, (int)from, (int)to, flat_map_to_next, r), s, r,
 	    true);
 }
 

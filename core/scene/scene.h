@@ -36,7 +36,8 @@ struct scene {
 	 * printed, or NULL for the document's. */
 	const struct convention *answer;
 	bool has_world, has_camera, has_viewport, has_window, has_device;
-	double world[4][4]; /* affine, from model to world, for row vectors */
+	double world[4][4];       /* affine, from model to world, for row vectors */
+	struct steps world_steps; /* or the steps that give this matrix */
 	struct camera camera;
 	struct projection projection;
 	struct viewport viewport;
@@ -52,6 +53,10 @@ static inline const struct convention *scene_answer_convention(const struct scen
 {
 	return s->answer != NULL ? s->answer : &s->convention;
 }
+
+/* Returns the reason why a product of the scene's maps has lost digits: STEPS_TOO_WIDE
+ * of a list of steps or, without one, SCENE_TOO_WIDE. */
+const char *scene_too_wide(const struct scene *);
 
 /* Returns whether a number is from SCENE_SIZE_MIN to SCENE_MAGNITUDE_MAX. */
 bool scene_is_size(double);

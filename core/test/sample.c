@@ -250,6 +250,38 @@ void sample_affine(double m[4][4], int e)
 	m[3][3] = 1;
 }
 
+static double sample_turn(void)
+{
+	return sample_below(3) > 0 ? 15 * (double)sample_below(49) - 360 :
+				     sample_between(-400, 400);
+}
+
+/* An inverse holds some of the steps behind it. */
+void sample_steps(struct step *s, int n, int e)
+{
+	for (int i = 0; i < n; i++, s++) {
+		*s = (struct step){ .kind = sample_below(STEP_INVERSE + 1),
+			.angle = sample_turn() };
+		if (s->kind == STEP_INVERSE) {
+			int inner = (int)sample_below((unsigned)(n - i));
+
+			sample_steps(s + 1, inner, e);
+			s->inner = inner;
+			i += inner;
+			s += inner;
+			continue;
+		}
+		sample_vector(s->translation, e);
+		for (int k = 0; k < 4; k++)
+			s->rotation[k] = sample_between(-1, 1);
+		for (int k = 0; k < 3; k++)
+			s->scale[k] = sample_size(e) * (sample_below(2) ? 1 : -1);
+		if (sample_below(3) == 0)
+			s->scale[1] = s->scale[2] = s->scale[0];
+		sample_affine(s->matrix, e);
+	}
+}
+
 static double sample_angle(int e)
 {
 	if (e == 0)

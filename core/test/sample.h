@@ -34,6 +34,7 @@ void sample_convention(struct convention *);
 void sample_camera(struct camera *, int e);
 void sample_orthonormalize(struct camera *, int e);
 void sample_affine(double m[4][4], int e);
+void sample_steps(struct step *, int n, int e); /* n steps of all kinds */
 void sample_projection(struct projection *, int e);
 void sample_viewport(struct viewport *, int e);
 void sample_flat(struct window *, struct device *, int e);

@@ -10,19 +10,31 @@
 /* Adds the stages p' = p A and p' = p + t of an affine matrix. The elements of A's
  * nearest rotation are sums of products of a unit quaternion's elements, of size 2 at
  * most. */
-static void affine(struct truth *t, const double m[4][4], bool orthonormal)
+static void affine(struct truth *t, const double m[4][4])
 {
 	struct truth_stage *s = truth_stage(t);
 
 	for (int i = 0; i < 3; i++)
 		set_reals(s->m[i], 3, m[i]);
-	if (orthonormal) {
-		t->irrational = true;
-		orthonormalise(s->m);
-		for (int i = 0; i < 9; i++)
-			s->size[i / 3][i % 3] = TWO;
-	}
 	set_reals(truth_stage(t)->m[3], 3, m[3]);
+}
+
+/* Replaces the stages of an affine matrix by the nearest rotation and the translation. */
+static void nearest_rotation(struct truth *t)
+{
+	truth_compose(t);
+	*t = (struct truth){ .irrational = true, .product = t->product };
+	struct truth_stage *s = truth_stage(t), *move = truth_stage(t);
+
+	for (int i = 0; i < 9; i++)
+		s->m[i / 3][i % 3] = t->product.m[i / 3][i % 3];
+	orthonormalise(s->m);
+	for (int i = 0; i < 9; i++)
+		s->size[i / 3][i % 3] = TWO;
+	for (int k = 0; k < 3; k++) {
+		move->m[3][k] = t->product.m[3][k];
+		move->size[3][k] = t->product.size[3][k];
+	}
 }
 
 /* Sets the columns of m to the camera's axes: z = unit(at - eye), or unit(eye - at) if
@@ -69,18 +81,14 @@ static void quaternion_matrix(const double orientation[4], real m[4][4])
 }
 
 /* Sets the stage to the rotation of cv::Rodrigues, cos I + (1 - cos) u u' + sin [u]x,
- * which is for column vectors: here it is transposed. */
-static void rodrigues(const double rvec[3], struct truth_stage *stage)
+ * about the unit vector u = axis / |axis|. It is for column vectors: here transposed. */
+static void rotation(const double axis[3], real c, real s, struct truth_stage *stage)
 {
 	real(*m)[4] = stage->m;
-	real u[3], angle, c = real_of(0), s = real_of(0);
+	real u[3];
 
-	set_reals(u, 3, rvec);
-	angle = root(dot(u, u, 3));
-	if (mpfr_zero_p(angle))
-		return;
+	set_reals(u, 3, axis);
 	normalise(u, 3);
-	mpfr_sin_cos(s, c, angle, MPFR_RNDN);
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 		real both = mul(sub(ONE, c), mul(u[i], u[j]));
@@ -95,19 +103,120 @@ static void rodrigues(const double rvec[3], struct truth_stage *stage)
 	}
 }
 
+static void rodrigues(const double rvec[3], struct truth_stage *stage)
+{
+	real u[3], angle, c = real_of(0), s = real_of(0);
+
+	set_reals(u, 3, rvec);
+	angle = root(dot(u, u, 3));
+	mpfr_sin_cos(s, c, angle, MPFR_RNDN);
+	if (!mpfr_zero_p(angle))
+		rotation(rvec, c, s, stage);
+}
+
 static void invert_stages(struct truth *);
+
+static void add_stages(struct truth *t, const struct truth *r)
+{
+	t->irrational |= r->irrational;
+	for (int i = 0; i < r->n; i++)
+		t->stage[t->n++] = r->stage[i];
+}
+
+static void scaling(const double s[3], struct truth_stage *stage)
+{
+	for (int k = 0; k < 3; k++)
+		stage->m[k][k] = real_of(s[k]);
+}
+
+/* Sets the stage to the rotation that turns the axes to those of the quaternion. */
+static void turn(const double q[4], struct truth_stage *stage)
+{
+	real m[4][4];
+
+	set_identity(m);
+	quaternion_matrix(q, m);
+	for (int i = 0; i < 9; i++)
+		stage->m[i / 3][i % 3] = m[i % 3][i / 3];
+}
+
+/* Adds the stages of a step that has no steps inside. */
+static void step(struct truth *t, const struct step *s, bool radians)
+{
+	const double *q = s->rotation, wxyz[4] = { q[1], q[2], q[3], q[0] };
+	double axis[3] = { 0 };
+	real c = cosine(s->angle, radians), sn = sine(s->angle, radians);
+
+	switch (s->kind) {
+	case STEP_NODE:
+		scaling(s->scale, truth_stage(t));
+		turn(q, truth_stage(t));
+		set_reals(truth_stage(t)->m[3], 3, s->translation);
+		return;
+	case STEP_TRANSLATE:
+		set_reals(truth_stage(t)->m[3], 3, s->translation);
+		return;
+	case STEP_SCALE:
+		scaling(s->scale, truth_stage(t));
+		return;
+	case STEP_QUATERNION:
+	case STEP_QUATERNION_WXYZ:
+		turn(s->kind == STEP_QUATERNION ? q : wxyz, truth_stage(t));
+		return;
+	case STEP_MATRIX:
+		affine(t, s->matrix);
+		return;
+	case STEP_RVEC:
+		rodrigues(q, truth_stage(t));
+		break;
+	case STEP_ROTATE:
+		rotation(q, c, sn, truth_stage(t));
+		break;
+	default:
+		axis[s->kind - STEP_ROTATE_X] = 1;
+		rotation(axis, c, sn, truth_stage(t));
+	}
+	t->irrational = true;
+}
+
+/* Adds the stages of the steps from s to `end`. */
+static void steps(struct truth *t, const struct step *s, const struct step *end,
+    bool radians)
+{
+	for (; s < end; s += 1 + s->inner) {
+		struct truth r = { 0 };
+
+		if (s->kind == STEP_INVERSE) {
+			steps(&r, s + 1, s + 1 + s->inner, radians);
+			invert_stages(&r);
+		} else {
+			step(&r, s, radians);
+		}
+		add_stages(t, &r);
+	}
+}
+
+/* Adds the stages of a matrix or the steps that replace it. */
+static void affine_or_steps(struct truth *t, const double m[4][4],
+    const struct steps *s)
+{
+	if (s->step == NULL)
+		affine(t, m);
+	else
+		steps(t, s->step, s->step + s->n, s->unit == ANGLE_RADIANS);
+}
 
 /* Adds the stages of a camera that is given by its matrix or pose. */
 static void camera_by_matrix(struct truth *t, const struct camera *c)
 {
 	struct truth r = { 0 };
 
-	affine(&r, c->matrix, c->orthonormalize);
+	affine_or_steps(&r, c->matrix, &c->steps);
+	if (c->orthonormalize)
+		nearest_rotation(&r);
 	if (c->way == CAMERA_POSE)
 		invert_stages(&r);
-	t->irrational |= r.irrational;
-	for (int i = 0; i < r.n; i++)
-		t->stage[t->n++] = r.stage[i];
+	add_stages(t, &r);
 }
 
 /* Adds the stages from world to view space. The roll turns the image while y is up. */
@@ -343,7 +452,7 @@ void truth_scene(const struct scene *s, enum space from, enum space to, struct t
 	t->n = 0;
 	t->irrational = false;
 	if (s->has_world && crosses(from, to, SPACE_MODEL))
-		affine(t, s->world, false);
+		affine_or_steps(t, s->world, &s->world_steps);
 	if (s->has_camera && crosses(from, to, SPACE_WORLD))
 		camera(t, &s->camera, c);
 	if (crosses(from, to, SPACE_WORLD))
