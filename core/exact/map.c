@@ -78,6 +78,44 @@ void map_set_origin(struct map *r, const double origin[3])
 		sum_dot(4, p, &r->m[0][j], 4, &r->m[4][j]);
 }
 
+/* Solves for the point in doubles by Cramer's rule. Its coordinates are rounded to 24
+ * bits, so that points of few digits differ from it by few digits. A map that is
+ * singular in doubles, for which `size` is not finite, keeps its origin. */
+void map_find_origin(struct map *r)
+{
+	double a[4][3], minor[3], o[3], det = 0, size = 0;
+	int e;
+	bool far = false;
+
+	for (int j = 0; j < 3; j++)
+		far |= r->m[4][j].value.n > 0 &&
+		    ex_exponent(&r->m[4][j].value) >
+			ex_exponent(&r->m[3][j].value) - 20;
+	if (!far)
+		return;
+	for (int i = 0; i < 12; i++)
+		a[i / 3][i % 3] = map_element_nearest(r, i / 3, i % 3, false);
+	for (int k = 0; k < 3; k++) {
+		const double *u = a[(k + 1) % 3], *v = a[(k + 2) % 3];
+
+		for (int i = 0; i < 3; i++)
+			minor[i] = u[(i + 1) % 3] * v[(i + 2) % 3] -
+			    u[(i + 2) % 3] * v[(i + 1) % 3];
+		o[k] = 0;
+		for (int i = 0; i < 3; i++) {
+			det += k == 0 ? a[0][i] * minor[i] : 0;
+			o[k] -= a[3][i] * minor[i];
+		}
+	}
+	for (int k = 0; k < 3; k++) {
+		o[k] = frexp(o[k] / det, &e);
+		o[k] = ldexp(rint(ldexp(o[k], 24)), e - 24);
+		size += fabs(o[k]);
+	}
+	if (size < 0x1p498)
+		map_set_origin(r, o);
+}
+
 static void divide_element(struct sum *a, const struct sum *d)
 {
 	if (!sum_is_exact_zero(a) && !sum_is_one(d))

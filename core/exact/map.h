@@ -37,6 +37,10 @@ void map_of_doubles(const double m[4][4], struct map *);
 /* Sets the origin, to 0 if `origin` is NULL, and computes row 4 from the other rows. */
 void map_set_origin(struct map *, const double origin[3]);
 
+/* Sets the origin of an affine map to about the point whose image is 0, unless the image
+ * of its origin is near 0 already: then images near 0 keep their digits in doubles. */
+void map_find_origin(struct map *);
+
 /* map_divide divides the images of the map by d, which must be exact unless the images
  * are quotients of two columns, in which it cancels. map_divide_column divides only
  * coordinate j: if d is a power of two or has an error, it divides column j; if not, it

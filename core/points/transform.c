@@ -49,7 +49,7 @@ void transform_prepare(struct transform *t)
  * scene and a reason. Two products must be exact: a column times a point's difference
  * from the origin, a multiple of 2^-1074; and the divisor times the midpoint of two
  * doubles. `room` is the number of words that the column or the divisor may have. */
-static const char *transform_check(const struct transform *t)
+static const char *transform_check(const struct scene *s, const struct transform *t)
 {
 	double most = SCENE_MAGNITUDE_MAX;
 	int e;
@@ -75,7 +75,7 @@ static const char *transform_check(const struct transform *t)
 	}
 	return fits && !ex_has_overflowed() ? NULL :
 	    t->kernel == KERNEL_FLAT        ? "/window: " SCENE_TOO_WIDE :
-					      "/projection: " SCENE_TOO_WIDE;
+					      scene_too_wide(s);
 }
 
 void transform_init(struct transform *t, enum space from, enum space to,
@@ -124,10 +124,12 @@ const char *transform_of_scene(const struct scene *s, enum space from, enum spac
 
 	if (why != NULL)
 		return why;
+	if (from <= SPACE_VIEW && to <= SPACE_VIEW)
+		map_find_origin(&t->map);
 	transform_init(t, from, to, homogeneous);
 	if (t->kernel == KERNEL_PROJECTIVE && by_view && map_is_finite(&projection))
 		choose_depth_kernel(&projection, t);
-	return transform_check(t);
+	return transform_check(s, t);
 }
 
 const char *transform_of_window(const struct scene *s, enum flat_space from,
@@ -141,5 +143,5 @@ const char *transform_of_window(const struct scene *s, enum flat_space from,
 	if (why != NULL)
 		return why;
 	transform_prepare(t);
-	return transform_check(t);
+	return transform_check(s, t);
 }

@@ -172,6 +172,8 @@ const char *scene_map_by_view(const struct scene *s, enum space from, enum space
 	const char *why = compose(s, (int)from, SPACE_VIEW, map_to_next, r);
 
 	if (why == NULL)
+		map_find_origin(r);
+	if (why == NULL)
 		why = compose(s, SPACE_VIEW, (int)to, map_to_next, from_view);
 	if (why == NULL)
 		map_multiply(r, from_view, false);

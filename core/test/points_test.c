@@ -141,6 +141,8 @@ static void exact_terms_keep_the_noise_of_others(void **state)
 
 	(void)state;
 	assert_null(transform_of_scene(&s, SPACE_MODEL, SPACE_NDC, false, &t));
+	map_set_origin(&t.map, NULL);
+	transform_prepare(&t);
 	assert_number(t.for_kernel.hi[3][0], 0x1p195);
 	assert_true(t.for_kernel.least_noise[0] > 0);
 	assert_true(t.for_kernel.least_noise[0] < TRUTH_TOLERANCE);
