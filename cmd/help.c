@@ -8,6 +8,7 @@
 #include "call/option_row.h"
 #include "call/unknown.h"
 #include "scene/convention_member.h"
+#include "scene/steps_member.h"
 #include "json/print.h"
 #include "message/message.h"
 
@@ -30,7 +31,7 @@ static void print_member(const struct member *row, const char *const *types)
 
 	snprintf(type, sizeof type, "%s%s%s", member_type_name(row, list),
 	    unit != NULL ? ", " : "", unit != NULL ? unit : "");
-	output_printf("  %-*s%-*s", NAME_WIDTH, row->name, TYPE_WIDTH, type);
+	output_printf("  %-*s %-*s", NAME_WIDTH - 1, row->name, TYPE_WIDTH, type);
 	if (strlen(type) > TYPE_WIDTH)
 		output_printf("\n%*s", NAME_WIDTH + 2 + TYPE_WIDTH, "");
 	output_printf(" %s", row->about);
@@ -148,8 +149,10 @@ bool help_member(const char *name)
 		return false;
 	put_heading(row->name);
 	output_printf(": %s\n\n", row->about);
-	if (row->members == NULL || row->words != NULL)
+	if (row->members == NULL || row->words != NULL || row->members == step_members)
 		print_member(row, NULL);
+	if (row->members == step_members)
+		output_printf("\nA step has one of these:\n");
 	if (row->members != NULL)
 		print_members(row->members, ANY_VARIANT, ALL_MEMBERS);
 	if (row->members == convention_members) {
@@ -288,22 +291,32 @@ static void put_rule(struct printer *p, const char *object, const struct rule *r
 	put_close(p, "}");
 }
 
+/* Puts the rows of a table and, after each, those of its members. */
+static void put_members(struct printer *p, const struct member *table,
+    const char *object)
+{
+	for (const struct member *m = table; m != NULL && m->name != NULL; m++) {
+		put_member(p, m, object, table->words);
+		put_members(p, m->members, m->name);
+	}
+}
+
+static void put_rules(struct printer *p, const struct member *table)
+{
+	for (const struct member *m = table; m != NULL && m->name != NULL; m++) {
+		for (const struct rule *r = m->rules; r != NULL && r->ways != NULL; r++)
+			put_rule(p, m->name, r, m->members->words);
+		put_rules(p, m->members);
+	}
+}
+
 static void put_all_members(struct printer *p)
 {
-	const struct member *s, *m;
-	const struct rule *r;
-
 	put_open(put_name(p, "members"), "[");
-	for (s = scene_members; s->name != NULL; s++) {
-		put_member(p, s, NULL, NULL);
-		for (m = s->members; m != NULL && m->name != NULL; m++)
-			put_member(p, m, s->name, s->members->words);
-	}
+	put_members(p, scene_members, NULL);
 	put_close(p, "]");
 	put_open(put_name(p, "ways"), "[");
-	for (s = scene_members; s->name != NULL; s++)
-		for (r = s->rules; r != NULL && r->ways != NULL; r++)
-			put_rule(p, s->name, r, s->members->words);
+	put_rules(p, scene_members);
 	put_close(p, "]");
 }
 

@@ -211,7 +211,7 @@ static void put_projection(struct printer *p, const struct document *d,
 
 void run_inspect(const struct options *o)
 {
-	static char text[320 * NUMBER_MAX + (1 << 14)];
+	static char text[(320 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = options_matrix_style(o),
 		.compact = o->out == FORMAT_JSON,

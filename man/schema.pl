@@ -67,6 +67,7 @@ sub only_for {
 }
 
 my $zero = {const => 0};
+my $factor = {%$number, not => $zero};
 
 # The definitions of values that several members have, or that have several forms.
 my %values = (
@@ -79,6 +80,10 @@ my %values = (
 	    list(list($number, 3), 4), ref_to('numbers')]},
 	affine => matrix(ref_to('affine_numbers'), only_for('column', {maxItems => 3}),
 	    only_for('row', {minItems => 4, maxItems => 4, items => {maxItems => 3}})),
+	steps => {type => 'array', items => ref_to('step'), maxItems => 64},
+	affine_or_steps => {if => {type => 'array', anyOf => [
+		{maxItems => 0}, {contains => {type => 'object'}}]},
+	    then => ref_to('steps'), else => ref_to('affine')},
 	intrinsics => {type => 'array', if => {contains => {type => 'array'}},
 	    then => {anyOf => [
 		tuple(tuple($size, $number, $number),
@@ -100,6 +105,9 @@ my %values = (
 
 # The schemas of the types of values that are not one of the definitions above.
 my %shapes = (
+	'matrix or steps' => ref_to('affine_or_steps'),
+	'steps' => ref_to('steps'),
+	'number or 3 numbers' => either('array', list($factor, 3), $factor),
 	'true or false' => {type => 'boolean'},
 	'4 numbers, K or P' => ref_to('intrinsics'),
 	'size or "infinity"' => either('string', {const => 'infinity'}, $size),
@@ -118,8 +126,9 @@ sub shape {
 	return list(shape($one, $row), 0 + $count) if $count;
 	return $shapes{$type} if $shapes{$type};
 	return $size if $type eq 'size';
-	return ref_to(($row->{in} // '') eq 'projection' ? 'matrix' : 'affine')
+	return ref_to($row->{in} eq 'projection' ? 'matrix' : 'affine_numbers')
 	    if $type eq 'matrix';
+	return object($row->{name}) if $type eq 'object' && $row->{in};
 	return {enum => $row->{words}} if $type eq join ' or ',
 	    join(', ', @{$row->{words}}[0 .. $#{$row->{words}} - 1]) || (),
 	    @{$row->{words}} ? $row->{words}[-1] : ();
@@ -225,6 +234,8 @@ for my $row (grep { !$_->{in} } @{$all->{members}}) {
 		%defs = (%defs, $def{$_} => object($name, $_),
 		    stricter($def{$_}, $name, $_)) for @types;
 		$defs{"projection_$_"} = {by_type("_$_")} for qw(whole alone both);
+	} elsif ($name eq 'world') {
+		$defs{step} = object($name);
 	} elsif (@own && @{$row->{words}}) {
 		$def = {%$def, if => {type => 'object'}, then => object($name),
 		    else => {enum => $row->{words}}};
@@ -238,7 +249,10 @@ for my $row (grep { !$_->{in} } @{$all->{members}}) {
 
 # What no row says of a number or a list.
 $_->{contains} = {not => $zero} for
-    @{$defs{camera}{properties}}{qw(gaze orientation up)};
+    @{$defs{camera}{properties}}{qw(gaze orientation up)},
+    @{$defs{step}{properties}}{qw(quaternion quaternion_wxyz)},
+    $defs{step}{properties}{rotate}{properties}{axis},
+    $defs{step}{properties}{node}{properties}{rotation};
 $defs{volume}{properties}{eye}{prefixItems} = [$true, $true, {not => $zero}];
 
 # Returns the rule that members of a scene that has all of @with, and none of @without,

@@ -129,7 +129,9 @@ static void offer_known(struct word_guess *g, const struct command *c)
 	if (option != NULL && option_is_for(option_find(option + 2), c))
 		offer_hint(g, c, option);
 	offer_member(g, w->lone_member, variant, passes, reads);
-	offer_member(g, other, variant, passes, reads);
+	/* a hint leads further than a step's operation of the same name */
+	offer_member(g, hint != NULL ? other & ~(unsigned)SCENE_WORLD : other, variant,
+	    passes, reads);
 	if (hint != NULL)
 		offer_hint(g, c, hint);
 	if (r != NULL)

@@ -106,7 +106,7 @@ struct value value_parse_document(struct json_source *source, const char *pointe
     char *text, size_t size, struct span *array)
 {
 	/* static: the next call frees them, even after a refusal by longjmp */
-	static cJSON *parsed;
+	static cJSON *parsed[2];
 	static char *texts[2];
 	char **kept = &texts[source->is_operand];
 	struct json_check c = { .text = text,
@@ -125,11 +125,13 @@ struct value value_parse_document(struct json_source *source, const char *pointe
 
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
-	cJSON_Delete(parsed);
-	parsed = NULL;
+	cJSON **root = &parsed[source->is_operand];
+
+	cJSON_Delete(*root);
+	*root = NULL;
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL, c.found.end };
-	parsed = parse_without(&c, *array);
-	return (struct value){ .source = source, .item = parsed };
+	*root = parse_without(&c, *array);
+	return (struct value){ .source = source, .item = *root };
 }
 
 const char *value_peek(struct value *v, const char *s, const char *end)

@@ -177,6 +177,9 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
 	if (s->camera.way == CAMERA_RVEC || s->camera.way == CAMERA_RVEC_TRANSLATION)
 		convention_require(&m[ROW_OF(CAMERA)], "rvec");
+	if (s->camera.steps.step != NULL)
+		convention_require(&m[ROW_OF(CAMERA)],
+		    s->camera.way == CAMERA_POSE ? "pose" : "matrix");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
@@ -257,7 +260,7 @@ void document_refuse(const struct document *d, const char *reason)
 	size_t lone = d->lone_member != NULL ? strlen(d->lone_member) : 0;
 	size_t n = *reason == '/' ? strcspn(reason, ":") : 0;
 	const char *what = n > 0 ? reason + n + 2 : reason;
-	char pointer[64];
+	char pointer[1024];
 
 	/* if the document is a camera, "/camera/up" becomes "/up" */
 	if (lone > 0 && strncmp(reason + 1, d->lone_member, lone) == 0 &&
@@ -286,9 +289,17 @@ static void put_document(struct printer *p, const struct document *d, unsigned b
 
 void put_scene(struct printer *p, const struct scene *s)
 {
-	const struct document d = { .scene = *s };
+	struct document d = { .scene = *s };
+	struct projection_shear *shear = &d.scene.projection.shear;
 
-	put_document(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
+	/* the world is printed as it was given, with its angles in radians; the other
+	 * angles that inspect finds are in degrees */
+	d.unit = s->has_world ? s->world_steps.unit : ANGLE_DEGREES;
+	if (d.unit == ANGLE_RADIANS) {
+		shear->projector_angle *= PI / 180;
+		shear->direction *= PI / 180;
+	}
+	put_document(p, &d, SCENE_CONVENTION | SCENE_ANGLE_UNIT | SCENE_SPATIAL);
 }
 
 void put_device(struct printer *p, const struct device *d)

@@ -4,6 +4,7 @@
 #include "convention_member.h"
 #include "document.h"
 #include "projection_member.h"
+#include "steps_member.h"
 #include "types.h"
 
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };
@@ -33,17 +34,17 @@ static const struct member camera_members[] = {
 	    .hint = " (where the world's origin is in view space)",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
-	ROW(camera, "pose", type_affine, matrix,
+	ROW(camera, "pose", type_steps, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w twc localtoworldmatrix",
 	    .hint = " (view to world)",
-	    .about = "affine matrix from view to world space"),
-	ROW(camera, "matrix", type_affine, matrix,
+	    .about = "map from view to world space: a matrix or steps"),
+	ROW(camera, "matrix", type_steps, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
 		       "rotationmatrix worldtocamera worldtocameramatrix "
 		       "worldtocam w2c tcw",
 	    .hint = " (world to view, [R|t])",
-	    .about = "affine matrix from world to view space, such as [R|t]"),
+	    .about = "map from world to view space, such as [R|t] or steps"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .shown = true, .about = "direction that points up in the image"),
 	ROW(camera, "roll", type_numbers, roll, .range = &range_any, .unit = "degrees",
@@ -262,10 +263,10 @@ const struct member scene_members[] = {
 	    .fallback = "\"degrees\"", .about = "unit of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
-	ROW(document, "world", type_affine, scene.world, .aliases = "model",
-	    .flag = FIELD(document, scene.has_world), .example = WORLD_EXAMPLE,
-	    .fallback = WORLD_EXAMPLE,
-	    .about = "affine matrix from model to world space",
+	ROW(document, "world", type_steps, scene.world, .aliases = "model",
+	    .flag = FIELD(document, scene.has_world), .members = step_members,
+	    .rules = step_rules, .example = WORLD_EXAMPLE, .fallback = WORLD_EXAMPLE,
+	    .about = "map from model to world space: a matrix or steps",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' '[1,2,3]'"),
 	SCENE_OBJECT("camera", camera, camera_members, CAMERA_EXAMPLE,

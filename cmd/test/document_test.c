@@ -55,8 +55,8 @@ static const struct refusal scenes[] = {
 	{ &project,
 	    "{\"projection\":{\"type\":\"persp\",\"near\":1,\"far\":2,"
 	    "\"fovy\":60},\"viewport\":{\"width\":4,\"height\":3},"
-	    "\"world\":[]}",
-	    "/world: has 0 elements; 16 numbers, or 4 rows of 4 or 3, or 3 "
+	    "\"world\":[1]}",
+	    "/world: has 1 element; 16 numbers, or 4 rows of 4 or 3, or 3 "
 	    "rows of 4 are wanted" },
 };
 

@@ -173,6 +173,8 @@ for my $name (qw(camera viewport window device bounds pick)) {
 	is(on_page($name), members($name), "$name on the page");
 	compare($name, rows($name));
 }
+is(sorted(on_page('lists of steps'), 'vectors'), sorted(members('world')),
+    'steps on the page');
 is(on_page('convention'), sorted('convention', split / /, members('convention')),
     'convention on the page');
 compare('convention', rows('convention'));

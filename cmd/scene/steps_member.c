@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: MIT */
+#include "steps_member.h"
+
+#include "../../core/scene/scene.h"
+#include "types.h"
+
+/* The fields of a member of type_steps. */
+struct affine {
+	double matrix[4][4];
+	struct steps steps;
+};
+
+_Static_assert(offsetof(struct step, kind) == 0, "rows of objects begin at kind");
+_Static_assert(offsetof(struct scene, world_steps) ==
+	offsetof(struct scene, world) + offsetof(struct affine, steps),
+    "world_steps is next to world");
+_Static_assert(offsetof(struct camera, steps) ==
+	offsetof(struct camera, matrix) + offsetof(struct affine, steps),
+    "steps is next to matrix");
+
+/* A factor for all axes, or one for each; in the struct a double[3]. */
+static void read_factors(const struct value *v, const struct member *row, void *out)
+{
+	double *s = out;
+
+	(void)row;
+	if (value_is(v, JSON_ARRAY))
+		value_numbers(v, &range_any, 3, s);
+	else if (value_is(v, JSON_NUMBER))
+		s[0] = s[1] = s[2] = value_number(v, &range_any);
+	else
+		value_refuse_type(v, "a number or an array of 3 numbers");
+}
+
+static const struct member_type type_factors = { "number or 3 numbers", read_factors,
+	NULL, 0 };
+
+static const struct member rotate_members[] = {
+	ROW(step, "axis", type_numbers, rotation, .n = 3,
+	    .about = "axis of the rotation, of any length but 0"),
+	ROW(step, "angle", type_numbers, angle, .unit = "degrees",
+	    .about = "angle of the rotation, as that of rotate_x about x"),
+	{ .name = NULL },
+};
+
+static const struct rule rotate_rules[] = { { .ways = WAYS("axis angle") },
+	{ .ways = NULL } };
+
+static const struct member node_members[] = {
+	ROW(step, "translation", type_numbers, translation, .n = 3,
+	    .about = "vector added to the point, after the rotation"),
+	ROW(step, "rotation", type_numbers, rotation, .n = 4, .aliases = "quaternion",
+	    .hint = " (x, y, z, w)", .about = "quaternion x, y, z, w of the rotation"),
+	ROW(step, "scale", type_factors, scale,
+	    .about = "factor of all axes or of each, before the rotation"),
+	{ .name = NULL },
+};
+
+/* A node has at least one member. */
+static const struct rule node_rules[] = {
+	{ .ways = WAYS("translation rotation? scale?", "rotation scale?", "scale") },
+	{ .ways = NULL },
+};
+
+static void read_inverse(const struct value *, const struct member *, void *);
+
+static const struct member_type type_inverse = { "steps", read_inverse, NULL, 0 };
+
+#define ANGLE(axis)                                                       \
+	ROW(step, "rotate_" axis, type_numbers, angle, .unit = "degrees", \
+	    .about = "angle of a rotation about the " axis " axis")
+
+/* The operations are in the order of the enum that is the type of step.kind. */
+const struct member step_members[] = {
+	ROW(step, "translate", type_numbers, translation, .n = 3,
+	    .about = "vector added to the point"),
+	ROW(step, "scale", type_factors, scale,
+	    .about = "factor of all axes or of each, not 0"),
+	ANGLE("x"),
+	ANGLE("y"),
+	ANGLE("z"),
+	ROW(step, "rotate", type_object, kind, .members = rotate_members,
+	    .rules = rotate_rules, .aliases = "axisangle angleaxis",
+	    .about = "\"axis\" and \"angle\" of a rotation"),
+	ROW(step, "quaternion", type_numbers, rotation, .n = 4,
+	    .aliases = "quat q xyzw",
+	    .about = "quaternion x, y, z, w of a rotation, of any length but 0"),
+	ROW(step, "quaternion_wxyz", type_numbers, rotation, .n = 4,
+	    .aliases = "wxyz qvec",
+	    .about = "quaternion w, x, y, z of a rotation, of any length but 0"),
+	ROW(step, "rvec", type_numbers, rotation, .n = 3, .unit = "radians",
+	    .aliases = "rotationvector rodrigues",
+	    .about = "rotation vector, whose length is the angle"),
+	ROW(step, "matrix", type_affine, matrix, .about = "affine matrix"),
+	ROW(step, "node", type_object, kind, .members = node_members,
+	    .rules = node_rules, .aliases = "translation rotation trs",
+	    .hint = ", an object with translation, rotation x, y, z, w and "
+		    "scale as in glTF; if w is first, as in nuScenes, "
+		    "\"quaternion_wxyz\" and then \"translate\"",
+	    .about = "\"scale\", \"rotation\" and \"translation\" of glTF"),
+	ROW(step, "inverse", type_inverse, inner,
+	    .about = "list of steps, inverted as a whole"),
+	ROW(step, "vectors", type_flag, kind, .words = vector_names,
+	    .about = "vectors that the rows of \"matrix\" are for"),
+	{ .name = NULL },
+};
+
+const struct rule step_rules[] = {
+	{ .ways = WAYS("translate", "scale", "rotate_x", "rotate_y", "rotate_z",
+	      "rotate", "quaternion", "quaternion_wxyz", "rvec", "matrix vectors?",
+	      "node", "inverse"),
+	    .hint = "a step has one operation: \"translate\", \"scale\", "
+		    "\"rotate_x\", \"rotate_y\", \"rotate_z\", \"rotate\", "
+		    "\"quaternion\", \"quaternion_wxyz\", \"rvec\", \"matrix\", "
+		    "\"node\" or \"inverse\"" },
+	{ .ways = NULL },
+};
+
+static const struct member step_row = { .members = step_members, .rules = step_rules };
+
+/* The steps of the world and of the camera, and the list that is read now. */
+static struct list {
+	struct step step[STEPS_MAX];
+	int n;
+} lists[2], *reading;
+
+static struct value given_world;
+
+/* Reads the step v, an object with one operation, to *s, whose kind it sets. */
+static void read_step(const struct value *v, struct step *s)
+{
+	const struct member *row;
+	struct value m;
+
+	if (!value_is(v, JSON_OBJECT))
+		value_refuse_type(v,
+		    "a step, an object of one operation such as "
+		    "{\"translate\": [0, 0, 1]},");
+	s->kind = (unsigned)__builtin_ctzll(object_read(v, &step_row, 0, NULL).given);
+	row = &step_members[s->kind];
+	if (s->kind == STEP_MATRIX) {
+		type_affine.read(v, row, s->matrix);
+		return;
+	}
+	value_member(v, row->name, &m);
+	object_read_member(&m, row, s);
+}
+
+static void read_list(const struct value *v)
+{
+	struct value e = value_child(v);
+
+	for (; e.item != NULL; value_next(&e)) {
+		if (reading->n == STEPS_MAX)
+			value_refuse(&e,
+			    "is one too many; a list has at most 64 steps, "
+			    "with those inside of inverses");
+		struct step *s = &reading->step[reading->n++];
+
+		*s = (struct step){ .rotation = { [3] = 1 }, .scale = { 1, 1, 1 } };
+		read_step(&e, s);
+	}
+}
+
+static void read_inverse(const struct value *v, const struct member *row, void *out)
+{
+	int n = reading->n;
+
+	(void)row;
+	if (!value_is(v, JSON_ARRAY))
+		value_refuse_type(v, "an array of steps");
+	read_list(v);
+	*(int *)out = reading->n - n;
+}
+
+/* Returns whether an array is a list of steps: it is empty, or an element is an object
+ * or, where a list is wrongly in a list, an array of something else than numbers. */
+static bool is_list(const struct value *v)
+{
+	struct value e = value_child(v), inner;
+
+	if (e.item == NULL)
+		return true;
+	for (; e.item != NULL; value_next(&e)) {
+		if (value_is(&e, JSON_OBJECT))
+			return true;
+		if (value_is(&e, JSON_ARRAY)) {
+			inner = value_child(&e);
+			if (value_is(&inner, JSON_OBJECT))
+				return true;
+		}
+	}
+	return false;
+}
+
+/* Refuses an object that is a step: only the list of it is a value. */
+static void check_lone_step(const struct value *v)
+{
+	struct value m = value_child(v);
+
+	for (; m.item != NULL; value_next(&m)) {
+		const struct member *row = member_named(step_members, 0, m.name, true);
+
+		if (row != NULL && row->offset != offsetof(struct step, matrix) &&
+		    row->type != &type_flag)
+			value_refuse(v,
+			    "is no list; write a list of steps, [{\"%s\": "
+			    "...}]%s",
+			    row->name, row->hint != NULL ? row->hint : "");
+	}
+}
+
+static void read_steps(const struct value *v, const struct member *row, void *out)
+{
+	const bool is_world = row->offset != offsetof(struct camera, matrix);
+	struct affine *a = out;
+
+	a->steps.step = NULL;
+	if (value_is(v, JSON_OBJECT))
+		check_lone_step(v);
+	if (!value_is(v, JSON_ARRAY) || !is_list(v)) {
+		type_affine.read(v, row, a->matrix);
+		return;
+	}
+	if (is_world)
+		given_world = *v;
+	reading = &lists[is_world];
+	reading->n = 0;
+	read_list(v);
+	a->steps = (struct steps){ reading->step, reading->n,
+		(enum angle_unit)v->source->unit };
+}
+
+/* Puts a value as it was given, but no members that the reader ignores. */
+static void put_value(struct printer *p, const struct value *v)
+{
+	struct value e;
+	bool array = value_is(v, JSON_ARRAY);
+
+	if (value_is(v, JSON_NUMBER)) {
+		put_number(p, value_number(v, &range_any));
+	} else if (array || value_is(v, JSON_OBJECT)) {
+		put_open(p, array ? "[" : "{");
+		for (e = value_child(v); e.item != NULL; value_next(&e))
+			if (array || (*e.name != '_' && *e.name != '$'))
+				put_value(array ? p : put_name(p, e.name), &e);
+		put_close(p, array ? "]" : "}");
+	} else if (value_string(v) != NULL) {
+		put_string(p, value_string(v));
+	} else {
+		put_literal(p,
+		    value_is(v, JSON_NULL)      ? "null" :
+			value_is(v, JSON_FALSE) ? "false" :
+						  "true");
+	}
+}
+
+static void print_steps(struct printer *p, const struct member *row, const void *at)
+{
+	const struct affine *a = at;
+
+	if (a->steps.step != NULL)
+		put_value(p, &given_world);
+	else
+		type_affine.print(p, row, a->matrix);
+}
+
+const struct member_type type_steps = { "matrix or steps", read_steps, print_steps, 0 };
