@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* fast_float reads numbers, and Dragonbox finds the shortest digits. A given number of
- * decimals or significant digits comes from 128 bits of the number's fraction or, if
- * they are not enough, from printf. Both libraries consist of headers, so that the
- * program starts without loading a C++ library. */
+/* fast_float reads numbers, and Dragonbox finds the shortest digits; both are headers
+ * alone. Other digits come from 128 bits of the number's fraction or, if those are not
+ * enough, from printf. */
 #include "number.h"
 
 /* NDEBUG removes the assertions of both libraries. */
@@ -91,9 +90,8 @@ static inline void write_17_digits(char d[64], uint64_t x)
 	memset(d + DOUBLE_DIGITS, '0', 64 - DOUBLE_DIGITS);
 }
 
-/* Writes the n digits at d with the decimal point after the first `point` of them, if
- * more follow. Returns the end of the text. Copies of a constant size, room, are fast;
- * what they write after the text is within NUMBER_MAX. */
+/* Writes the n digits at d with the point after `point` of them, if more follow. Copies
+ * of a constant size, room, are fast; NUMBER_MAX includes them. */
 template <int room>
 static inline char *put_with_point(char *s, const char *d, int n, int point)
 {
@@ -116,8 +114,7 @@ static char *put_exponent(char *s, int exponent)
 	return s + 3 - zeros;
 }
 
-/* Writes the number 0.ddd * 10^point, whose n digits ddd are at d, as JavaScript does,
- * without zeros at the end. Returns the end of the text. */
+/* Writes 0.ddd * 10^point, whose n digits ddd are at d, without zeros at the end. */
 template <int room>
 static inline char *put_digits(char *s, const char *d, int n, int point)
 {
@@ -132,9 +129,8 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 	return s + 2 - point + n;
 }
 
-/* Writes the shortest text of v > 0. Returns its end. A loop multiplies the digits by
- * 10 until there are 17. The processor predicts how many turns it takes from branches
- * that Dragonbox took; a formula would wait for Dragonbox's result. */
+/* Writes the shortest text of v > 0. A loop multiplies the digits by 10 until there are
+ * 17: the processor predicts its turns; a formula would wait for Dragonbox. */
 template <class Float> [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
 	using namespace jkj::dragonbox;
@@ -161,8 +157,7 @@ static uint64_t bits_of(double v)
 	return bits;
 }
 
-/* Writes v with n decimals by printf. Returns the end of the text. printf writes a
- * point, as the program has the locale "C". A minus is removed if all digits are 0. */
+/* Writes v with n decimals by printf, without a minus if all digits are 0. */
 static char *print_decimals(char *s, double v, int n)
 {
 	int size = snprintf(s, NUMBER_MAX, "%.*f", n, v);
@@ -184,10 +179,9 @@ static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 }
 
 /* Writes to d the digits of v rounded to n decimals, ties to even, and a null byte.
- * Returns the number of digits before the point, at least one; or 0 if v is 2^53 or
- * more, or if v has bits below 2^-127 and n is above 22. The first DOUBLE_DIGITS digits
- * are zeros, the integer part and, if all n fit, the decimals. The first digit is
- * always 0, so that rounding up can carry into it. */
+ * Returns the number of digits before the point, or 0 if v >= 2^53, or has bits below
+ * 2^-127 and n > 22. The first digit is always 0, so that rounding up can carry into
+ * it; DOUBLE_DIGITS digits include the integer part and, if they fit, the decimals. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
@@ -257,11 +251,9 @@ static char *print_significant(char *s, double v, int n)
 	return put_digits<104>(s, d + 1, n, 1 + exponent);
 }
 
-/* Writes n significant digits of v > 0. Returns the end of the text. The exponent of
- * ten, log2 v times 78913 / 2^18 (about log10 2), is right or one too small. If it is
- * too small, find_digits gives one digit too many, and is called again with one decimal
- * less. It also gives one digit too many if v was rounded up to a power of ten; the
- * second call then gives the same power. */
+/* Writes n significant digits of v > 0. The exponent of ten, log2 v times 78913 / 2^18,
+ * is right or one too small. Then, and if v is rounded up to a power of ten,
+ * find_digits gives a digit too many, and is called again with one decimal less. */
 static char *write_significant(char *s, double v, int n)
 {
 	char d[192];

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads and writes doubles as decimal text. Reading rounds to the nearest double.
- * Writing gives the shortest text that reads back as the same double, or rounds the
- * double's exact value to a number of digits. */
+/* Reads and writes decimal text. Reading rounds to the nearest double. Writing rounds
+ * the exact value, or gives the shortest text that reads back as the same number. */
 #pragma once
 
 #include <stdbool.h>
@@ -17,24 +16,18 @@ extern "C" {
 enum { NUMBER_MAX = 416 };
 
 struct number_style {
-	enum number_kind {
-		NUMBER_SHORTEST,
-		NUMBER_DECIMALS,
-		NUMBER_DIGITS,
-	} kind;
+	enum number_kind { NUMBER_SHORTEST, NUMBER_DECIMALS, NUMBER_DIGITS } kind;
 	int n; /* 0 to 100 decimals, or 1 to 100 digits */
 };
 
 /* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits] with a
- * digit before or after the point; or nan, inf, infinity in upper or lower case.
- * Returns the number's end, or NULL if no number begins at s. A number that is too
- * large for a double is read as inf, a number that is too small as 0. */
+ * digit before or after the point; or nan, inf, infinity in any case. Returns its end,
+ * or NULL if there is none. Too large a number is read as inf, too small a one as 0. */
 const char *number_read(const char *s, const char *end, double *v);
 
-/* number_write and number_write_float write v at s without a null byte and return the
- * end. Up to NUMBER_MAX bytes from s may change. As in JavaScript, numbers below 1e-6
- * and from 1e21 on have an exponent, but not with NUMBER_DECIMALS. -0 becomes 0; nan
- * and inf become "nan". The shortest text of a float has to read back as this float. */
+/* These write v at s without a null byte and return the end; up to NUMBER_MAX bytes may
+ * change. As in JavaScript, below 1e-6 and from 1e21 on there is an exponent, but not
+ * with NUMBER_DECIMALS. -0 becomes 0; nan and inf become "nan". */
 char *number_write(char *s, double v, struct number_style style);
 char *number_write_float(char *s, float v, struct number_style style);
 

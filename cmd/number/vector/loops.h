@@ -14,11 +14,10 @@
 extern "C" {
 #endif
 
-/* The text of a number, made by number_texts. layout has four bytes, from the lowest:
- * `first`, `minus`, `before` and `size`. The digits begin at chars + first. A minus
- * precedes them if `minus` is 1; the point follows the first `before` digits. The text
- * has `size` bytes without the minus. layout is 0 if number_write has to make the text.
- * Each struct is in one line of the cache. */
+/* The text of a number. layout has four bytes, from the lowest: the digits begin at
+ * chars + `first`; a minus precedes them if `minus` is 1; the point follows `before`
+ * digits; the text has `size` bytes without the minus. layout is 0 if number_write has
+ * to make the text. Each struct is in one line of the cache. */
 struct number_text {
 	char chars[60];
 	uint32_t layout;
@@ -31,12 +30,9 @@ struct byte_set {
 	uint8_t low[16], high[16];
 };
 
-enum {
-	PLAIN_MAX = 32,      /* most characters of a plain number */
-	PLAIN_READABLE = 37, /* bytes before a number's end that may be read */
-	PLAIN_BATCH = NUMBER_BATCH,
-	PLAIN_GROUP = 8, /* numbers in a group, which is read as a whole */
-};
+/* The most characters of a plain number; bytes before its end that may be read. */
+enum { PLAIN_MAX = 32, PLAIN_READABLE = 37 };
+enum { PLAIN_BATCH = NUMBER_BATCH, PLAIN_GROUP = 8 }; /* a group is read as a whole */
 
 /* Number i is the size[i] characters, 1 to PLAIN_MAX, before end[i]. */
 struct plain_places {
@@ -67,9 +63,8 @@ extern const struct number_loops number_loops_avx512, number_loops_avx2,
 /* Returns the loops for the processor of kernels_chosen, or NULL if it has none. */
 const struct number_loops *number_loops(void);
 
-/* Makes the texts of n numbers, of floats if single is true. t and v have room for n
- * rounded up to a multiple of NUMBER_BATCH; the numbers in v after the first n are
- * ignored. If number_loops returns NULL, all layouts become 0. */
+/* Makes the texts of n numbers, or floats (single). t and v have room for n rounded up
+ * to a multiple of NUMBER_BATCH. Without number_loops all layouts become 0. */
 void number_texts(const double *v, size_t n, bool single, struct number_style style,
     struct number_text *t);
 

@@ -26,7 +26,6 @@
  * A number has the same bits for any WIDTH: the same operations of IEEE 754 make it. */
 #include "read_rows.h"
 
-/* Returns a mask; bit i is set if lanes i of a and b differ or are nan. */
 static inline unsigned different_lanes(V a, V b)
 {
 	return MASK_BITS(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
@@ -81,14 +80,12 @@ static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 	return m;
 }
 
-/* Returns m / p rounded to nearest, and adds to m->bad the lanes whose rounding is not
+/* Returns m / p rounded to nearest, and adds to m->bad the lanes where this is not
  * certain. q is m->hi / p rounded; the remainder m->hi - q p is exact, as always when
- * division rounds to nearest and nothing underflows. So m / p is q + c for c = (m->hi -
- * q p + m->lo) / p. The computed c has two roundings, an error below 2.01 * 2^-53 |c|.
- * off is 2^-50 c, so that the exact c is between c - off and c + off as computed.
- * Rounding is monotone: if q + (c + off) and q + (c - off) are the same double, m / p
- * rounds to this double; if not, as when m / p is midway between doubles, the lane is
- * bad. If m->lo is 0 in all lanes, q is already m / p rounded. */
+ * nothing underflows. So m / p is q + c for c = (m->hi - q p + m->lo) / p. The computed
+ * c has two roundings, an error below 2.01 * 2^-53 |c|; off is 2^-50 c. If q + (c +
+ * off) and q + (c - off) are the same double, m / p rounds to it; if not, as midway
+ * between doubles, the lane is bad. If all m->lo are 0, q is m / p rounded. */
 static inline V divide_rounded(struct integer *m, V p)
 {
 	V q = m->hi / p;
@@ -102,7 +99,6 @@ static inline V divide_rounded(struct integer *m, V p)
 	return (V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* restores -0 */
 }
 
-/* Returns a mask; bit k is set if row i + k has a byte above 9. */
 static inline unsigned nondigit_lanes(const struct digit_rows *r, size_t i)
 {
 	unsigned bad = 0;

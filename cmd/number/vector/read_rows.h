@@ -64,7 +64,6 @@ static inline bool any_above_9(row x)
 	return ANY_TOP_BIT(x);
 }
 
-/* Returns a row whose last n <= 32 bytes are 255, and whose other bytes are 0. */
 static inline row last_bytes_mask(size_t n)
 {
 	static const uint8_t window[64] = { [32] = MASK8, MASK8, MASK8, MASK8 };
@@ -77,9 +76,8 @@ static inline row last_bytes_mask(size_t n)
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
-/* Returns the number of leading zero bits of each x, by the exponent of x as a float. x
- * has at most one bit set, except for two points as in 1.2.3: then any result will do,
- * because this is no number. */
+/* By the exponent of x as a float. x has at most one bit set, except for two points as
+ * in 1.2.3, which is no number: then any result will do. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -107,8 +105,7 @@ static inline counts counts_at(const uint32_t *p)
 	return c;
 }
 
-/* Sets m->digits, m->decimals and m->divisor for the group of numbers from i on.
- * Returns whether a number of the group has more than 15 digits. */
+/* Counts for the group of numbers from i on. Returns whether one has over 15 digits. */
 static inline bool count_digits(struct marks *m, size_t i)
 {
 	const counts zero = { 0 };
@@ -130,9 +127,8 @@ static inline bool count_digits(struct marks *m, size_t i)
 	return ANY_TOP_BIT(over_15);
 }
 
-/* Sets row i to the digits of its numbers without the point, and returns the row. The
- * decimals come from the 32 bytes before a number's end, the digits before the point
- * from the 32 bytes that begin one byte earlier. */
+/* Sets row i to digits without the point, and returns it. Decimals come from the 32
+ * bytes before a number's end, the digits before the point from one byte earlier. */
 static inline row set_row(struct digit_rows *r, size_t i, const char *const *end,
     const struct marks *m)
 {
@@ -144,9 +140,8 @@ static inline row set_row(struct digit_rows *r, size_t i, const char *const *end
 	return x;
 }
 
-/* Sets the rows of n numbers and the needs of each group. Each step has a loop of its
- * own over all numbers: loading a vector just after its parts were stored takes
- * long, because the load waits for these stores. */
+/* Each step has a loop of its own over all n numbers: to load a vector just after its
+ * parts were stored waits for these stores. */
 static inline void set_rows(struct digit_rows *r, struct group_needs *needs, size_t n,
     const struct plain_places *at)
 {

@@ -57,8 +57,7 @@ INLINE I split_8(I x)
 	return SUB(x << 16, MUL32(a, ALL_BITS((10000 << 16) - 1)));
 }
 
-/* Returns the number of four digits in each quarter as two numbers of two digits, one
- * in each byte of the quarter. */
+/* Returns four digits in each quarter as two numbers of two, in the quarter's bytes. */
 INLINE I split_4(I x)
 {
 	const uint64_t each_quarter = 0x0001000100010001;
@@ -67,8 +66,7 @@ INLINE I split_4(I x)
 	return a | SUB(x, MUL16(a, OPAQUE(100 * each_quarter))) << 8;
 }
 
-/* Returns the number of two digits in the upper byte of each quarter as two digits, one
- * in each byte of the quarter. */
+/* Returns two digits in the upper byte of each quarter as one digit in each byte. */
 INLINE I split_2(I x)
 {
 	const uint64_t each_quarter = 0x0001000100010001;
@@ -109,10 +107,9 @@ INLINE int highest_bit(int x)
 	return (bits >> 23) - 127;
 }
 
-/* Computes the layouts of texts. A text begins with its first digit that is not 0, or
- * with the 0 before the point. It ends with its last digit, which is not 0 unless
- * keep_zeros is set, or before the point if there are no decimals. The point stands
- * f->scale digits before the end of the first digits_of_whole digits. */
+/* A text begins with its first digit that is not 0, or the 0 before the point. It ends
+ * with its last digit, not 0 unless keep_zeros is set, or before a point without
+ * decimals, which stands f->scale digits before the end of digits_of_whole digits. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
     const struct batch_digits *f, int digits_of_whole, bool keep_zeros)
 {
@@ -132,9 +129,8 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 	}
 }
 
-/* Writes the zeros before the digits, the 17th digit with zeros after it, and the
- * layout. With scale >= POWER_MIN a text needs at most six zeros on each side. If
- * keep_zeros is set, writes nothing behind the digits: no text needs it (lay_out). */
+/* Writes the zeros before the digits, the 17th digit, zeros after it, which texts need
+ * without keep_zeros alone, and the layout. Six zeros on each side are enough. */
 INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
     const struct batch_digits *f, bool keep_zeros)
 {

@@ -24,8 +24,7 @@ enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
 /* The digits of a batch of numbers. whole has WHOLE_DIGITS digits; the point stands
  * `scale` digits before their end. digit is the 17th, which is not written if it is 0.
- * sign is
- * -1 for a minus, 1 for no minus, and 0 if number_write has to make the text. */
+ * sign is -1, 1 for no minus, and 0 if number_write has to make the text. */
 struct batch_digits {
 	double whole[NUMBER_BATCH];
 	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
@@ -65,8 +64,7 @@ INLINE V round_ties_even(struct product x, V *rest)
 	return SELECT(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
 }
 
-/* The digits of a vector of numbers, as in struct batch_digits. If sure is false,
- * number_write has to make the text. */
+/* As in struct batch_digits. If sure is false, number_write has to make the text. */
 struct digits {
 	V whole, digit;
 	M sure;

@@ -24,18 +24,11 @@
  * multiples of 2^-51 below 1, and tenths is a multiple of 2^-48 below 10: all are
  * doubles. If two digits are equally near, at 1/4 or 3/4, NEAREST takes the even one.
  *
- * If scale < 0, the errors are at most, in units of 2^-53:
- *
- *	1	of hi + lo (powers.h) times a: POWER_ERROR x
- *	1	of e, less than 2, rounded
- *	2	of p - i + e, less than 4, rounded
- *	1	of rest, the fraction of this sum, rounded
- *	5	of rest in all; to_next has 1 more, and up has 1/2
- *	58	of tenths, less than 10: 10 times 5, and 8 as it is rounded
- *
- * so that a comparison is right if its sides differ by WRITE_MARGIN, 512 units. If
- * they differ by less, number_write makes the text: for example in exact ties, which
- * are frequent if scale < 0. */
+ * If scale < 0, the errors are at most, in units of 2^-53: 1 of hi + lo (powers.h) times
+ * a, POWER_ERROR x; 1 of e < 2, 2 of p - i + e < 4, and 1 of its fraction, rounded. So
+ * rest has 5; to_next has 1 more, and up has 1/2; tenths < 10 has 58: 10 times 5, and 8
+ * as it is rounded. A comparison is right if its sides differ by WRITE_MARGIN, 512
+ * units; if not, as in exact ties, which are frequent, number_write makes the text. */
 INLINE struct digits shortest_digits(V a, V top, V scale, V hi, struct product x,
     bool single, bool whole_powers)
 {
@@ -64,11 +57,9 @@ INLINE struct digits shortest_digits(V a, V top, V scale, V hi, struct product x
 	};
 }
 
-/* Finds the shortest digits of 0 and of numbers from 2^-17 to 1e21 (floats: to 2^60).
- * Doubles below 2^-17 have a scale above POWER_MAX; floats get the same limit. Floats
- * from 2^60 on have a scale below POWER_MIN. From 1e21 on texts have an exponent.
- * Numbers outside these limits are computed as if they were 1, so that their scale is
- * in the table; number_write makes their texts. find_shortest sets exact only if no
+/* Finds the shortest digits of 0 and of numbers from 2^-17 to 1e21 (floats: to 2^60),
+ * whose scales are in the table; from 1e21 on texts have an exponent. Others are
+ * computed as if they were 1; number_write makes their texts. `exact` says that no
  * number is outside and no scale is negative. */
 INLINE void find_in_range(struct batch_digits *f, size_t i, bool single, bool exact,
     V v)
@@ -93,8 +84,7 @@ INLINE void find_in_range(struct batch_digits *f, size_t i, bool single, bool ex
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52 (floats: to
- * 2^23), no operation rounds, and find_in_range is shorter with exact = true. */
+/* If all numbers of v are from 2^-17 to 2^52 (floats: to 2^23), no operation rounds. */
 INLINE void find_shortest(struct batch_digits *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
