@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Distances in space that values of a depth buffer stand for, and the lengths of the
- * buffer's steps. */
+/* Distances that values of a depth buffer stand for, and the lengths of its steps. */
 #pragma once
 
 #include "lens.h"

@@ -33,8 +33,7 @@ static const char *gaze_from_axes(struct camera *c, const struct convention *con
 	return why;
 }
 
-/* Replaces the position c->at by the gaze at - eye, rounded. A gaze with an element
- * above SCENE_MAGNITUDE_MAX is halved. */
+/* Replaces c->at by the gaze at - eye, rounded, and halved if it is out of range. */
 static void gaze_from_at(struct camera *c)
 {
 	double largest = 0;
@@ -47,9 +46,8 @@ static void gaze_from_at(struct camera *c)
 		c->at[k] /= 2;
 }
 
-/* Gives the camera the form CAMERA_GAZE. A camera in this form does not change; the
- * numbers of other forms are rounded to doubles. A scene without a camera gets a camera
- * at the origin that looks along the z axis of view space. */
+/* Gives the camera the form CAMERA_GAZE, with rounded numbers. Without a camera, one at
+ * the origin looks along the z axis of view space. */
 static const char *make_gaze_camera(struct scene *s)
 {
 	struct camera *c = &s->camera;
@@ -71,7 +69,6 @@ static const char *make_gaze_camera(struct scene *s)
 	return why;
 }
 
-/* Writes the eye's position in world space after a step in view space. */
 static void eye_after_step(const struct map *to_world, const struct sum step[3],
     double eye[3])
 {
@@ -135,9 +132,8 @@ static void widen_sides(double *width, double *height, const double shape[2])
 		*height = fmax(*height, high);
 }
 
-/* Finds the functions of the side planes (frustum_planes) in view space, and the slope
- * of each: how much it falls at a fixed point while the eye moves by 1 along the
- * gaze. */
+/* Finds the functions of the side planes in view space, and how much each falls at a
+ * fixed point while the eye moves by 1 along the gaze. */
 static const char *find_plane_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
@@ -148,10 +144,9 @@ static const char *find_plane_slopes(const struct scene *s, struct map *sides,
 		slope[k] = sum_negated_if(convention_looks_back(&s->convention),
 		    map_element(sides, 2, k));
 		if (sum_sign(slope[k]) <= 0)
-			why = "/projection: the gaze does not run between "
-			      "the side planes, less the margin; let the "
-			      "edges, or cx and cy, leave it room on both "
-			      "sides";
+			why = "/projection: the gaze does not run between the side "
+			      "planes, less the margin; let the edges, or cx and cy, "
+			      "leave it room on both sides";
 	}
 	return why;
 }
@@ -323,7 +318,6 @@ static const char *center_picture(struct scene *s, bool has_eye, const struct hu
 	return NULL;
 }
 
-/* Sets near, far, and the least width and height that hold the bounds in the aspect. */
 static const char *enclose_parallel(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -397,8 +391,6 @@ static void keep_near_ratio(struct projection *p)
 		v->z_near = z;
 }
 
-/* Fits z_near and z_far of a volume. The rectangle and the eye of a volume are given in
- * view space, and do not change. */
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection_volume *v = &s->projection.volume;
@@ -416,8 +408,7 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	return scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 }
 
-/* Gives the camera the form CAMERA_GAZE. Gives valid numbers to those members of the
- * projection that fit is going to find. */
+/* Gives valid numbers to those members that fit is going to find. */
 static const char *fit_prepare(struct scene *s)
 {
 	struct projection *p = &s->projection;
@@ -441,9 +432,8 @@ static const char *fit_prepare(struct scene *s)
 	case FAMILY_VOLUME:
 		break;
 	case FAMILY_FIXED:
-		return "/projection/type: has nothing that can be fitted; "
-		       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
-		       "wanted";
+		return "/projection/type: has nothing that can be fitted; \"persp\", "
+		       "\"ortho\", \"oblique\" or \"volume\" is wanted";
 	}
 	return make_gaze_camera(s);
 }
@@ -523,9 +513,8 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	return NULL;
 }
 
-/* Sets the window's center along axis j to the rounded middle of the extent, and the
- * side to twice the distance from the center to the farther end, enlarged by the
- * margin. */
+/* Sets the center to the rounded middle of extent j, and the side to twice the distance
+ * from the center to the farther end, enlarged by the margin. */
 static void enclose_axis(const struct extents *r, int j, double margin, double *center,
     double *side)
 {

@@ -7,9 +7,8 @@
 #include "fit_points.h"
 
 /* Completes a scene of type persp, ortho, oblique or volume, and gives its camera the
- * form CAMERA_GAZE. The axes of view space do not change. near and far become the least
- * and the greatest depth of the bounds. The fit ignores the given near and far, except
- * a near plane on which sizes are given; width and height of ortho and oblique; and
+ * form CAMERA_GAZE, as the command fit does. Ignores the given near and far, except a
+ * near plane on which sizes are given; width and height of ortho and oblique; and
  * camera.eye if has_eye is false.
  *
  * persp keeps the directions of its side planes. The eye moves along the gaze until the
@@ -19,30 +18,23 @@
  * bounds are centred between the other two planes: the functions of these planes
  * (frustum_planes in frustum.h) have the same least value on the bounds.
  *
- * ortho and oblique are centred on the bounds. Width and height become the least that
- * hold the bounds; then one of them is enlarged to the aspect, unless aspect[1] is 0.
- *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
  * convention's gaze, z or -z of view space. If the eye is on near's side of far, near
  * is moved until its distance from the eye is at least near_ratio times far's.
  *
- * A margin moves the side planes inward before they are compared with the bounds. The
- * eye is rounded to doubles; in persp it then moves back until the bounds are inside.
- * frustum_outside finds each corner or point of the bounds inside. near, far and the
- * sizes of ortho and oblique are the tightest such doubles, unless the errors of a far
- * eye exceed the last bits of the bounds. Returns NULL, or the member and why. */
+ * The eye is rounded to doubles; in persp it then moves back until frustum_outside finds
+ * the bounds inside. near, far and the sizes of ortho and oblique are the tightest such
+ * doubles, unless the errors of a far eye exceed the last bits of the bounds. Returns
+ * NULL, or the member and why. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions for which fit_scene makes the same scene of the farthest points
  * along them as of all points. Returns NULL, or the member at fault and why. */
 const char *fit_directions(const struct scene *, bool has_eye, struct directions *);
 
-/* Replaces the scene's 2D window by one that holds x and y of the bounds, given by
- * center, width and height. The center is the double nearest to the middle of the
- * bounds. Width and height are the least doubles for which frustum_outside finds the
- * bounds inside the window less its margin. Then one of them is enlarged to the
- * device's shape, if there is a device. A zero extent along one axis counts as 2^-20 of
- * the other. Returns NULL, or the member at fault and why. */
+/* Replaces the scene's 2D window by the least that holds x and y of the bounds, given by
+ * center, width and height, as frustum_outside finds. Returns NULL, or the member at
+ * fault and why. */
 const char *fit_window(struct scene *, const struct bounds *);
 
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */

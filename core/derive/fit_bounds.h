@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Bounds to which a scene is fitted, their hull, and the extents of the hull along the
- * axes by which fit.c measures. */
+/* Bounds to which a scene is fitted, their hull, and its extents, which fit.c measures. */
 #pragma once
 
 #include "../scene/scene.h"

@@ -58,7 +58,6 @@ static bool is_farther(const struct directions *all, int j, const double p[3],
 	return order > 0;
 }
 
-/* Returns the distance of p along m, with an error below distance_error. */
 static double distance_along(const double m[3], const double p[3])
 {
 	return p[0] * m[0] + p[1] * m[1] + p[2] * m[2];
@@ -78,13 +77,11 @@ static void add_point(struct extremes *e, const struct directions *all, int j,
 		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value, bound };
 }
 
-/* The number of points per call of the kernel. Small blocks need more calls. Large
- * blocks cost time, as all points of a block are examined if one may be the
- * farthest. */
+/* The number of points per call of the kernel. Of larger blocks more points are
+ * examined, as all points of a block are if one may be the farthest. */
 enum { FIT_BLOCK = 128 };
 
-/* Adds at most FIT_BLOCK points. Passes to add_point only points whose distance, within
- * its error, may be the largest. */
+/* Passes to add_point only points whose distance, within its error, may be the largest. */
 static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The few points among millions that decide a fit: the farthest along each direction.
- * Each thread collects those of its points in a struct extremes, which are then merged
- * to bounds. */
+ * Each thread collects a struct extremes; these are then merged to bounds. */
 #pragma once
 
 #include "fit_bounds.h"
@@ -30,9 +29,8 @@ struct extremes {
 	struct farthest item[BOUNDS_POINTS];
 };
 
-/* Adds n points; `in` has a column for each coordinate. A point with a nan coordinate
- * is ignored. The caller pads each column to a multiple of 16 numbers with numbers of
- * these points. */
+/* Adds n points, in columns, which the caller pads to multiples of 16 numbers with
+ * numbers of these points. A point with a nan coordinate is ignored. */
 void extremes_add(struct extremes *, const struct directions *,
     const double *const in[3], size_t n);
 

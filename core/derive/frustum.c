@@ -18,8 +18,7 @@ void frustum_limits(const struct scene *s, struct sum half[2], struct sum scale[
 	}
 }
 
-/* Sets column j of r to a x + b w or, if minus, to -a x + b w, where x is column k of m
- * and w is column 3 of m. */
+/* Sets column j of r to a x + b w, if minus to -a x + b w, of columns k and 3 of m. */
 static void combine_columns(struct map *r, int j, const struct map *m, bool minus,
     int k, const struct sum *a, const struct sum *b)
 {
@@ -32,8 +31,7 @@ static void combine_columns(struct map *r, int j, const struct map *m, bool minu
 /* Makes the planes from the map m to clip space. With half and scale of frustum_limits,
  * left is half w + scale x, and right is half w - scale x; bottom and top are the same
  * in y. Bottom and top are exchanged if ndc y points down, near and far if depth is
- * reversed. If there are no near and far planes, their functions are 1, so that every
- * point is inside. */
+ * reversed. The functions of planes that do not exist are 1. */
 static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {

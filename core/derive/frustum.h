@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The view volume, or the edges of a 2D window: its planes, its corners, and whether a
- * point is outside. */
+/* The view volume, or the edges of a 2D window, and whether a point is outside. */
 #pragma once
 
 #include "../points/transform.h"

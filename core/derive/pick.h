@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The points whose images lie near a position on the device, in the order of their
- * distances. */
+/* Points whose images lie near a position on the device, ordered by distance. */
 #pragma once
 
 #include "../points/transform.h"

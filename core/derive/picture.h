@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Facts about the picture that a scene makes: the kind of the planar projection; the
- * eye, gaze, planes and depth; and a second scene, with a camera and a projection, that
- * makes the same picture. */
+/* Facts about the picture that a scene makes, and a second scene, with a camera and a
+ * projection, that makes the same picture. */
 #pragma once
 
 #include "depth.h"

@@ -100,17 +100,6 @@ static void ray_direction(const struct ray_maker *r, const double in[4], bool si
 	}
 }
 
-/* Returns whether a device position has a ray. If all of `point` is nan, there is a ray
- * only if w is positive: its point is then beyond the range of doubles. */
-static bool ray_has_point(const struct ray_maker *r, const double in[4],
-    const double point[3])
-{
-	if (!isnan(point[0]) || !isnan(point[1]) || !isnan(point[2]))
-		return true;
-	return !isnan(in[0]) && !isnan(in[1]) &&
-	    sum_sign(point_column(&r->to_world, 3, in)) > 0;
-}
-
 static void round_to_floats(const struct ray_maker *r, const double in[4],
     double point[3], double direction[3])
 {
@@ -126,12 +115,14 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* Completes a ray that a kernel left undecided. Computes a direction that is still nan,
- * rounds to floats if single, and makes the direction nan if the ray has no point. */
+/* Completes a ray that a kernel left undecided. If all of `point` is nan, there is a ray
+ * only if w is positive: its point is then beyond the range of doubles. */
 static void ray_finish(const struct ray_maker *r, const double in[4], bool single,
     double point[3], double direction[3])
 {
-	if (!ray_has_point(r, in, point)) {
+	if (isnan(point[0]) && isnan(point[1]) && isnan(point[2]) &&
+	    (isnan(in[0]) || isnan(in[1]) ||
+		sum_sign(point_column(&r->to_world, 3, in)) <= 0)) {
 		for (int j = 0; j < 3; j++)
 			direction[j] = (double)NAN;
 		return;

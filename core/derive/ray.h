@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rays from the eye through positions on the device, and the points where they meet a
- * plane. */
+/* Rays from the eye through positions on the device, and where they meet a plane. */
 #pragma once
 
 #include "../points/transform.h"

@@ -71,9 +71,7 @@ static enum taxon_kind perspective_kind(const struct lens *l)
 		n += sum_compare(sum_mul(dot, dot),
 			 sum_scale(most, TAXON_TOLERANCE * TAXON_TOLERANCE)) > 0;
 	}
-	if (n < 2)
-		return TAXON_ONE_POINT;
-	return n < 3 ? TAXON_TWO_POINT : TAXON_THREE_POINT;
+	return n < 2 ? TAXON_ONE_POINT : n < 3 ? TAXON_TWO_POINT : TAXON_THREE_POINT;
 }
 
 /* Sets fov[0], the angle between the planes scale x = -half w and scale x = half w, and
@@ -120,7 +118,6 @@ static void classify_perspective(const struct lens *l, struct taxonomy *t)
 	}
 }
 
-/* Writes the world coordinates of a homogeneous point h in view space. */
 static void world_point(const struct lens *l, const struct sum h[4], double p[3])
 {
 	struct sum world[4];

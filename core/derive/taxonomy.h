@@ -5,12 +5,8 @@
 
 #include "lens.h"
 
-enum taxon {
-	TAXON_ORTHOGRAPHIC,
-	TAXON_OBLIQUE,
-	TAXON_PERSPECTIVE,
-	TAXON_REVERSE, /* the eye lies beyond the far plane */
-};
+/* TAXON_REVERSE: the eye lies beyond the far plane. */
+enum taxon { TAXON_ORTHOGRAPHIC, TAXON_OBLIQUE, TAXON_PERSPECTIVE, TAXON_REVERSE };
 
 enum taxon_kind {
 	TAXON_MULTIVIEW,
@@ -39,6 +35,5 @@ struct taxonomy {
 	double corner[8][3]; /* in world space, in the order of struct volume */
 };
 
-/* Sets all members. A number that does not exist keeps the nan that the caller has
- * set. */
+/* Sets all members. A number that does not exist keeps the caller's nan. */
 void taxonomy_of(const struct lens *, struct taxonomy *);

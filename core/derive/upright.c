@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "upright.h"
 
-/* A component of a vector below this share of the vector's length counts as a rounding
- * error of the given numbers. */
+/* A component below this share of its vector's length counts as a rounding error. */
 #define NEGLIGIBLE 0x1p-40
 
 /* Sets the axes to those of view space. They are turned by 180 degrees about Y if w

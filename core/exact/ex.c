@@ -71,7 +71,6 @@ ex ex_of(double a)
 	return r;
 }
 
-/* Returns the word of a that has weight 2^(64 e). */
 static uint64_t word_at(const ex *a, int e)
 {
 	return e >= a->e && e < a->e + a->n ? a->word[e - a->e] : 0;
@@ -216,10 +215,9 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 	return rest == 0;
 }
 
-/* Computes the root by Newton's iteration, which begins at the root of the double
- * nearest to a. This root has 50 correct bits; each step doubles their number, so that
- * its quotient needs 2, 4, 8, and then EX_QUOTIENT_WORDS words. The last result is
- * rounded to EX_QUOTIENT_WORDS words, so that roots of few words are exact. */
+/* Newton's iteration begins at the root of the nearest double, with 50 correct bits.
+ * Each step doubles their number, so that its quotient needs 2, 4, 8, and then
+ * EX_QUOTIENT_WORDS words, to which the result is rounded: roots of few words are exact. */
 ex ex_sqrt(const ex *square)
 {
 	ex a = *square;

@@ -2,10 +2,7 @@
 /* Exact arithmetic on integers times powers of two. It computes the maps of a scene,
  * and the few points that the kernels cannot round with certainty. Sums and products
  * are exact, and therefore polynomials in the scene's parameters are, too. Quotients
- * and roots have a relative error of at most EX_ERROR.
- *
- * The alternative, numbers as sums of doubles, needs a wider range of exponents, a
- * fixed rounding mode, several times the time, and a proof of the sums' length. */
+ * and roots have a relative error of at most EX_ERROR. */
 #pragma once
 
 #include <stdbool.h>
@@ -13,13 +10,11 @@
 
 #include "dd.h"
 
-/* A number of a scene or of a point is a multiple of 2^-1074 below 2^499. The
- * determinant of a matrix, and the image of a point by a product of three matrices, are
- * sums of products of four such numbers. These sums span 4 * 1573 bits and some for
- * carries: 99 words, or 101 if the ends lie within words. Sums of longer products can
- * span more than EX_WORDS: their lowest words are cut off, and ex_has_overflowed
- * returns true. core/scene/scene.c refuses scenes whose maps lose words, and
- * core/points/transform.c refuses maps that leave too few words for points. */
+/* A number of a scene or of a point is a multiple of 2^-1074 below 2^499. Determinants
+ * of matrices, and images by products of three, are sums of products of four such
+ * numbers. These span 4 * 1573 bits and some for carries: 99 words, or 101 if the ends
+ * lie within words. A longer sum loses its lowest words, and ex_has_overflowed returns
+ * true: scene.c refuses such scenes, and transform.c maps that leave too few words. */
 enum { EX_WORDS = 110 };
 
 /* An ex is sign times the sum of word[i] 2^(64 (e + i)) over i < n. word[0] and
@@ -53,7 +48,6 @@ static inline int ex_exponent(const ex *a)
 /* Returns whether, since the last call, a number of any thread exceeded EX_WORDS. */
 bool ex_has_overflowed(void);
 
-/* The functions from here on take pointers, to save copies for each point. */
 void ex_set(ex *, double a);
 
 enum { EX_MIN_WORDS = 7 };

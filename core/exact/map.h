@@ -61,8 +61,7 @@ bool map_inverse(const double m[4][4], struct map *inverse);
 struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
     unsigned skipped_columns);
 
-/* Return m[i][j] / divisor; map_element_nearest rounds it to double or, if single, to
- * float. */
+/* Return m[i][j] / divisor; map_element_nearest rounds to double or, if single, float. */
 struct sum map_element(const struct map *, int i, int j);
 double map_element_nearest(const struct map *, int i, int j, bool single);
 

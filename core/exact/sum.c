@@ -9,7 +9,7 @@
 enum { ROUNDED_WORDS = 2 };
 
 const struct sum sum_one = { .value = { 1, 1, 0, { 1 } } };
-static const struct sum minus_one = { .value = { -1, 1, 0, { 1 } } };
+const struct sum sum_minus_one = { .value = { -1, 1, 0, { 1 } } };
 static const struct sum two = { .value = { 1, 1, 0, { 2 } } };
 
 /* Returns the least e with |a| <= 2^e, or a number below -EX_RANGE / 2 if a is 0. */
@@ -150,21 +150,13 @@ void sum_dot(int n, const struct sum *a, const struct sum *b, int stride, struct
 	dot_of_pointers(n, x, y, r);
 }
 
-struct sum(sum_add)(const struct sum *a, const struct sum *b)
+struct sum sum_of_products(const struct sum *a, const struct sum *b,
+    const struct sum *c, const struct sum *d)
 {
 	struct sum r;
 
-	dot_of_pointers(2, (const struct sum *[]){ a, b },
-	    (const struct sum *[]){ &sum_one, &sum_one }, &r);
-	return r;
-}
-
-struct sum(sum_sub)(const struct sum *a, const struct sum *b)
-{
-	struct sum r;
-
-	dot_of_pointers(2, (const struct sum *[]){ a, b },
-	    (const struct sum *[]){ &sum_one, &minus_one }, &r);
+	dot_of_pointers(2, (const struct sum *[]){ a, c },
+	    (const struct sum *[]){ b, d }, &r);
 	return r;
 }
 
@@ -187,13 +179,11 @@ struct sum(sum_scale)(const struct sum *a, double factor)
 struct sum(sum_minor)(const struct sum *a, const struct sum *b, const struct sum *c,
     const struct sum *d)
 {
-	struct sum r, minus_c;
+	struct sum minus_c;
 
 	sum_copy(&minus_c, c);
 	minus_c.value.sign = -minus_c.value.sign;
-	dot_of_pointers(2, (const struct sum *[]){ a, &minus_c },
-	    (const struct sum *[]){ b, d }, &r);
-	return r;
+	return sum_of_products(a, b, &minus_c, d);
 }
 
 bool sum_is_one(const struct sum *a)
@@ -266,7 +256,7 @@ int(sum_compare)(const struct sum *a, const struct sum *b)
 	struct sum r;
 
 	dot_of_pointers(2, (const struct sum *[]){ a, b },
-	    (const struct sum *[]){ &sum_one, &minus_one }, &r);
+	    (const struct sum *[]){ &sum_one, &sum_minus_one }, &r);
 	return sum_sign(r);
 }
 

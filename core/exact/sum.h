@@ -37,7 +37,7 @@ static inline bool sum_is_exact(const struct sum *a)
 	return a->error == 0;
 }
 
-extern const struct sum sum_one; /* 1 */
+extern const struct sum sum_one, sum_minus_one; /* 1 and -1 */
 
 void sum_set(struct sum *, double exact);
 
@@ -59,13 +59,13 @@ struct sum sum_add_error(const struct sum *a, const struct sum *e);
 
 struct sum sum_negated_if(bool, const struct sum *);
 struct sum sum_abs(const struct sum *);
-struct sum sum_add(const struct sum *, const struct sum *);
-struct sum sum_sub(const struct sum *, const struct sum *);
 struct sum sum_mul(const struct sum *, const struct sum *);
 struct sum sum_scale(const struct sum *, double factor);
 struct sum sum_quotient(const struct sum *, const struct sum *);
 
-/* Returns the minor a b - c d. */
+/* Return a b + c d, and the minor a b - c d. */
+struct sum sum_of_products(const struct sum *a, const struct sum *b,
+    const struct sum *c, const struct sum *d);
 struct sum sum_minor(const struct sum *a, const struct sum *b, const struct sum *c,
     const struct sum *d);
 
@@ -113,8 +113,8 @@ double sum_least_error(const struct sum *n, const struct sum *d);
 #define sum_neg(a) sum_negated_if(true, a)
 #define sum_negated_if(a, b) sum_negated_if(a, SUM_AT(b))
 #define sum_abs(a) sum_abs(SUM_AT(a))
-#define sum_add(a, b) sum_add(SUM_AT(a), SUM_AT(b))
-#define sum_sub(a, b) sum_sub(SUM_AT(a), SUM_AT(b))
+#define sum_add(a, b) sum_of_products(SUM_AT(a), &sum_one, SUM_AT(b), &sum_one)
+#define sum_sub(a, b) sum_of_products(SUM_AT(a), &sum_one, SUM_AT(b), &sum_minus_one)
 #define sum_mul(a, b) sum_mul(SUM_AT(a), SUM_AT(b))
 #define sum_scale(a, b) sum_scale(SUM_AT(a), b)
 #define sum_quotient(a, b) sum_quotient(SUM_AT(a), SUM_AT(b))

@@ -124,9 +124,8 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 	return finite;
 }
 
-/* Replaces images that are not finite by rounded exact images. The kernel gives no
- * finite image if the point is behind the eye, if a value is out of range, or if w
- * underflows. */
+/* Replaces images that are not finite by rounded exact images: those of points behind
+ * the eye, with values out of range, or whose w underflows. */
 static bool map_nonfinite(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {

@@ -106,8 +106,7 @@ static void set_map_eye(struct map *r, const double eye[3])
  *	 translation 1		 eye         1
  * `given` is the translation t, if is_translation, or else the eye. The other vector is
  * computed: t = (-x.eye, -y.eye, -z.eye), or, if all axes have the same length, eye =
- * -t0 x - t1 y - t2 z. Its elements are polynomials, divided only at the end: with
- * rounded axes, x.eye would be -4.9e-32, not 0, for an eye (1,2,3) that looks at 0. */
+ * -t0 x - t1 y - t2 z. Its elements are polynomials, divided only at the end. */
 static void map_of_axes(const struct axes *a, const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The conventions of graphics systems, in which the numbers of scenes and answers are
- * meant. */
+/* The conventions of graphics systems, in which scenes and answers are meant. */
 #pragma once
 
 #include <stdbool.h>

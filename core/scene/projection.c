@@ -102,8 +102,7 @@ static const char *cross_section(const struct projection *p, double d,
 }
 
 /* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) for near n and far f, or their limits
- * for an infinite f. reverse_z exchanges n and f. Without near and far planes n is
- * 1, f is infinite and reverse_z is set, which makes depth 1/w. */
+ * for an infinite f. reverse_z exchanges n and f. An open projection has depth 1/w. */
 static void depth_column(const struct projection *p, struct scaled_matrix *f)
 {
 	double n = projection_is_open(p) ? 1 : p->near;
@@ -189,7 +188,6 @@ static const char *oblique_matrix(const struct projection *p, struct scaled_matr
 	return NULL;
 }
 
-/* Sets x / dx and y / dy to 1 over the half width and 1 over the half height. */
 static void volume_section(const struct projection *p, struct scaled_matrix *f)
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
@@ -255,8 +253,7 @@ static const char *const eye_plane_refusals[] = {
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -wf, -qn), (0, 0, wf zn, qd).
  * x and y are those of volume_section times qd. sx and sy are x/z and y/z of the
  * volume's axis. q = qn / qd is 1/z of the eye. Up to a sign, w is wf / qd = 1 - zf q
- * at z_far, and wn / qd = 1 - zn q at z_near. If wf and wn differ in sign, the eye
- * plane is inside the volume. */
+ * at z_far, and wn / qd = 1 - zn q at z_near: their signs tell where the eye is. */
 static const char *volume_matrix(const struct projection *p, struct scaled_matrix *f)
 {
 	const struct projection_volume *v = &p->volume;
@@ -266,8 +263,7 @@ static const char *volume_matrix(const struct projection *p, struct scaled_matri
 	volume_section(p, f);
 	f->dz = sum_sub(zn, zf);
 	if (sum_sign(f->dz) == 0)
-		return "/projection/z_far: equal to z_near; "
-		       "the planes must differ";
+		return "/projection/z_far: equal to z_near; the planes must differ";
 	if (v->eye_given_by == EYE_BY_POINT && v->eye[2] == 0)
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
@@ -340,8 +336,8 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 	};
 }
 
-/* Returns whether the matrix looks like the transpose of a perspective matrix: its last
- * row, and not its last column, is 0 0 1 0 or 0 0 -1 0, and it is not affine. */
+/* Returns whether a matrix that is not affine has the last row, but not the last column,
+ * 0 0 1 0 or 0 0 -1 0, as transposed perspective matrices have. */
 static bool is_transposed(const double m[4][4])
 {
 	bool row = true, column = true, affine = true;

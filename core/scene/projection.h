@@ -16,8 +16,7 @@ enum projection_type {
 
 enum { PROJECTION_TYPES = PROJECTION_MATRIX + 1 };
 
-/* The types of a family have the same members in struct projection, and are fitted and
- * checked in the same way. */
+/* The types of a family have the same members, and are fitted and checked alike. */
 enum projection_family {
 	FAMILY_FIXED,    /* `matrix`, or no member: nothing can be fitted */
 	FAMILY_PERSP,    /* `section` about the gaze from an eye */

@@ -6,9 +6,8 @@
 #include "projection.h"
 #include "window.h"
 
-/* Numbers of scene documents and points are at most SCENE_MAGNITUDE_MAX in magnitude.
- * Sizes are at least SCENE_SIZE_MIN. Products of two sizes are in the range of
- * doubles. */
+/* Numbers of scene documents and points are at most SCENE_MAGNITUDE_MAX in magnitude,
+ * and sizes at least SCENE_SIZE_MIN: products of two sizes are in the range of doubles. */
 #define SCENE_MAGNITUDE_MAX 1e150
 #define SCENE_SIZE_MIN 1e-150
 

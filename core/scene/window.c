@@ -19,7 +19,6 @@ static void ndc_axis(struct map *r, int i, struct sum n, double d, struct sum of
 	r->origin[i] = inverse ? sum_double(offset) : 0;
 }
 
-/* Computes the size of the window, and its centre after pan. */
 static const char *window_shape(const struct window *w, struct sum size[2],
     struct sum center[2])
 {
@@ -44,8 +43,7 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 	return NULL;
 }
 
-/* Gives the window the device's aspect: ADAPT_GROW enlarges the side that is too short,
- * ADAPT_SHRINK reduces the other side. The new size is size / divisor. */
+/* Gives the window the device's aspect. The new size is size / divisor. */
 static void window_adapt(const struct window *w, const struct device *d,
     struct sum size[2], double divisor[2])
 {
@@ -67,8 +65,7 @@ const char *window_map(const struct window *w, const struct device *d, bool inve
 	if (why != NULL)
 		return why;
 	if (w->adapt != ADAPT_STRETCH && d == NULL)
-		return "/window/adapt: there is no device to adapt "
-		       "to; add \"device\"";
+		return "/window/adapt: there is no device to adapt to; add \"device\"";
 	if (w->adapt != ADAPT_STRETCH)
 		window_adapt(w, d, size, divisor);
 	map_identity(r);
@@ -106,8 +103,7 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	double half[2], scale[2];
 
 	if (inverse && sum_sign(depth) == 0)
-		return "/viewport/max_z: equal to min_z; "
-		       "depth can't be inverted then";
+		return "/viewport/max_z: equal to min_z; depth can't be inverted then";
 	viewport_limits(v, half, scale);
 	if (c->ndc_y_down == c->origin_bottom_left)
 		scale[1] = -scale[1];

@@ -33,7 +33,7 @@
 /* The least normal number. It replaces products that underflow, as an upper bound. */
 #define TINY 0x1p-1022
 
-/* The numbers of bits of a cut coordinate and of a cut element. */
+/* the bits of a cut coordinate and of a cut element */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
 /* Returns true if `largest`, the largest magnitude of coordinates or of a column, is 0
@@ -56,7 +56,6 @@ static double cut_to(double a, double unit)
 	return a + s - s;
 }
 
-/* Returns the greatest number of a vector. */
 static inline double greatest_lane(V a)
 {
 	double all[WIDTH], r;
@@ -130,7 +129,6 @@ static void find_limits(const double *in, size_t n, double *least, double *great
 	*greatest = greatest_lane(MAX(high[0], high[1]));
 }
 
-/* Returns the largest noise of column j within these ranges. */
 static double largest_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -273,7 +271,6 @@ static inline void cut_points(const struct kernel_block *b, const V p[3], int te
 	}
 }
 
-/* Returns the column of the images as hi + lo. */
 static inline vdd column_sum(const struct column_cut *c, const V cut[3],
     const V rest[3], int terms)
 {

@@ -2,23 +2,20 @@
 /* Finds how far a block of points reaches along some directions. */
 #include "kernel.h"
 
-/* Returns the greatest m[0] x + m[1] y + m[2] z of n points. Keeps two maxima, of even
- * and of odd vectors: with a single one, each MAX would wait for the MAX before it. */
+/* Returns the greatest m[0] x + m[1] y + m[2] z of n points, as find_limits does. */
 static double farthest_along(const double m[3], const double *const in[3], size_t n)
 {
 	const V a = ALL(m[0]), b = ALL(m[1]), c = ALL(m[2]);
-	V even = ALL(-HUGE_VAL), odd = even;
+	V most[2] = { ALL(-HUGE_VAL), ALL(-HUGE_VAL) };
 
-	for (size_t i = 0; i < n; i += 2 * WIDTH) {
-		const double *x = in[0] + i, *y = in[1] + i, *z = in[2] + i;
-		V v = MADD(a, LOAD(x), MADD(b, LOAD(y), c * LOAD(z)));
-		V w = MADD(a, LOAD(x + WIDTH),
-		    MADD(b, LOAD(y + WIDTH), c * LOAD(z + WIDTH)));
+	for (size_t i = 0; i < n; i += 2 * WIDTH)
+		for (size_t k = 0; k < 2; k++) {
+			const size_t at = i + k * WIDTH;
+			V v = MADD(b, LOAD(in[1] + at), c * LOAD(in[2] + at));
 
-		even = MAX(v, even);
-		odd = MAX(w, odd);
-	}
-	return greatest_lane(MAX(even, odd));
+			most[k] = MAX(MADD(a, LOAD(in[0] + at), v), most[k]);
+		}
+	return greatest_lane(MAX(most[0], most[1]));
 }
 
 static void farthest(const double (*m)[3], int directions, const double *const in[3],

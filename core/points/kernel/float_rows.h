@@ -42,7 +42,6 @@ static inline __attribute__((always_inline)) int float_rows(const struct kernel_
 	return nonfinite == 0;
 }
 
-/* Returns true if v has the value of a float. */
 static bool is_float(double v)
 {
 	return (double)(float)v == v;
