@@ -106,6 +106,14 @@ static bool next_float(const struct sum z[2], int up, struct sum next[2])
 	return isfinite(f) != 0;
 }
 
+static bool is_float(const struct sum z[2])
+{
+	const struct sum f[2] = { sum_of_double(sum_nearest(&z[0], &z[1], true)),
+		sum_of_double(1) };
+
+	return compare_depths(f, z) == 0;
+}
+
 /* Finds the depth that is one step of the buffer above z or, if up is -1, below z.
  * Returns false if the next float is infinite. */
 static bool next_depth(const struct sum z[2], enum depth_buffer b, int up,
@@ -171,6 +179,18 @@ double depth_step_at(const struct depth *d, enum depth_buffer b, double distance
 {
 	const struct sum z[2] = { sum_sub(d->num[1], sum_scale(d->den[1], distance)),
 		sum_sub(sum_scale(d->den[0], distance), d->num[0]) };
+	const int to_eye = -sum_sign(depth_determinant(d));
+	struct sum plane[2], above[2], below[2];
 
-	return step_length(d, b, z, -sum_sign(depth_determinant(d)), NULL);
+	if (b != DEPTH_FLOAT32)
+		return step_length(d, b, z, to_eye, NULL);
+	depth_of_plane(d, false, plane);
+	if (d->open || d->constant || !next_float(z, 1, above) ||
+	    !next_float(z, -1, below))
+		return (double)NAN;
+	if (!is_float(z))
+		return distance_between(d, below, above);
+	return compare_depths(z, plane) == 0 ?
+	    depth_step(d, b, false) :
+	    distance_between(d, z, to_eye > 0 ? above : below);
 }
