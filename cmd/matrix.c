@@ -49,17 +49,43 @@ static void put_matrix(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
+void matrix_check_unit_w(const struct options *o, bool is_printed, enum space from,
+    enum space to)
+{
+	if (o->unit_w && (!is_printed || from > SPACE_VIEW || to < SPACE_CLIP))
+		die(EXIT_USAGE,
+		    "--unit-w: is for a printed matrix from model, world or "
+		    "view to clip, ndc or device, as with project -m");
+}
+
+/* Divides the map by the magnitude of the element that takes z to w. */
+static void divide_by_w(const struct document *d, struct map *m)
+{
+	m->divisor = sum_abs(m->m[2][3]);
+	if (sum_sign(m->divisor) == 0)
+		document_refuse(d,
+		    "--unit-w: the element that takes z to w is 0, as in a "
+		    "parallel projection; leave --unit-w out");
+	if (!map_is_finite(m))
+		document_refuse(d,
+		    "--unit-w: the matrix gets elements beyond the range of "
+		    "doubles; leave --unit-w out");
+}
+
 /* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
- * to double. If `floats` is true, rounds to float, and refuses those out of range. */
+ * to double. If `unit_w` is true, divides by w first. If `floats` is true, rounds to float, and refuses those out of range. */
 static struct elements elements_of(const struct document *d, const struct transform *t,
-    bool floats, bool column)
+    bool unit_w, bool floats, bool column)
 {
 	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
 	struct elements m = { .rows = n[column], .columns = n[!column] };
+	struct map map = t->map;
 
+	if (unit_w)
+		divide_by_w(d, &map);
 	for (int i = 0; i < n[0]; i++)
 		for (int j = 0; j < n[1]; j++) {
-			double v = map_element_nearest(&t->map, kept_axes[n[0] - 3][i],
+			double v = map_element_nearest(&map, kept_axes[n[0] - 3][i],
 			    kept_axes[n[1] - 3][j], floats);
 
 			if (floats && !isfinite((float)v))
@@ -83,7 +109,7 @@ void matrix_print(const struct options *o, const struct document *d,
 		.floats = single,
 		.compact = true,
 		.separator = "" };
-	struct elements m = elements_of(d, t, floats,
+	struct elements m = elements_of(d, t, o->unit_w, floats,
 	    column && !format_is_binary(o->out));
 
 	if (o->out == FORMAT_JSON)
@@ -125,6 +151,7 @@ void run_matrix(const struct options *o)
 
 	bool points = !o->matrix && operands_have_points(o, &d);
 
+	matrix_check_unit_w(o, !points, (enum space)c->from, (enum space)c->to);
 	matrix_prepare(o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		matrix_print(o, &d, &j.transform);

@@ -79,6 +79,7 @@ void run_project(const struct options *o)
 
 	if (!o->ray && !plane)
 		project_check_alone(o, from, to);
+	matrix_check_unit_w(o, o->matrix, from, plane ? SPACE_VIEW : to);
 	if (!o->has_to && to == SPACE_NDC &&
 	    d.scene.projection.type != PROJECTION_NONE &&
 	    (d.scene.has_device || d.scene.has_window))
