@@ -162,6 +162,8 @@ const struct member projection_members[] = {
 	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio, .range = &near_ratio_range,
 	    .fallback = "0.0005",
 	    .about = "least near that fit finds, as a fraction of far"),
+	SIZE(PERSP | VOLUME, "min_near", min_near,
+	    .about = "least distance of near from the eye that fit finds"),
 	{ .name = NULL },
 };
 

@@ -113,6 +113,11 @@ static void depth_range(const struct extents *r, double *low, double *high)
 	*high = fmax(*high, nextafter(*low, HUGE_VAL));
 }
 
+static struct sum smaller(struct sum a, struct sum b)
+{
+	return sum_compare(a, b) < 0 ? a : b;
+}
+
 static struct sum larger(struct sum a, struct sum b)
 {
 	return sum_compare(a, b) > 0 ? a : b;
@@ -192,11 +197,14 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	if (why != NULL)
 		return why;
 	/* t is the largest step of the eye along the gaze after which near is at least
-	 * ratio times far: low - t >= ratio (high - t), where the bounds' depth runs
-	 * from low to high */
+	 * ratio times far, low - t >= ratio (high - t), and min_near: low - t >= least.
+	 * The bounds' depth runs from low to high. */
 	const double ratio = s->projection.near_ratio;
 	struct sum far = sum_scale(r.high[2], ratio);
 	struct sum t = sum_quotient(sum_sub(r.low[2], far), sum_difference(1, ratio));
+	struct sum least = sum_of_double(s->projection.min_near);
+
+	t = smaller(t, sum_sub(r.low[2], least));
 
 	for (int k = 0; k < 4; k++)
 		lowest[k] = hull_lowest(h, &model, k, false);
@@ -207,10 +215,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 			gap = sum_add(gap, lowest[k + 1]);
 			fall = sum_add(fall, slope[k + 1]);
 		}
-		struct sum most = sum_quotient(gap, fall);
-
-		if (sum_compare(most, t) < 0)
-			t = most;
+		t = smaller(t, sum_quotient(gap, fall));
 	}
 	step[0] = step[1] = sum_of_double(0);
 	step[2] = sum_negated_if(convention_looks_back(&s->convention), t);
@@ -235,7 +240,7 @@ static void keep_side_planes(struct projection *p, double old_near)
 }
 
 /* Sets near and far around the bounds. Returns whether the bounds are then inside the
- * volume, and near is at least near_ratio times far. */
+ * volume, and near is at least near_ratio times far, and min_near. */
 static bool enclose_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -248,7 +253,7 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	keep_side_planes(p, old_near);
 	struct sum least = sum_scale(sum_of_double(p->near_ratio), p->far);
 
-	return hull_outside(h, s) == 0 &&
+	return hull_outside(h, s) == 0 && p->near >= p->min_near &&
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
@@ -366,29 +371,38 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves the near plane of a volume, if the eye is on near's side of far, until near's
- * distance from the eye is at least near_ratio times far's. The eye has z under / over,
- * and so the signed distance (under - over z) / over from a plane z. */
-static void keep_near_ratio(struct projection *p)
+/* Moves the plane of a volume that is nearer to the eye until its distance from the eye
+ * is at least min_near and, if it is the near plane, near_ratio times far's. The eye has
+ * z under / over, and so the signed distance (under - over z) / over from a plane z. */
+static const char *keep_off_eye(struct projection *p)
 {
 	struct projection_volume *v = &p->volume;
 	struct sum over, under;
 
 	projection_inverse_eye_z(p, &over, &under);
 	double eye = sum_ratio(under, over);
+	bool reverse = v->z_near > v->z_far ? eye <= v->z_far : eye >= v->z_far;
+	double *nearer = reverse ? &v->z_far : &v->z_near;
+	double other = reverse ? v->z_near : v->z_far;
 
 	if (!isfinite(eye))
-		return;
-	struct sum far = sum_sub(under, sum_scale(over, v->z_far));
-	struct sum least = sum_scale(far, p->near_ratio);
+		return NULL;
+	struct sum far = sum_sub(under, sum_scale(over, other));
+	struct sum least = larger(sum_abs(sum_scale(over, p->min_near)),
+	    sum_abs(sum_scale(far, reverse ? 0 : p->near_ratio)));
+
+	least = sum_negated_if(sum_sign(far) < 0, least);
 	double z = sum_ratio(sum_sub(under, least), over);
 	struct sum near = sum_sub(under, sum_scale(over, z));
 
 	if (sum_compare(near, least) * sum_sign(far) < 0)
-		z = nextafter(z, v->z_far);
-	if (v->z_near > v->z_far ? eye > v->z_far && z < v->z_near :
-				   eye < v->z_far && z > v->z_near)
-		v->z_near = z;
+		z = nextafter(z, other);
+	if (*nearer < other ? z >= other : z <= other)
+		return "/projection/min_near: all of the bounds are nearer to "
+		       "the eye; a smaller one is wanted, or another eye";
+	if (*nearer < other ? z > *nearer : z < *nearer)
+		*nearer = z;
+	return NULL;
 }
 
 static const char *fit_volume(struct scene *s, const struct hull *h)
@@ -404,8 +418,8 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	depth_range(&r, &v->z_near, &v->z_far);
 	v->z_near *= sign;
 	v->z_far *= sign;
-	keep_near_ratio(&s->projection);
-	return scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
+	why = keep_off_eye(&s->projection);
+	return why != NULL ? why : scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 }
 
 /* Gives valid numbers to those members that fit is going to find. */

@@ -265,8 +265,17 @@ static double retreat_size(const struct fitted *f, const real limit[2])
 	return most;
 }
 
-/* Returns whether the eye is as near as a side plane or near_ratio allows, but for the
- * rounding of the eye, also across the gaze. */
+/* Returns whether near is as near as near_ratio and min_near allow. */
+static bool near_is_least(const struct fitted *f, const real limit[2])
+{
+	const struct projection *p = &f->s.projection;
+
+	return p->near - fmax(p->near_ratio * p->far, p->min_near) <=
+	    0x1p-48 * retreat_size(f, limit);
+}
+
+/* Returns whether the eye is as near as a side plane, near_ratio or min_near allows, but
+ * for the rounding of the eye, also across the gaze. */
 static bool eye_is_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
@@ -274,16 +283,17 @@ static bool eye_is_tight(const struct fitted *f)
 
 	truth_limits(&f->s, limit);
 	if (mpfr_cmp(real_of(p->near), mul(real_of(p->near_ratio), real_of(p->far))) <
-	    0)
+		0 ||
+	    p->near < p->min_near)
 		return false;
 	for (int k = 0; k < 4; k++)
 		if (nearest_double(f->gap[k].value) <= 0x1p-48 * retreat_size(f, limit))
 			return true;
-	return p->near - p->near_ratio * p->far <= 0x1p-48 * retreat_size(f, limit);
+	return near_is_least(f, limit);
 }
 
 /* Returns whether the functions of the planes of each pair have the same least value,
- * and one pair touches the bounds, or near is as near as near_ratio allows. */
+ * and one pair touches the bounds, or near is as near as it may be. */
 static bool is_balanced(const struct fitted *f)
 {
 	real limit[2];
@@ -302,9 +312,7 @@ static bool is_balanced(const struct fitted *f)
 			return false;
 		touches |= nearest_double(low) <= 0x1p-48 * nearest_double(all);
 	}
-	return touches ||
-	    f->s.projection.near - f->s.projection.near_ratio * f->s.projection.far <=
-	    0x1p-48 * retreat_size(f, limit);
+	return touches || near_is_least(f, limit);
 }
 
 static unsigned out_bits(const struct scene *s, const struct fitted *f)
@@ -432,6 +440,7 @@ static void sample_fit(struct scene *s, int e)
 	if (p->section.way < SECTION_FIELD && !(p->section.angle < 180))
 		p->section.angle = 60;
 	p->near_ratio = sample_below(2) ? 0.0005 : sample_between(0, 0.5);
+	p->min_near = sample_below(3) ? 0 : sample_size(1);
 	p->section.left = -sample_size(1);
 	p->section.right = sample_size(1);
 	p->section.bottom = sample_size(1);
