@@ -74,6 +74,18 @@ const char *frustum_planes(const struct scene *s, enum space from, struct map *s
 	return why;
 }
 
+/* Stages the planes by way of view space. view_planes has made these maps before. */
+static void stage_planes(const struct scene *s, enum space from, struct frustum *f)
+{
+	struct map m;
+
+	scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &m);
+	planes_of_clip(s, &m, &f->sides.from_view, &f->ends.from_view);
+	scene_map_factor(s, from, SPACE_VIEW, &m);
+	transform_stage(&f->sides, &m);
+	transform_stage(&f->ends, &m);
+}
+
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f)
 {
@@ -83,6 +95,8 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 		return why;
 	transform_init(&f->sides, from, SPACE_CLIP, homogeneous);
 	transform_init(&f->ends, from, SPACE_CLIP, homogeneous);
+	if (from <= SPACE_VIEW)
+		stage_planes(s, from, f);
 	return NULL;
 }
 

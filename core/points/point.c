@@ -2,6 +2,7 @@
 #include "point.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "kernel/midway.h"
 
@@ -14,12 +15,40 @@ static void set_relative(const struct transform *t, const double in[4], struct s
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
+/* Replaces p, relative to the origin, by the point in view space, if t is staged. */
+static void take_stage(const struct transform *t, struct sum p[4])
+{
+	struct sum q[4];
+
+	if (!t->staged)
+		return;
+	for (int j = 0; j < 4; j++)
+		sum_dot(4, p, &t->relative[0][j], 4, &q[j]);
+	memcpy(p, q, sizeof q);
+}
+
+/* Computes column j of the image of p, which set_point has made. */
+static void column_of(const struct transform *t, int j, const struct sum p[4],
+    struct sum *r)
+{
+	if (t->staged)
+		map_image(&t->from_view, j, p, r);
+	else
+		sum_dot(4, p, &t->relative[0][j], 4, r);
+}
+
+static void set_point(const struct transform *t, const double in[4], struct sum p[4])
+{
+	set_relative(t, in, p);
+	take_stage(t, p);
+}
+
 struct sum point_column(const struct transform *t, int j, const double in[4])
 {
 	struct sum p[4], r;
 
-	set_relative(t, in, p);
-	sum_dot(4, p, &t->relative[0][j], 4, &r);
+	set_point(t, in, p);
+	column_of(t, j, p, &r);
 	return r;
 }
 
@@ -33,7 +62,7 @@ static bool find_divisor(const struct transform *t, const double in[4],
 	if (t->reciprocal && t->out == 4)
 		*d = sum_mul(*d, sum_of_double(in[3]));
 	else
-		sum_dot(4, p, &t->relative[0][3], 4, d);
+		column_of(t, 3, p, d);
 	int sign = sum_sign(*d);
 
 	return t->front ? sign > 0 : sign != 0;
@@ -48,11 +77,11 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	for (int i = 0; i < t->in; i++)
 		if (isnan(in[i]))
 			return;
-	set_relative(t, in, p);
+	set_point(t, in, p);
 	if (!find_divisor(t, in, p, &d))
 		return;
 	for (int j = 0; j < t->out; j++) {
-		sum_dot(4, p, &t->relative[0][j], 4, &q);
+		column_of(t, j, p, &q);
 		double v = sum_ratio_nearest(&q, &d, false);
 
 		if (isfinite(v))
@@ -69,8 +98,8 @@ float point_exact_float(const struct transform *t, const double in[4], int j,
 
 	if (!is_midway(image))
 		return (float)image;
-	set_relative(t, in, p);
+	set_point(t, in, p);
 	find_divisor(t, in, p, &d);
-	sum_dot(4, p, &t->relative[0][j], 4, &q);
+	column_of(t, j, p, &q);
 	return (float)sum_ratio_nearest(&q, &d, true);
 }

@@ -27,44 +27,57 @@ static void set_column(const struct transform *t, int j, struct kernel_map *k)
 	k->least_noise[j] = sum_least_error(&t->map.m[4][j], &t->map.divisor);
 }
 
-void transform_prepare(struct transform *t)
+/* Makes exact images those of the map m. */
+static void set_relative_map(struct transform *t, const struct map *m)
 {
-	struct kernel_map *k = &t->for_kernel;
 	bool from_zero = false;
 
 	for (int j = 0; j < 4; j++)
-		from_zero |= t->map.m[3][j].error < t->map.m[4][j].error;
+		from_zero |= m->m[3][j].error < m->m[4][j].error;
 	for (int i = 0; i < 16; i++)
 		sum_copy(&t->relative[i / 4][i % 4],
-		    &t->map.m[i < 12 || from_zero ? i / 4 : 4][i % 4]);
+		    &m->m[i < 12 || from_zero ? i / 4 : 4][i % 4]);
 	for (int i = 0; i < 3; i++)
-		t->origin[i] = from_zero ? 0 : t->map.origin[i];
+		t->origin[i] = from_zero ? 0 : m->origin[i];
+}
+
+static void prepare_kernel(struct transform *t)
+{
+	struct kernel_map *k = &t->for_kernel;
+
 	memcpy(k->origin, t->map.origin, sizeof k->origin);
 	k->a = k->b = 0;
 	for (int j = 0; j < 4; j++)
 		set_column(t, j, k);
 }
 
-/* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the
- * scene and a reason. Two products must be exact: a column times a point's difference
- * from the origin, a multiple of 2^-1074; and the divisor times the midpoint of two
- * doubles. `room` is the number of words that the column or the divisor may have. */
-static const char *transform_check(const struct scene *s, const struct transform *t)
+void transform_prepare(struct transform *t)
+{
+	t->staged = false;
+	set_relative_map(t, &t->map);
+	prepare_kernel(t);
+}
+
+/* Returns whether exact images by the map need at most EX_WORDS words. Two products must
+ * be exact: a column times a point's difference from the origin, a multiple of 2^-1074;
+ * and the divisor times the midpoint of two doubles. `room` is the number of words that
+ * the column or the divisor may have. */
+static bool map_leaves_room(const struct map *m)
 {
 	double most = SCENE_MAGNITUDE_MAX;
 	int e;
 
 	for (int k = 0; k < 3; k++)
-		most = fmax(most, fabs(t->map.origin[k]));
+		most = fmax(most, fabs(m->origin[k]));
 	frexp(most, &e);
 	int room = EX_WORDS - ((e + 1 + 1074) / 64 + 5);
-	bool fits = t->map.divisor.value.n <= room;
+	bool fits = m->divisor.value.n <= room;
 
 	for (int j = 0; j < 4; j++) {
 		int low = INT_MAX, high = INT_MIN;
 
 		for (int i = 0; i < 5; i++) {
-			const ex *a = &t->map.m[i][j].value;
+			const ex *a = &m->m[i][j].value;
 
 			if (a->n > 0 && a->e < low)
 				low = a->e;
@@ -73,12 +86,30 @@ static const char *transform_check(const struct scene *s, const struct transform
 		}
 		fits &= low > high || high - low <= room;
 	}
-	return fits && !ex_has_overflowed() ? NULL :
-	    t->kernel == KERNEL_FLAT        ? "/window: " SCENE_TOO_WIDE :
-					      scene_too_wide(s);
+	return fits;
 }
 
-void transform_init(struct transform *t, enum space from, enum space to,
+/* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the
+ * scene and a reason. */
+static const char *transform_check(const struct scene *s, const struct transform *t)
+{
+	return map_leaves_room(&t->map) && !ex_has_overflowed() ? NULL :
+	    t->kernel == KERNEL_FLAT ? "/window: " SCENE_TOO_WIDE :
+				       scene_too_wide(s);
+}
+
+void transform_stage(struct transform *t, const struct map *to_view)
+{
+	bool exact = true;
+
+	for (int i = 0; i < 16; i++)
+		exact &= sum_is_exact(&t->from_view.m[i / 4][i % 4]);
+	t->staged = !exact && map_leaves_room(to_view);
+	if (t->staged)
+		set_relative_map(t, to_view);
+}
+
+static void set_kind(struct transform *t, enum space from, enum space to,
     bool homogeneous)
 {
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
@@ -94,6 +125,12 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	    t->divide          ? KERNEL_PROJECTIVE :
 	    t->out == 4        ? KERNEL_XYZW :
 				 KERNEL_AFFINE;
+}
+
+void transform_init(struct transform *t, enum space from, enum space to,
+    bool homogeneous)
+{
+	set_kind(t, from, to, homogeneous);
 	transform_prepare(t);
 }
 
@@ -113,22 +150,40 @@ static void choose_depth_kernel(const struct map *projection, struct transform *
 	t->kernel = KERNEL_DEPTH;
 }
 
+/* Computes the map of a transform by way of view space, and stages it. */
+static const char *map_by_view(const struct scene *s, enum space from, enum space to,
+    struct transform *t)
+{
+	const char *why = scene_map_factor(s, from, SPACE_VIEW, &t->map);
+
+	if (why == NULL)
+		why = scene_map_factor(s, SPACE_VIEW, to, &t->from_view);
+	if (why != NULL)
+		return why;
+	map_find_origin(&t->map);
+	transform_stage(t, &t->map);
+	map_multiply(&t->map, &t->from_view, false);
+	return scene_map_refuse_range(s, &t->map);
+}
+
 const char *transform_of_scene(const struct scene *s, enum space from, enum space to,
     bool homogeneous, struct transform *t)
 {
-	struct map projection;
 	bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
-	const char *why = by_view ?
-	    scene_map_by_view(s, from, to, &t->map, &projection) :
-	    scene_map(s, from, to, &t->map);
+	const char *why;
 
+	t->staged = false;
+	why = by_view ? map_by_view(s, from, to, t) : scene_map(s, from, to, &t->map);
 	if (why != NULL)
 		return why;
 	if (from <= SPACE_VIEW && to <= SPACE_VIEW)
 		map_find_origin(&t->map);
-	transform_init(t, from, to, homogeneous);
-	if (t->kernel == KERNEL_PROJECTIVE && by_view && map_is_finite(&projection))
-		choose_depth_kernel(&projection, t);
+	set_kind(t, from, to, homogeneous);
+	if (!t->staged)
+		set_relative_map(t, &t->map);
+	prepare_kernel(t);
+	if (t->kernel == KERNEL_PROJECTIVE && by_view && map_is_finite(&t->from_view))
+		choose_depth_kernel(&t->from_view, t);
 	return transform_check(s, t);
 }
 

@@ -14,6 +14,11 @@ struct transform {
 	 * smaller error, as it has if the translation, not the eye, is given. */
 	struct sum relative[4][4];
 	double origin[3];
+	/* If `staged`, an exact image is from_view's image of the point in view space.
+	 * `relative` and `origin` are then those of the map to view space. So angles,
+	 * which are in from_view, multiply differences that have no error. */
+	bool staged;
+	struct map from_view;
 	int in, out; /* coordinates of a point and its image: 2, 3 or 4 */
 	bool divide;
 	/* If `front` is set, a point has an image if its w is above 0: it is in front
@@ -37,5 +42,9 @@ const char *transform_of_window(const struct scene *, enum flat_space from,
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
-/* Computes the members relative, origin and for_kernel from the member map. */
+/* Computes the members relative, origin, staged and for_kernel from the member map. */
 void transform_prepare(struct transform *);
+
+/* Stages the exact images of a transform, if the map from view space, which the caller
+ * has set, has elements with errors. The product of both maps is the member map. */
+void transform_stage(struct transform *, const struct map *to_view);

@@ -25,6 +25,10 @@ void convention_change(const struct convention *from, const struct convention *t
 		if (depth && !input)
 			*z = sum_add(*z, sum_scale(*w, t));
 	}
-	if (input && (flips_y || flips_z || depth))
+	if (input && depth)
 		map_set_origin(r, NULL);
+	else if (input) {
+		r->origin[1] = flips_y ? 0 - r->origin[1] : r->origin[1];
+		r->origin[2] = flips_z ? 0 - r->origin[2] : r->origin[2];
+	}
 }

@@ -302,6 +302,34 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
+/* Makes the plane of an oblique projection, or z_near of a volume, the origin's z if the
+ * matrix f has errors. Row 4 of r has then none where an error of f multiplies the
+ * difference from this z, which is 0 in the row. */
+static void set_plane_origin(const struct projection *p, const struct scaled_matrix *f,
+    struct map *r)
+{
+	const bool oblique = p->type == PROJECTION_OBLIQUE;
+	const double z = oblique ? p->shear.plane : p->volume.z_near;
+	struct scaled_matrix at = *f;
+	struct map image;
+
+	if (z == 0 ||
+	    (sum_is_exact(&f->zx) && sum_is_exact(&f->zy) && sum_is_exact(&f->zz)))
+		return;
+	if (oblique) { /* there is no shear in the plane */
+		ortho_matrix(p, &at);
+		at.tz = sum_add(at.tz, sum_of_double(z));
+	} else {
+		at.tx = sum_scale(f->zx, z);
+		at.ty = sum_scale(f->zy, z);
+		at.tz = sum_of_double(0);
+		at.tw = sum_add(f->tw, sum_scale(f->zw, z));
+	}
+	map_of_scaled(&at, &image);
+	memcpy(r->m[4], image.m[3], sizeof r->m[4]);
+	r->origin[2] = z;
+}
+
 /* Returns the inverse (A', 0; -B' C A', B') of the matrix of 2x2 blocks (A, 0; C, B),
  * where A = (x 0; 0 y), B = (zz zw; tz tw) and C = (zx zy; tx ty). A' and B' are the
  * inverses of A and B, and det is the determinant of B. The divisors of columns become
@@ -425,6 +453,8 @@ const char *projection_map(const struct projection *p, const struct convention *
 	if (inverse)
 		f = scaled_inverse(&f);
 	map_of_scaled(&f, r);
+	if (!inverse && (p->type == PROJECTION_OBLIQUE || p->type == PROJECTION_VOLUME))
+		set_plane_origin(p, &f, r);
 	if (projection_has_intrinsics(p))
 		why = prepend_intrinsics(p, c, inverse, r);
 	convention_change(&given, c, false, !inverse, r);

@@ -160,24 +160,21 @@ static const char *check_range(const char *err, const struct scene *s,
 		      "another";
 }
 
+const char *scene_map_refuse_range(const struct scene *s, const struct map *r)
+{
+	return check_range(NULL, s, r, false);
+}
+
+const char *scene_map_factor(const struct scene *s, enum space from, enum space to,
+    struct map *r)
+{
+	return compose(s, (int)from, (int)to, map_to_next, r);
+}
+
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	return check_range(compose(s, (int)from, (int)to, map_to_next, r), s, r, false);
-}
-
-const char *scene_map_by_view(const struct scene *s, enum space from, enum space to,
-    struct map *r, struct map *from_view)
-{
-	const char *why = compose(s, (int)from, SPACE_VIEW, map_to_next, r);
-
-	if (why == NULL)
-		map_find_origin(r);
-	if (why == NULL)
-		why = compose(s, SPACE_VIEW, (int)to, map_to_next, from_view);
-	if (why == NULL)
-		map_multiply(r, from_view, false);
-	return check_range(why, s, r, false);
+	return check_range(scene_map_factor(s, from, to, r), s, r, false);
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat_space from,

@@ -81,8 +81,9 @@ struct window_extent {
 /* Computes what the window shows. Returns NULL, or the member at fault and why. */
 const char *scene_window_extent(const struct scene *, struct window_extent *);
 
-/* Computes the map of scene_map, and its last factor from_view, which maps view space
- * to the space `to`. `from` is SPACE_MODEL, SPACE_WORLD or SPACE_VIEW, and `to` is a
- * space after SPACE_VIEW. Elements of from_view may be beyond the range of doubles. */
-const char *scene_map_by_view(const struct scene *, enum space from, enum space to,
-    struct map *, struct map *from_view);
+/* Computes a factor of a map: the map of scene_map, whose elements may be beyond the
+ * range of doubles. scene_map_refuse_range returns NULL or, if elements of the product
+ * are beyond this range, the member at fault and why. */
+const char *scene_map_factor(const struct scene *, enum space from, enum space to,
+    struct map *);
+const char *scene_map_refuse_range(const struct scene *, const struct map *);
