@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "../core/points/distance.h"
 #include "call/operands.h"
 #include "matrix.h"
 #include "call/option_row.h"
@@ -32,14 +33,20 @@ static const char *project_prepare(const struct scene *s, const struct options *
 {
 	const bool needs_frustum = o->flags || o->visible;
 
+	if (s->has_viewport && s->viewport.distance && o->plane.n == 0 &&
+	    (o->ray || from == SPACE_DEVICE || to == SPACE_DEVICE) &&
+	    (o->matrix || o->homogeneous || o->ray))
+		return "/viewport/depth: is \"distance\", but -m, -H and "
+		       "--ray are about the depth of \"buffer\"; write that";
 	j->rays = o->ray;
 	j->count_imageless = !needs_frustum && !o->homogeneous && to != SPACE_CLIP;
 	if (o->plane.n > 0)
 		return ray_plane_transform(s, from, to, o->plane.v, &j->transform);
 	if (o->ray)
 		return ray_maker_of(s, &j->ray);
-	const char *why = transform_of_scene(s, from, to, o->homogeneous,
-	    &j->transform);
+	const char *why = o->homogeneous || o->matrix ?
+	    transform_of_scene(s, from, to, o->homogeneous, &j->transform) :
+	    distance_transform(s, from, to, &j->transform);
 
 	return why == NULL && needs_frustum ?
 	    frustum_of(s, from, o->homogeneous, &j->frustum) :

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../core/points/distance.h"
 #include "../core/points/points.h"
 #include "call/operands.h"
 #include "call/option_row.h"
@@ -155,8 +156,7 @@ void run_trace(const struct options *o)
 		trace.n_spaces--;
 	for (int s = 0; s < trace.n_spaces; s++)
 		document_refuse_if(&d,
-		    transform_of_scene(&d.scene, o->from, (enum space)s, false,
-			&trace.to[s]));
+		    distance_transform(&d.scene, o->from, (enum space)s, &trace.to[s]));
 	document_refuse_if(&d, frustum_of(&d.scene, o->from, false, &j.frustum));
 	j.transform = trace.to[SPACE_CLIP];
 	for (int s = 0; s < SPACES; s++)

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Prints the JSON Schema of a scene, made from `projcalc help --json`: the members, and the
 # rules between them. What no row says is written here: the values that have several
-# forms, and three rules between objects.
+# forms, and four rules of values.
 # usage: schema.pl PROJCALC
 use strict;
 use warnings;
@@ -280,6 +280,11 @@ my @rules = (
 	    properties => {projection => {required => ['intrinsics']}}},
 	    then => {required => ['viewport'], properties => {viewport => {
 	    properties => {scale => {const => 'fill'}}}}}},
+	# The range of a depth buffer's depth does not change distances.
+	{if => {required => ['viewport'], properties => {viewport => {
+	    required => ['depth'], properties => {depth => {const => 'distance'}}}}},
+	    then => {properties => {viewport => {properties => {
+	    min_z => $false, max_z => $false}}}}},
 	# A window adapts to a device.
 	{if => {required => ['window'], properties => {window => {
 	    required => ['adapt'],

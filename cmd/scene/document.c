@@ -180,6 +180,12 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	if (s->camera.steps.step != NULL)
 		convention_require(&m[ROW_OF(CAMERA)],
 		    s->camera.way == CAMERA_POSE ? "pose" : "matrix");
+	if (s->has_viewport && s->viewport.distance &&
+	    (value_member(&m[ROW_OF(VIEWPORT)], "min_z", &given) ||
+		value_member(&m[ROW_OF(VIEWPORT)], "max_z", &given)))
+		value_refuse(&given,
+		    "not together with \"depth\": \"distance\"; it is for "
+		    "\"buffer\"");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);

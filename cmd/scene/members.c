@@ -9,6 +9,7 @@
 
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scale_names[] = { "fill", "uniform", NULL };
+static const char *const depth_names[] = { "buffer", "distance", NULL };
 static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
@@ -134,6 +135,9 @@ static const struct member viewport_members[] = {
 	ROW(viewport, "scale", type_scale, scale, .words = scale_names,
 	    .fallback = "\"fill\"",
 	    .about = "device units (pixels) for one unit of ndc x and y"),
+	ROW(viewport, "depth", type_flag, distance, .words = depth_names,
+	    .fallback = "\"buffer\"",
+	    .about = "device z: the depth, or the distance along the gaze"),
 	{ .name = NULL },
 };
 

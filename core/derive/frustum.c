@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../points/distance.h"
 #include "../points/point.h"
 
 void frustum_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
@@ -89,8 +90,14 @@ static void stage_planes(const struct scene *s, enum space from, struct frustum 
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f)
 {
-	const char *why = frustum_planes(s, from, &f->sides.map, &f->ends.map);
+	const bool by_distance = from == SPACE_DEVICE && s->viewport.distance;
+	const char *why = frustum_planes(s, by_distance ? SPACE_VIEW : from,
+	    &f->sides.map, &f->ends.map);
 
+	if (why == NULL && by_distance) {
+		why = distance_planes(s, &f->sides);
+		return why != NULL ? why : distance_planes(s, &f->ends);
+	}
 	if (why != NULL)
 		return why;
 	transform_init(&f->sides, from, SPACE_CLIP, homogeneous);
@@ -169,6 +176,7 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
 	bool flat = f->sides.in == 2, four = f->sides.in == 4;
+	const bool exactly = four || f->sides.distance != DISTANCE_NONE;
 	/* in 2D any column serves as z, as the map multiplies it by 0 */
 	const double *z = in[flat ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
@@ -181,16 +189,16 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 		size_t count = n - i < SIGNS_BLOCK ? n - i : SIGNS_BLOCK;
 
 		memset(word, 0, count * sizeof *word);
-		if (!four)
+		if (!exactly)
 			kernels_chosen()->signs(&sides, 4, OUT_LEFT, at, word, count);
-		if (!four && !flat)
+		if (!exactly && !flat)
 			kernels_chosen()->signs(&ends, 3, OUT_NEAR, at, word, count);
 		for (size_t k = 0; k < count; k++) {
 			unsigned planes = (unsigned)word[k];
 			const double p[4] = { at[0][k], at[1][k], at[2][k],
 				four ? in[3][i + k] : 1 };
 
-			if (four || planes >= SIGNS_UNSURE)
+			if (exactly || planes >= SIGNS_UNSURE)
 				planes = frustum_outside(f, p);
 			out[i + k] = planes & OUT_BEHIND ? OUT_BEHIND :
 							   (unsigned char)planes;

@@ -56,6 +56,9 @@ void map_multiply(struct map *r, const struct map *factor, bool before);
  * singular. The origin of the inverse is the last row of an affine m, or else 0. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 
+/* Computes the inverse, with origin 0. Returns false if the map is singular. */
+bool map_invert(const struct map *, struct map *inverse);
+
 /* Returns the determinant of the n rows and n columns of m whose bits in the masks are
  * 0. Elements of skipped columns are read, too, and must have values. */
 struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,

@@ -2,7 +2,6 @@
 #include "point.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "kernel/midway.h"
 
@@ -11,20 +10,30 @@
 static void set_relative(const struct transform *t, const double in[4], struct sum p[4])
 {
 	for (int i = 0; i < 3; i++)
-		p[i] = sum_difference(i < t->in ? in[i] : 0, t->origin[i]);
-	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
+		if (t->origin[i] == 0)
+			sum_set(&p[i], i < t->in ? in[i] : 0);
+		else
+			p[i] = sum_difference(i < t->in ? in[i] : 0, t->origin[i]);
+	sum_set(&p[3], t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Replaces p, relative to the origin, by the point in view space, if t is staged. */
-static void take_stage(const struct transform *t, struct sum p[4])
+/* Sets p to the point from which column_of computes images: in view space if t is staged,
+ * else relative to the origin. */
+static void set_point(const struct transform *t, const double in[4], struct sum p[4])
 {
 	struct sum q[4];
 
-	if (!t->staged)
-		return;
-	for (int j = 0; j < 4; j++)
-		sum_dot(4, p, &t->relative[0][j], 4, &q[j]);
-	memcpy(p, q, sizeof q);
+	set_relative(t, in, t->staged ? q : p);
+	for (int j = 0; j < 3 && t->staged; j++)
+		sum_dot(4, q, &t->relative[0][j], 4, &p[j]);
+	if (t->staged) /* the map to view space is affine */
+		sum_copy(&p[3], &t->relative[3][3]);
+	if (t->distance == DISTANCE_IN) {
+		p[3] = sum_mul(p[2], t->length);
+		sum_copy(&p[2], &t->unit);
+		p[0] = sum_scale(p[3], in[0]);
+		p[1] = sum_scale(p[3], in[1]);
+	}
 }
 
 /* Computes column j of the image of p, which set_point has made. */
@@ -35,12 +44,6 @@ static void column_of(const struct transform *t, int j, const struct sum p[4],
 		map_image(&t->from_view, j, p, r);
 	else
 		sum_dot(4, p, &t->relative[0][j], 4, r);
-}
-
-static void set_point(const struct transform *t, const double in[4], struct sum p[4])
-{
-	set_relative(t, in, p);
-	take_stage(t, p);
 }
 
 struct sum point_column(const struct transform *t, int j, const double in[4])
@@ -56,11 +59,16 @@ struct sum point_column(const struct transform *t, int j, const double in[4])
 static bool find_divisor(const struct transform *t, const double in[4],
     const struct sum p[4], struct sum *d)
 {
-	*d = t->map.divisor;
-	if (!t->divide)
+	if (t->distance == DISTANCE_IN && !(in[2] > 0))
+		return false;
+	if (!t->divide) {
+		sum_copy(d, &t->map.divisor);
+		if (t->distance == DISTANCE_IN)
+			*d = sum_mul(*d, t->unit);
 		return true;
+	}
 	if (t->reciprocal && t->out == 4)
-		*d = sum_mul(*d, sum_of_double(in[3]));
+		*d = sum_scale(t->map.divisor, in[3]);
 	else
 		column_of(t, 3, p, d);
 	int sign = sum_sign(*d);
@@ -68,25 +76,43 @@ static bool find_divisor(const struct transform *t, const double in[4],
 	return t->front ? sign > 0 : sign != 0;
 }
 
+/* Sets n and d to numerator and divisor of the distance of the image of p, with w as *d.
+ * Returns false if a point of clip or ndc space is beyond infinity. */
+static bool find_distance(const struct transform *t, const struct sum p[4],
+    struct sum *n, struct sum *d)
+{
+	struct sum scale;
+
+	column_of(t, 2, p, &scale);
+	*n = sum_mul(*d, t->unit);
+	*d = sum_mul(scale, t->length);
+	return sum_sign(scale) > 0;
+}
+
 void point_exact(const struct transform *t, const double in[4], double out[4])
 {
 	struct sum p[4], q, d;
+	bool has_image = true;
 
-	for (int j = 0; j < t->out; j++)
-		out[j] = (double)NAN;
 	for (int i = 0; i < t->in; i++)
-		if (isnan(in[i]))
-			return;
-	set_point(t, in, p);
-	if (!find_divisor(t, in, p, &d))
-		return;
-	for (int j = 0; j < t->out; j++) {
-		column_of(t, j, p, &q);
-		double v = sum_ratio_nearest(&q, &d, false);
-
-		if (isfinite(v))
-			out[j] = v;
+		has_image &= !isnan(in[i]);
+	if (has_image) {
+		set_point(t, in, p);
+		has_image = find_divisor(t, in, p, &d);
 	}
+	for (int j = 0; j < t->out; j++) {
+		double v = (double)NAN;
+
+		if (has_image && j == 2 && t->distance == DISTANCE_OUT)
+			has_image = find_distance(t, p, &q, &d);
+		else if (has_image)
+			column_of(t, j, p, &q);
+		if (has_image)
+			v = sum_ratio_nearest(&q, &d, false);
+		out[j] = isfinite(v) ? v : (double)NAN;
+	}
+	for (int j = 0; j < t->out && !has_image; j++)
+		out[j] = (double)NAN;
 }
 
 /* A double that is not midway between two floats is on the same side of each midpoint

@@ -45,12 +45,14 @@ static void map_one(const struct transform *t, enum precision precision,
 
 	for (int j = 0; j < t->in; j++)
 		p[j] = in[j][i];
-	if (precision == PRECISION_EXACT)
+	const bool single = precision == PRECISION_SINGLE;
+
+	if (precision == PRECISION_EXACT || t->distance != DISTANCE_NONE)
 		point_exact(t, p, q);
 	else
-		point_approx(t, precision == PRECISION_SINGLE, p, q);
+		point_approx(t, single, p, q);
 	for (int j = 0; j < t->out; j++)
-		out[j][i] = q[j];
+		out[j][i] = rounded(q[j], single);
 }
 
 /* Computes the image of point i by a call of the kernel for this point alone. The error

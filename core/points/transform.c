@@ -54,6 +54,7 @@ static void prepare_kernel(struct transform *t)
 void transform_prepare(struct transform *t)
 {
 	t->staged = false;
+	t->distance = DISTANCE_NONE;
 	set_relative_map(t, &t->map);
 	prepare_kernel(t);
 }
@@ -89,9 +90,7 @@ static bool map_leaves_room(const struct map *m)
 	return fits;
 }
 
-/* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the
- * scene and a reason. */
-static const char *transform_check(const struct scene *s, const struct transform *t)
+const char *transform_check(const struct scene *s, const struct transform *t)
 {
 	return map_leaves_room(&t->map) && !ex_has_overflowed() ? NULL :
 	    t->kernel == KERNEL_FLAT ? "/window: " SCENE_TOO_WIDE :
@@ -150,39 +149,42 @@ static void choose_depth_kernel(const struct map *projection, struct transform *
 	t->kernel = KERNEL_DEPTH;
 }
 
-/* Computes the map of a transform by way of view space, and stages it. */
-static const char *map_by_view(const struct scene *s, enum space from, enum space to,
-    struct transform *t)
+const char *transform_by_view(const struct scene *s, enum space from, enum space to,
+    bool homogeneous, struct transform *t)
 {
-	const char *why = scene_map_factor(s, from, SPACE_VIEW, &t->map);
-
-	if (why == NULL)
-		why = scene_map_factor(s, SPACE_VIEW, to, &t->from_view);
-	if (why != NULL)
-		return why;
 	map_find_origin(&t->map);
 	transform_stage(t, &t->map);
 	map_multiply(&t->map, &t->from_view, false);
-	return scene_map_refuse_range(s, &t->map);
+	const char *why = scene_map_refuse_range(s, &t->map);
+
+	if (why != NULL)
+		return why;
+	t->distance = DISTANCE_NONE;
+	set_kind(t, from, to, homogeneous);
+	if (!t->staged)
+		set_relative_map(t, &t->map);
+	prepare_kernel(t);
+	return NULL;
 }
 
 const char *transform_of_scene(const struct scene *s, enum space from, enum space to,
     bool homogeneous, struct transform *t)
 {
 	bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
-	const char *why;
+	const char *why = by_view ? scene_map_factor(s, from, SPACE_VIEW, &t->map) :
+				    scene_map(s, from, to, &t->map);
 
-	t->staged = false;
-	why = by_view ? map_by_view(s, from, to, t) : scene_map(s, from, to, &t->map);
+	if (why == NULL && by_view)
+		why = scene_map_factor(s, SPACE_VIEW, to, &t->from_view);
+	if (why == NULL && by_view)
+		why = transform_by_view(s, from, to, homogeneous, t);
 	if (why != NULL)
 		return why;
 	if (from <= SPACE_VIEW && to <= SPACE_VIEW)
 		map_find_origin(&t->map);
-	set_kind(t, from, to, homogeneous);
-	if (!t->staged)
-		set_relative_map(t, &t->map);
-	prepare_kernel(t);
-	if (t->kernel == KERNEL_PROJECTIVE && by_view && map_is_finite(&t->from_view))
+	if (!by_view)
+		transform_init(t, from, to, homogeneous);
+	else if (t->kernel == KERNEL_PROJECTIVE && map_is_finite(&t->from_view))
 		choose_depth_kernel(&t->from_view, t);
 	return transform_check(s, t);
 }

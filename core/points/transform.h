@@ -25,6 +25,11 @@ struct transform {
 	 * of the eye. If not, a point has an image if its w is not 0. */
 	bool front;
 	bool reciprocal; /* points are device positions x y z 1/w */
+	/* In a perspective z of the device may be a distance Z (distance.h). A point
+	 * u v Z of DISTANCE_IN is (u w, v w, unit, w) times the map, with w = Z length.
+	 * An image of DISTANCE_OUT has Z = unit w / (length z), of columns w and z. */
+	enum { DISTANCE_NONE, DISTANCE_IN, DISTANCE_OUT } distance;
+	struct sum length, unit;
 	enum kernel_kind kernel;
 	struct kernel_map for_kernel;
 };
@@ -42,8 +47,19 @@ const char *transform_of_window(const struct scene *, enum flat_space from,
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
-/* Computes the members relative, origin, staged and for_kernel from the member map. */
+/* Computes the members relative, origin, staged, distance and for_kernel from the member
+ * map. */
 void transform_prepare(struct transform *);
+
+/* Sets all members of a transform from `from` by way of view space to `to`, except
+ * from_view and map, which the caller has set: to the map from view space, and to the map
+ * to it, which becomes the product. Returns NULL, or the member at fault and why. */
+const char *transform_by_view(const struct scene *, enum space from, enum space to,
+    bool homogeneous, struct transform *);
+
+/* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the
+ * scene and a reason. */
+const char *transform_check(const struct scene *, const struct transform *);
 
 /* Stages the exact images of a transform, if the map from view space, which the caller
  * has set, has elements with errors. The product of both maps is the member map. */

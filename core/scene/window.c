@@ -122,7 +122,7 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 const char *device_map(const struct device *d, bool inverse, struct map *r)
 {
 	const struct viewport v = { d->x, d->y, d->width, d->height, 0, 1, SCALE_FILL,
-		{ 0 } };
+		{ 0 }, false };
 	const struct convention c = { .origin_bottom_left = !d->top_left };
 
 	return viewport_map(&v, &c, inverse, r);

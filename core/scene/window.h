@@ -25,6 +25,7 @@ struct viewport {
 	double x, y, width, height, min_z, max_z;
 	enum { SCALE_FILL, SCALE_UNIFORM, SCALE_GIVEN } scale;
 	double scales[2]; /* of SCALE_GIVEN: pixels per unit of ndc x and y */
+	bool distance; /* z that project and trace print is a distance, not a depth */
 };
 
 /* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The

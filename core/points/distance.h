@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT */
+/* Distances along the gaze, as near and far are measured, and points of a device whose z
+ * is such a distance in place of a depth, as in the images of a depth camera. */
+#pragma once
+
+#include "transform.h"
+
+/* The distance of a point p of view space is (p, 1) times `column`, over `length`. In a
+ * perspective it is measured from the eye: w over the length of w's gradient. In a
+ * parallel projection it is measured from the origin of view space along the gaze or, of
+ * a projection's matrix, along the gradient of z from near to far. */
+struct distance {
+	struct sum column[4], length;
+	bool parallel;
+};
+
+/* Makes the distance of a scene. Returns NULL, or the member at fault and why. */
+const char *distance_of(const struct scene *, struct distance *);
+
+/* Computes the transform of scene_transform or, if z of the scene's device is a distance,
+ * the transform to or from such a device. In a perspective a distance that is not
+ * positive has no image. Returns NULL, or the member at fault and why. */
+const char *distance_transform(const struct scene *, enum space from, enum space to,
+    struct transform *);
+
+/* Makes t, whose member map leads from view space to the columns of planes, a transform
+ * from a device whose z is the distance. Returns NULL, or the member and why. */
+const char *distance_planes(const struct scene *, struct transform *t);
