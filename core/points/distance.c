@@ -85,7 +85,7 @@ static const char *from_device(const struct scene *s, enum space to,
 	if (!map_invert(&t->from_view, &inverse))
 		return "/projection: singular; it can't be inverted";
 	map_multiply(&t->map, &inverse, true);
-	why = scene_map_refuse_range(&t->map);
+	why = scene_map_refuse_range(s, &t->map);
 	transform_init(t, SPACE_DEVICE, to, false);
 	set_distance(&d, true, to, t);
 	return why != NULL ? why : transform_check(s, t);
@@ -105,7 +105,7 @@ static const char *to_device(const struct scene *s, enum space from,
 		why = transform_by_view(s, from, SPACE_DEVICE, false, t);
 	} else {
 		map_multiply(&t->map, &t->from_view, false);
-		why = scene_map_refuse_range(&t->map);
+		why = scene_map_refuse_range(s, &t->map);
 		transform_init(t, from, SPACE_DEVICE, false);
 	}
 	set_distance(&d, false, SPACE_DEVICE, t);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The view matrix and its inverse against MPFR, exact zeros, and refusals. */
+#include "../exact/rotation.h"
 #include "claims.h"
 
 static const struct convention d3d;
@@ -67,7 +68,7 @@ static void check_orthonormalized(const char *what, int e, int tries)
 		sample_orthonormalize(&c, e);
 		compare(&c, &d3d, &w);
 	}
-	assert_errors(what, &w, 0x1p-245 / TRUTH_TOLERANCE);
+	assert_errors(what, &w, ROTATION_BOUND / TRUTH_TOLERANCE);
 }
 
 static void rotation_is_nearest(void **state)
