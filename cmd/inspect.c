@@ -2,8 +2,11 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "../core/derive/box.h"
 #include "../core/derive/picture.h"
+#include "../core/derive/textbook.h"
 #include "json/print.h"
+#include "lines/put.h"
 #include "call/operands.h"
 #include "call/option_row.h"
 #include "message/message.h"
@@ -171,6 +174,47 @@ static void put_error_bounds(struct printer *p, const double bound[3], double to
 	put_string(put_name(p, "precision"), precision_names[precision]);
 }
 
+/* Puts the member bounds, if the document has bounds. */
+static void put_bounds(struct printer *p, const struct document *d)
+{
+	static struct flag_words words;
+	static struct box r;
+	const struct scene *s = &d->scene;
+
+	if (!d->has_bounds)
+		return;
+	document_refuse_if(d,
+	    d->flat ? flat_box_of(s, &d->bounds, &r) : box_of(s, &d->bounds, &r));
+	put_open(put_name(p, "bounds"), "{");
+	if (!d->flat)
+		put_vector(put_name(p, "distance"), r.distance, 2);
+	put_name(p, (d->flat ? s->has_device : s->has_viewport) ? "device" : "ndc");
+	if (isnan(r.min[0])) {
+		put_literal(p, "null");
+	} else {
+		put_open(p, "{");
+		put_vector(put_name(p, "min"), r.min, 2);
+		put_vector(put_name(p, "max"), r.max, 2);
+		put_close(p, "}");
+	}
+	put_string(put_name(p, "flags"),
+	    r.behind  ? "behind" :
+		r.out ? "out" :
+			flags_word(&words, r.outside)->s);
+	put_close(p, "}");
+}
+
+static void put_textbook_error(struct printer *p, const struct document *d)
+{
+	double error[2];
+
+	document_refuse_if(d, textbook_errors(&d->scene, error));
+	put_open(put_name(p, "textbook_error"), "{");
+	put_number(put_name(p, "float"), error[0]);
+	put_number(put_name(p, "double"), error[1]);
+	put_close(p, "}");
+}
+
 static void put_window(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;
@@ -184,6 +228,7 @@ static void put_window(struct printer *p, const struct document *d)
 	else
 		put_literal(p, "null");
 	put_vector(put_name(p, "scale"), w.scale, 2);
+	put_bounds(p, d);
 }
 
 /* Puts what inspect prints of a document with a projection. */
@@ -197,6 +242,9 @@ static void put_projection(struct printer *p, const struct document *d,
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
 	put_error_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
+	if (o->textbook)
+		put_textbook_error(p, d);
+	put_bounds(p, d);
 	put_name(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);
@@ -219,10 +267,11 @@ void run_inspect(const struct options *o)
 	struct document d;
 
 	params_read_document(o, &d);
-	if (d.flat && (o->tolerance > 0 || o->distances.n > 0))
+	if (d.flat && (o->tolerance > 0 || o->distances.n > 0 || o->textbook))
 		document_refuse(&d,
-		    "/projection: missing; -t and --distances are about the "
-		    "errors and the depth of a projection, not of a window");
+		    "/projection: missing; -t, --distances and --textbook are "
+		    "about the errors and the depth of a projection, not of a "
+		    "window");
 	put_open(&p, "{");
 	if (d.flat)
 		put_window(&p, &d);

@@ -304,7 +304,7 @@ const struct member scene_members[] = {
 	    .flag = FIELD(document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .rules = bounds_rules, .example = BOUNDS_EXAMPLE,
 	    .unit = "model units",
-	    .about = "volume that the picture of fit holds, in place of points",
+	    .about = "volume that fit puts into the picture, and inspect finds there",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
 	ROW(document, "pick", type_object, pick, .flag = FIELD(document, has_pick),

@@ -39,7 +39,7 @@ END
 my $beyond = qr{
 	equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
 	less\ than\ min | no\ extent | parallel\ to | does\ not\ run | does\ not\ begin |
-	that\ fit\ computes | no\ points$ | not\ in\ order | crosses\ the\ volume |
+	that\ fit\ computes | all\ of\ the\ bounds | takes\ z\ to\ w | about\ the\ depth\ of | no\ points$ | not\ in\ order | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
 	singular | determinant | last\ column | rows\ are\ for | transposed | of\ -c; | pi\S*\ radians |
 	too\ far\ from |

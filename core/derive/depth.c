@@ -108,7 +108,7 @@ static bool next_float(const struct sum z[2], int up, struct sum next[2])
 
 static bool is_float(const struct sum z[2])
 {
-	const struct sum f[2] = { sum_of_double(sum_nearest(&z[0], &z[1], true)),
+	const struct sum f[2] = { sum_of_double(sum_ratio_nearest(&z[0], &z[1], true)),
 		sum_of_double(1) };
 
 	return compare_depths(f, z) == 0;

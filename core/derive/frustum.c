@@ -107,8 +107,8 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 	return NULL;
 }
 
-const char *frustum_of_window(const struct scene *s, enum flat_space from,
-    struct frustum *f)
+const char *frustum_window_planes(const struct scene *s, enum flat_space from,
+    struct map *sides)
 {
 	struct map m;
 	struct sum one = sum_of_double(1);
@@ -116,13 +116,22 @@ const char *frustum_of_window(const struct scene *s, enum flat_space from,
 
 	if (why != NULL)
 		return why;
-	memset(f, 0, sizeof *f);
-	f->sides.map = m;
-	f->sides.in = 2;
+	*sides = m;
 	for (int k = 0; k < 4; k++)
-		combine_columns(&f->sides.map, k, &m, k & 1, k / 2, &one, &one);
-	transform_prepare(&f->sides);
+		combine_columns(sides, k, &m, k & 1, k / 2, &one, &one);
 	return NULL;
+}
+
+const char *frustum_of_window(const struct scene *s, enum flat_space from,
+    struct frustum *f)
+{
+	memset(f, 0, sizeof *f);
+	f->sides.in = 2;
+	const char *why = frustum_window_planes(s, from, &f->sides.map);
+
+	if (why == NULL)
+		transform_prepare(&f->sides);
+	return why;
 }
 
 unsigned frustum_outside(const struct frustum *f, const double in[4])

@@ -36,8 +36,11 @@ const char *frustum_planes(const struct scene *, enum space from, struct map *si
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
-/* Makes the edges of the ndc square, which fills the device, as functions of a point in
- * the 2D space `from`. Returns NULL, or the member at fault and why. */
+/* frustum_window_planes and frustum_of_window make the edges of the ndc square, which fills the
+ * device, as functions of a point in the 2D space `from`. Both return NULL, or the
+ * member at fault and why. */
+const char *frustum_window_planes(const struct scene *, enum flat_space from,
+    struct map *sides);
 const char *frustum_of_window(const struct scene *, enum flat_space from,
     struct frustum *);
 

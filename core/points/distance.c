@@ -6,7 +6,7 @@
 const char *distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;
-	const bool back = convention_looks_back(answer_convention(s));
+	const bool back = convention_looks_back(scene_answer_convention(s));
 	struct map m;
 	const char *why = scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &m);
 

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+/* Where a scene shows a box: what culling, scissors, level of detail, and near and far ask
+ * for. A sphere counts as its box. */
+#pragma once
+
+#include "fit_bounds.h"
+
+/* A corner, or a point where the near plane cuts an edge: x and y over w on the device or,
+ * without one, in ndc; and the function of the near plane, not negative beyond it. */
+struct box_point {
+	struct sum x, y, w, near;
+};
+
+struct box {
+	double distance[2]; /* least and greatest of the corners (points/distance.h) */
+	/* The least rectangle that holds the images of the part of the box beyond the
+	 * near plane; nan if this part is empty or reaches w <= 0. */
+	double min[2], max[2];
+	unsigned outside; /* OUT_ bits of planes that some corner is outside of */
+	bool out;         /* all corners are outside of one plane */
+	bool behind;      /* all corners are at or behind the eye */
+	/* what they are made from: n corners, homogeneous in view space or, if flat, in
+	 * the window; their images; and maps from there */
+	int n;
+	struct sum at[8][4];
+	struct box_point corner[8];
+	struct map sides, ends;
+};
+
+/* box_of describes bounds of three dimensions, and flat_box_of those of two, of which
+ * there is no distance. Both return NULL, or the member at fault and why. */
+const char *box_of(const struct scene *, const struct bounds *, struct box *);
+const char *flat_box_of(const struct scene *, const struct bounds *, struct box *);

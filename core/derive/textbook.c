@@ -1,0 +1,182 @@
+/* SPDX-License-Identifier: MIT */
+#include "textbook.h"
+
+#include <math.h>
+
+#include "../points/point.h"
+
+enum { STEPS = 5 }; /* points along each axis of the volume */
+
+/* The program: the product of its matrices, and its constants of the viewport. A float is
+ * computed as a double and then rounded, which gives the float that one rounding of a
+ * sum, a product or a quotient of two floats gives, as 53 >= 2 24 + 2 (Figueroa, "When
+ * is double rounding innocuous?", 1995). */
+struct program {
+	bool single;
+	double m[4][4];
+	double scale[2], offset[2];
+};
+
+static double rounded(const struct program *g, double a)
+{
+	return g->single ? (double)(float)a : a;
+}
+
+/* Returns the sum of n products a[k] b[k * 4], from left to right. */
+static double dot(const struct program *g, int n, const double *a, const double *b)
+{
+	double r = rounded(g, a[0] * b[0]);
+
+	for (int k = 1; k < n; k++)
+		r = rounded(g, r + rounded(g, a[k] * b[k * 4]));
+	return r;
+}
+
+/* Multiplies the program's matrix by that of the next map, rounded. */
+static void take_map(struct program *g, const struct map *next, bool first)
+{
+	double a[4][4], b[4][4];
+
+	for (int i = 0; i < 16; i++) {
+		a[i / 4][i % 4] = g->m[i / 4][i % 4];
+		b[i / 4][i % 4] = map_element_nearest(next, i / 4, i % 4, g->single);
+	}
+	for (int i = 0; i < 16; i++)
+		g->m[i / 4][i % 4] = first ? b[i / 4][i % 4] :
+					     dot(g, 4, a[i / 4], &b[0][i % 4]);
+}
+
+/* Makes the program of a scene; a scene's absent members have no matrix in it. */
+static const char *program_of(const struct scene *s, struct program *g)
+{
+	const bool has[3] = { s->has_world, s->has_camera,
+		s->projection.type != PROJECTION_NONE };
+	bool first = true;
+	struct map m;
+
+	map_identity(&m);
+	take_map(g, &m, true);
+	for (int k = 0; k < 3; k++) {
+		const char *why = has[k] ?
+		    scene_map_factor(s, (enum space)k, (enum space)(k + 1), &m) :
+		    NULL;
+
+		if (why != NULL)
+			return why;
+		if (has[k])
+			take_map(g, &m, first);
+		first &= !has[k];
+	}
+	map_identity(&m);
+	const char *why = s->has_viewport ?
+	    scene_map_factor(s, SPACE_NDC, SPACE_DEVICE, &m) :
+	    NULL;
+
+	for (int k = 0; k < 2; k++) {
+		g->scale[k] = map_element_nearest(&m, k, k, g->single);
+		g->offset[k] = map_element_nearest(&m, 3, k, g->single);
+	}
+	return why;
+}
+
+/* Computes the program's x and y of a point. Returns whether w is positive, and all
+ * numbers are finite. */
+static bool run_program(const struct program *g, const double p[4], double image[2],
+    bool has_viewport)
+{
+	const double w = dot(g, 4, p, &g->m[0][3]);
+
+	for (int k = 0; k < 2; k++) {
+		double x = rounded(g, dot(g, 4, p, &g->m[0][k]) / w);
+
+		if (has_viewport)
+			x = rounded(g, rounded(g, x * g->scale[k]) + g->offset[k]);
+		image[k] = x;
+	}
+	return w > 0 && isfinite(w) && isfinite(image[0]) && isfinite(image[1]);
+}
+
+/* Writes the square of the distance of an image from the exact image of p. */
+static void squared_error(const struct transform *t, const double p[4],
+    const double image[2], struct sum *square)
+{
+	struct sum w = point_column(t, 3, p), e[2];
+
+	if (!t->divide)
+		sum_copy(&w, &t->map.divisor);
+	for (int k = 0; k < 2; k++) {
+		struct sum at = point_column(t, k, p);
+
+		at = sum_sub(at, sum_scale(w, image[k]));
+		e[k] = sum_quotient(at, w);
+	}
+	sum_dot(2, e, e, 1, square);
+}
+
+/* Writes point i of the volume, in model space and rounded. Returns false if it is at
+ * infinity. `back` leads from ndc to model space. */
+static bool volume_point(const struct scene *s, const struct map *back, int i,
+    bool single, double p[4])
+{
+	const int step[3] = { i % STEPS, i / STEPS % STEPS, i / STEPS / STEPS };
+	const double low = scene_answer_convention(s)->depth_minus_one ? -1 : 0;
+	struct sum half[2], scale[2], at[4], d, c;
+
+	frustum_limits(s, half, scale);
+	for (int k = 0; k < 2; k++)
+		at[k] = sum_mul(sum_scale(half[k], step[k] * 0.5 - 1), scale[1 - k]);
+	at[3] = sum_mul(scale[0], scale[1]);
+	at[2] = sum_scale(at[3], low + step[2] * 0.25 * (1 - low));
+	map_image(back, 3, at, &d);
+	if (sum_sign(d) == 0)
+		return false;
+	for (int k = 0; k < 3; k++) {
+		map_image(back, k, at, &c);
+		p[k] = sum_ratio_nearest(&c, &d, single);
+	}
+	p[3] = 1;
+	return true;
+}
+
+/* Returns the error of the program, or nan. */
+static double program_error(const struct scene *s, const struct program *g,
+    const struct transform *t, const struct map *back)
+{
+	struct sum most, square;
+	double p[4], image[2];
+
+	sum_set(&most, 0);
+	for (int i = 0; i < STEPS * STEPS * STEPS; i++) {
+		if (!volume_point(s, back, i, g->single, p))
+			continue;
+		if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
+		    !run_program(g, p, image, s->has_viewport))
+			return (double)NAN;
+		squared_error(t, p, image, &square);
+		if (sum_compare(square, most) > 0)
+			sum_copy(&most, &square);
+	}
+	most = sum_sqrt(most);
+	return sum_double(most);
+}
+
+const char *textbook_errors(const struct scene *s, double error[2])
+{
+	struct map back;
+	struct transform t;
+	const char *why = transform_of_scene(s, SPACE_MODEL,
+	    s->has_viewport ? SPACE_DEVICE : SPACE_NDC, false, &t);
+
+	error[0] = error[1] = (double)NAN;
+	if (why != NULL || projection_is_open(&s->projection) ||
+	    scene_map_factor(s, SPACE_NDC, SPACE_MODEL, &back) != NULL)
+		return why;
+	for (int k = 0; k < 2; k++) {
+		struct program g = { .single = k == 0 };
+
+		if ((why = program_of(s, &g)) != NULL)
+			return why;
+		error[k] = program_error(s, &g, &t, &back);
+	}
+	return NULL;
+}
