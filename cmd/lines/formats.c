@@ -16,8 +16,7 @@ struct dialect dialect_of(enum format f, char separator)
 		row->separator != 0 ? row->separator : separator };
 }
 
-/* Returns the end of the quoted text at s, where two quotes stand for one; NULL if it is
- * not closed. */
+/* Returns the end of the quoted text at s, with "" for a quote; NULL: not closed. */
 static const char *csv_quote_end(const char *s, const char *end)
 {
 	do {
@@ -216,9 +215,8 @@ static char *put_control(const struct format_row *out, char c, char *at)
 	return at;
 }
 
-/* Decodes the character at *s of a field to c, and moves *s past the character. escape
- * is the field's escape character, or 0. If utf8 is set, a byte that is not UTF-8
- * becomes U+FFFD. Returns the size of c in bytes. */
+/* Decodes the character at *s, and moves *s past it; returns its size. `escape` is the
+ * field's, or 0. If utf8 is set, a byte that is not UTF-8 becomes U+FFFD. */
 static int decode_one(const char **s, const char *end, char escape, bool utf8,
     char c[4])
 {

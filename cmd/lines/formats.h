@@ -8,14 +8,13 @@
 
 #include "../message/utf8.h"
 
-/* Formats of lines, of which tsv is csv with tabs; then little-endian binary numbers. */
 enum format {
 	FORMAT_TEXT,
 	FORMAT_CSV,
-	FORMAT_TSV,
+	FORMAT_TSV, /* csv with tabs */
 	FORMAT_JSON,
-	FORMAT_F64,
-	FORMAT_F32
+	FORMAT_F64, /* little-endian doubles; no lines, as all that follow */
+	FORMAT_F32, /* little-endian floats */
 };
 
 /* A format with its separator. The dialect of tsv is FORMAT_CSV with a tab. */
@@ -35,7 +34,6 @@ struct field {
 	bool unclosed;            /* FORMAT_CSV: the quote of the field is not closed */
 };
 
-/* A cursor over the fields of a line, a JSON array or a JSON object. */
 struct cursor {
 	struct dialect in;
 	const char *s;            /* the next field, or NULL after the last */
@@ -103,8 +101,7 @@ const char *format_read(struct dialect, const char *s, const char *end, double *
  * output: at most two quotes, and six bytes for each byte of f (\u0001 in JSON). */
 char *format_convert(struct dialect in, struct dialect out, struct span f, char *at);
 
-/* Returns whether a carriage return outside of quotes has more than blanks after it, as
- * in a source whose lines end in carriage returns alone. If so, writes the reason. */
+/* Returns whether text follows a carriage return, out of quotes; if so, writes why. */
 bool format_has_only_cr(struct dialect, struct span line, char reason[REASON_MAX]);
 
 static inline bool is_blank(char c)
@@ -149,8 +146,7 @@ static inline const char *skip_text_separator(const char *s, const char *end)
 	return skip_blanks(text, s, end);
 }
 
-/* Returns a cursor before the first field of a line. A line of JSON has to be an array
- * or object that json_check accepts. */
+/* Returns a cursor before a line's first field; a line of JSON has to be legal. */
 struct cursor line_cursor(struct dialect, struct span line);
 
 /* Returns a cursor over the fields of a JSON array or object; end is the line's end. */

@@ -21,7 +21,6 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	return c;
 }
 
-/* Returns the first coordinate whose name the header lacks; l->reads if it has all. */
 static int find_missing_name(const struct layout *l, const struct lookup *c)
 {
 	int i = 0;
@@ -31,8 +30,7 @@ static int find_missing_name(const struct layout *l, const struct lookup *c)
 	return i;
 }
 
-/* Returns whether the header has one column for each coordinate, and no column with a
- * name that the output adds; if not, writes the reason. */
+/* Returns whether each coordinate has one column, and added values none; says why. */
 static bool is_usable(const struct layout *l, struct cursor header,
     const struct lookup *c, char reason[REASON_MAX])
 {

@@ -21,5 +21,5 @@ bool header_read(struct layout *, struct span text, struct line *,
 bool header_row_is_long(struct layout *, struct cursor row, enum next_part,
     char reason[REASON_MAX]);
 
-/* Returns a cursor over the names of a header, whose text has no byte order mark. */
+/* Returns a cursor over the names of a header, without byte order mark. */
 struct cursor header_cursor(struct dialect, struct span text);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The layout of points: where the coordinates of a point stand in its line or record,
- * and what is written in their place. Until the first row of a source is
- * read, one thread at a time uses the layout; afterwards none changes it. */
+/* Where a point's coordinates stand in its line or record, and what is written there.
+ * One thread at a time uses a layout before its first row; then none changes it. */
 #pragma once
 
 #include <stddef.h>
@@ -41,7 +40,6 @@ struct seen {
 	char comment_reason[REASON_MAX];
 };
 
-/* How the values of a point are written: its numbers and the word of --flags. */
 struct output {
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and the numbers are written after it */
@@ -52,8 +50,7 @@ struct output {
 	struct number_style style[COORDINATES_MAX];
 };
 
-/* How points are read and written. A source sets `seen` and, by its header, `columns`;
- * the options of the call set the rest. */
+/* A source sets `seen` and, by its header, `columns`; options of the call the rest. */
 struct layout {
 	struct dialect in, out;
 	int reads, writes; /* numbers of a point in the input; in the output */

@@ -1,23 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include <math.h>
 #include <stdio.h>
 
-#include "../../core/scene/scene.h"
 #include "header.h"
 #include "line.h"
 #include "reason.h"
 #include "../message/escape.h"
-
-static bool in_range(const struct layout *l, int i, double v, char reason[REASON_MAX])
-{
-	if (!(fabs(v) > SCENE_MAGNITUDE_MAX))
-		return true;
-	snprintf(reason, REASON_MAX,
-	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :
-		       "%s is beyond 1e150 in magnitude; choose another unit",
-	    coordinate_name(i), format_of(l->in)->nan_text);
-	return false;
-}
 
 static bool read_coordinates(const struct layout *l, struct cursor c,
     const struct lookup *found, double v[4], char reason[REASON_MAX])
@@ -30,7 +17,7 @@ static bool read_coordinates(const struct layout *l, struct cursor c,
 			reason_missing(l, i, c, found, reason);
 		else if (format_read(l->in, f->value.s, end, &v[i]) != end)
 			reason_field(l, i, f, reason);
-		else if (in_range(l, i, v[i], reason))
+		else if (reason_in_range(l, i, v[i], reason))
 			continue;
 		return false;
 	}
@@ -61,8 +48,7 @@ static bool can_be_kept(const struct layout *l, struct cursor c,
 	return lookup_find_overlap(l, found) == 0;
 }
 
-/* Returns whether --columns fits a line of JSON: it must give indexes for an array and
- * names for an object; if not, writes the reason. */
+/* Returns whether --columns has indexes for an array, or names of members; says why. */
 static bool columns_fit(const struct layout *l, bool members, char reason[REASON_MAX])
 {
 	if (l->columns.n == 0 || members == (l->columns.name[0] != NULL))
@@ -74,7 +60,6 @@ static bool columns_fit(const struct layout *l, bool members, char reason[REASON
 	return false;
 }
 
-/* Returns whether a line with good coordinates is legal; if not, writes the reason. */
 static bool is_legal(const struct layout *l, struct cursor c,
     const struct lookup *found, char reason[REASON_MAX])
 {

@@ -1,29 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads any line of points: line_read alone decides which are legal. A cursor goes over
- * the fields, lookup.h finds the coordinates, reason.h says what is wrong, and header.h
- * reads the header of csv. A struct line does not own its text. */
+/* Reads any line of points, and alone decides which are legal. lookup.h finds the
+ * coordinates, reason.h says what is wrong, and header.h reads headers. */
 #pragma once
 
 #include "layout.h"
 
-/* The part of a source that is read next. FIRST_BYTE: the beginning. FIRST_LINE: the
- * first line that is neither blank nor a comment. FIRST_ROW: the first row after a
- * header. FIRST_NONE: any later line. */
+/* What of a source is read next. FIRST_LINE: the first neither blank nor a comment.
+ * FIRST_ROW: the first row after a header. FIRST_NONE: any later line. */
 enum next_part { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
-/* COPY: blank, or a comment. BAD: a coordinate is wrong; the other fields are kept. LOST:
- * no field can be kept. REFUSED: the source is, for a wrong header or first row. */
 enum line_kind {
 	LINE_POINT,
-	LINE_COPY,
+	LINE_COPY, /* blank, or a comment */
 	LINE_HEADER,
-	LINE_BAD,
-	LINE_LOST,
-	LINE_REFUSED
+	LINE_BAD,     /* a coordinate is wrong; the other fields are kept */
+	LINE_LOST,    /* wrong, and no field can be kept */
+	LINE_REFUSED, /* a wrong header or first row: the source is refused */
 };
 
-/* The bytes [from, to) of a line. A line has at most 64 MiB, or 256 MiB in a
- * JSON document. */
+/* Bytes [from, to) of a line of at most 64 MiB, or of 256 MiB in a JSON document. */
 struct part {
 	uint32_t from, to;
 };
@@ -39,7 +34,6 @@ struct line {
 	bool has_bom;   /* the line begins with a byte order mark */
 };
 
-/* Stands for the part of a coordinate that the line lacks. */
 static const struct part part_missing = { 1, 0 };
 
 static inline bool part_is_missing(struct part p)
@@ -68,7 +62,6 @@ static inline struct part line_part(const struct line *line, struct span f)
 }
 
 /* Reads a line and its coordinates v. If it is wrong, writes why, and how to mend it.
- * *first is updated for the next line. The first line may begin with a byte order mark,
- * and in csv it may be a header, which sets the columns of the layout. */
+ * Updates *first; a first line may have a byte order mark, and in csv be a header. */
 void line_read(struct layout *, struct span text, enum next_part *, struct line *,
     double v[4], char reason[REASON_MAX]);

@@ -8,8 +8,7 @@
 
 #include "../json/text.h"
 
-/* The route to a field that lookup_fields looks for. path is its name or JSON pointer.
- * If path is NULL, index is the field's index, from 0; -1: the route leads nowhere. */
+/* A route to a field: its name or JSON pointer, or else its index; -1: to none. */
 struct route {
 	const char *path;
 	long index;
@@ -64,10 +63,9 @@ struct search {
 	struct lookup *out;
 };
 
-/* Returns whether mixed_commas depends on the separator before f, field k of a line in
- * FORMAT_TEXT. It depends on each separator before the last coordinate, and on the one
- * after this coordinate if f may be its decimals: f is a number, and points have two
- * coordinates or the separator is a comma without blanks. */
+/* Returns whether mixed_commas depends on the separator before f, field k of a line of
+ * text: up to the last coordinate, or after it if f, a number, may be its decimals, of
+ * two coordinates or behind a comma without blanks. */
 static bool separator_counts(const struct search *r, const struct field *f, long k,
     const char *end)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Looks up the coordinates of a point among the fields of its line: by their index, by
- * the names of a header, or by the names of members or JSON pointers. */
+/* Looks up coordinates among fields by index, or by names of columns or members. */
 #pragma once
 
 #include "line.h"
@@ -20,14 +19,12 @@ struct lookup {
 
 void lookup_fields(const struct layout *, struct cursor, struct lookup *);
 
-/* Sets the parts of the line that hold its coordinates. */
 void lookup_set_parts(const struct layout *, const struct lookup *, struct line *);
 
 /* Returns the first coordinate whose value overlaps that of an earlier one; 0: none. */
 int lookup_find_overlap(const struct layout *, const struct lookup *);
 
-/* Returns whether a column of a header or, if `members` is set, a member of an object
- * has a name that the output adds; if so, writes the reason. */
+/* Returns whether a column or (members) member has an added name; or writes why. */
 bool lookup_clashes(const struct layout *, const struct lookup *, bool members,
     char reason[REASON_MAX]);
 
@@ -38,6 +35,5 @@ bool field_is_index(struct span token, long k);
  * Underscores and other alphabets count as letters; signs such as U+2212 do not. */
 bool field_is_name(struct span f);
 
-/* Returns whether a first line is a header: the fields at the indexes of coordinates
- * include at least one name and no number. */
+/* Returns whether the fields where coordinates should be have a name and no number. */
 bool lookup_is_header(const struct layout *, struct cursor);

@@ -26,8 +26,7 @@ struct flag_words {
 
 const struct flags *flags_word(struct flag_words *, unsigned outside);
 
-/* Writes v, number k of a point, for which number_texts (number.h) made no text. nan
- * becomes the nan_text of the output's format. Returns the end of the output. */
+/* Writes v, for which number_texts made no text; nan as nan_text. Returns the end. */
 char *put_rare_number(const struct layout *, int k, double v, char *out);
 
 static inline char *put_flags_word(const struct layout *l, const struct flags *w,

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "reason.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <strings.h>
 
+#include "../../core/scene/scene.h"
 #include "../message/escape.h"
 #include "../message/words.h"
 
@@ -132,6 +134,17 @@ void reason_field(const struct layout *l, int i, const struct field *field,
 			", or NA");
 }
 
+bool reason_in_range(const struct layout *l, int i, double v, char reason[REASON_MAX])
+{
+	if (!(fabs(v) > SCENE_MAGNITUDE_MAX))
+		return true;
+	snprintf(reason, REASON_MAX,
+	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :
+		       "%s is beyond 1e150 in magnitude; choose another unit",
+	    coordinate_name(i), format_of(l->in)->nan_text);
+	return false;
+}
+
 enum { NAMES_MAX = 32, COLUMN_ROOM = 64 };
 
 /* The first NAMES_MAX names of columns or members that are shorter than COLUMN_ROOM. */
@@ -179,8 +192,7 @@ static void copy_names(struct cursor c, struct names *names)
 	}
 }
 
-/* Returns the index of the name that consists of the first n bytes of a and then of
- * `word` in upper or lower case; -1 if there is none. */
+/* Returns the index of the name of n bytes of a and, in any case, `word`; or -1. */
 static int find_name(const struct names *names, const char *a, size_t n,
     const char *word)
 {
@@ -240,9 +252,8 @@ static bool guess_columns(const struct names *names, int reads, int *k, int foun
 	return false;
 }
 
-/* Adds "; say --columns px,py,pz or vx,vy,vz". If `numbers` is not NULL, writes column
- * numbers, from 1, and sets bit i of *numbers for column i, from 0. Returns false, and
- * adds nothing, if nothing is found or the reason has no room. */
+/* Adds "; say --columns px,py,pz or vx,vy,vz" or, for `numbers`, column numbers, and
+ * sets bits of *numbers. Returns false, and adds nothing, if none is found or fits. */
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes the reason why a line is refused, and how to mend it: one sentence for the
- * message that names the place. */
+/* Writes why a line is refused, and how to mend it. The message names the place. */
 #pragma once
 
 #include "lookup.h"
@@ -8,6 +7,9 @@
 /* Writes why the field can't be read as coordinate i, and how to mend it. */
 void reason_field(const struct layout *, int i, const struct field *,
     char reason[REASON_MAX]);
+
+/* Returns whether v, coordinate i, is in range or nan; if not, writes the reason. */
+bool reason_in_range(const struct layout *, int i, double v, char reason[REASON_MAX]);
 
 /* Writes that coordinate i was not found after the cursor, or was found twice. */
 void reason_missing(const struct layout *, int i, struct cursor, const struct lookup *,

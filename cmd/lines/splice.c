@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* If the format changes, convert_point writes points without --append. convert_line
- * writes the others. append_values copies a line; splice_values goes field by field.
- *
- * The values of a point are the numbers written for it and the word of --flags: value k
- * is number k if k < COORDINATES_MAX, and value FLAGS is the word. */
+/* convert_point writes points in another format without --append, convert_line other
+ * lines, and LINE_LOST. append_values copies a line; splice_values goes field by field.
+ * Value k of a point is its number k or, for FLAGS, the word of --flags. */
 #include <math.h>
 #include <string.h>
 
@@ -125,8 +123,7 @@ static int value_for(const struct splice *w, const struct field *f, bool outer)
 	return -1;
 }
 
-/* Returns the separator for values that are added after the field f: in the format
- * text, the separator before f or, if f is the first field, the separator after f. */
+/* Returns, in the format text, the separator before f or, if it is first, after it. */
 static struct span separator_at(const struct layout *l, const struct field *f)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
@@ -163,8 +160,7 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 	w->done = at.end;
 }
 
-/* Copies the fields of a line or, unless outer is set, of a JSON value in the line.
- * Replaces the field of value k by it; leaves the field out if value k is not due. */
+/* Copies a line's fields or (not outer) a value's. Leaves those not due out. */
 static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;

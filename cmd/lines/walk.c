@@ -83,8 +83,7 @@ enum walk_way { BY_ORDER, BY_COLUMN, BY_PATH, NO_LOOKUP };
 static bool pass_nested(struct walker *, const struct target *,
     const struct walk_paths *, unsigned leads, int levels);
 
-/* Negative results of functions that find or pass a field. NOT_SIMPLE: line_read has to
- * read the line. */
+/* Results of functions that find or pass a field. NOT_SIMPLE is for line_read. */
 enum { NO_COORDINATE = -1, NOT_SIMPLE = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
 INLINE int coordinate_in_column(const struct walk *w, int n, int k)
@@ -153,8 +152,7 @@ struct fields {
 	int separators, commas;
 };
 
-/* Passes the name of field k, if it has one. Returns the coordinate that is field k, or
- * NO_COORDINATE or NOT_SIMPLE. Sets *leads as follow_paths does. */
+/* Passes a name; returns the coordinate that is field k, or another result. */
 INLINE int identify_field(struct walker *p, struct dialect d, struct fields *f,
     const struct walk *w, int k, unsigned *leads)
 {
@@ -181,8 +179,7 @@ INLINE int identify_field(struct walker *p, struct dialect d, struct fields *f,
 	return repeated ? NOT_SIMPLE : i;
 }
 
-/* Passes field k and the separator after it. Returns LAST_FIELD, MORE_FIELDS or
- * NOT_SIMPLE. In the format text the last coordinate counts as the last field. */
+/* Returns LAST_FIELD (in text, also for the last coordinate) or another result. */
 INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
     const struct target *t, int k)
 {
@@ -329,8 +326,7 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk, struct dial
 	return i;
 }
 
-/* Calls a copy of walk_batch for points of three coordinates that are the first fields,
- * or a copy for all other points. */
+/* Points of three coordinates that are the first fields have a copy of walk_batch. */
 INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk, struct dialect d,
     size_t max, struct line *lines, struct plain_places places[4], uint64_t *left)
 {
@@ -339,8 +335,7 @@ INLINE size_t walk_dialect(struct stretch *s, const struct walk *walk, struct di
 	return walk_batch(s, walk, d, walk->n, BY_COLUMN, max, lines, places, left);
 }
 
-/* Calls walk_batch for objects of JSON. This copy of walk_batch is not inlined into
- * walk_lines, which would then have too few registers. */
+/* Not inlined into walk_lines, which would then have too few registers. */
 static __attribute__((noinline)) size_t walk_objects(struct stretch *s,
     const struct walk *walk, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)

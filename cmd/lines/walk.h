@@ -27,9 +27,8 @@ struct walk {
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* Walks up to n <= PLAIN_BATCH lines. Stores the places of coordinate k of all lines in
- * element k of the plain_places. Sets bit i of *left if line i is left to line_read.
- * Returns the number of lines walked; 0 only at the end of the stretch. */
+/* Walks up to n <= PLAIN_BATCH lines, and returns how many; 0 at the end. Stores places
+ * of coordinate k in element k. Sets bit i of *left if line_read has to read line i. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 

@@ -36,9 +36,8 @@ INLINE void pass_blanks(struct walker *p, struct dialect d)
 		pass_stop(p);
 }
 
-/* Passes a separator, in the format text as skip_text_separator does. Returns false if
- * there is none. Tries a single byte first, because most separators are a single byte.
- * */
+/* Passes a separator, which is mostly a single byte, in the format text as
+ * skip_text_separator does. Returns false if there is none. */
 INLINE bool pass_separator(struct walker *p, struct dialect d)
 {
 	bool text = d.format == FORMAT_TEXT;

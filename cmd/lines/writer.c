@@ -13,8 +13,7 @@ struct writer {
 	bool adds_values; /* values are added after those that were read */
 	int order[4];     /* of the coordinates on the previous line */
 
-	/* The digits of a batch of images. NUMBER_BATCH images are enough for vector
-	 * loops, and few enough for the first-level cache. */
+	/* enough images for vector loops, few enough for the first-level cache */
 	size_t first_of_batch;
 	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
 };
@@ -42,9 +41,8 @@ static void find_order(const struct line *line, int n, int order[4])
 		}
 }
 
-/* Returns whether added values can be written directly after the last coordinate: they
- * have no names, no quote follows the coordinate, and in FORMAT_TEXT one byte is the
- * separator before it. By --append, the line must not end in blanks. */
+/* Returns whether values can follow the last coordinate: without names and a quote
+ * there, in text with one byte between, and by --append with no blanks at the end. */
 static bool can_add_in_place(const struct layout *l, const struct line *line)
 {
 	const struct part *last = &line->at[l->reads - 1];
@@ -61,15 +59,8 @@ static bool can_add_in_place(const struct layout *l, const struct line *line)
 		line->s[last->to] != '"');
 }
 
-static inline char added_separator(const struct layout *l, const struct line *line)
-{
-	return format_of(l->out)->blanks ? line->s[line->at[l->reads - 2].to] :
-					   l->out.separator;
-}
-
-/* Writes a point. If append is set, copies the line and adds all values at its end.
- * Otherwise replaces the coordinates, which are on the line in the order order[] (NULL:
- * x, y, z, w), and adds the other values after them. Returns the end of the output. */
+/* Adds all values at the line's end (append), or replaces the coordinates, in the order
+ * order[] (NULL: x, y, z, w), and adds the others. Returns the end. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct image_numbers n, const struct flags *flags,
@@ -89,8 +80,12 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 		done = line->size - (*format_of(l->out)->close != '\0');
 		out = put_gap(line->s, done, out);
 	}
-	if (written < l->writes || flags != NULL)
-		out = put_added(l, n, written, added_separator(l, line), flags, out);
+	if (written < l->writes || flags != NULL) {
+		bool blanks = format_of(l->out)->blanks;
+		char c = blanks ? line->s[line->at[l->reads - 2].to] : l->out.separator;
+
+		out = put_added(l, n, written, c, flags, out);
+	}
 	out = put_gap(line->s + done, line->size - done, out);
 	*out = '\n';
 	return out + line->newline;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes the lines of a block of points with the images of the points. A writer belongs
- * to the block's thread; it has the digits of a batch of images. Most lines are written
- * in place: only their numbers change, or are added. splice.h writes all others. */
+/* Writes the lines of a block with the images of its points: most in place, where only
+ * numbers change; splice.h writes all others. */
 #pragma once
 
 #include "../../core/points/transform.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-/* fast_float reads numbers, and Dragonbox finds the shortest digits; both are headers
- * alone. Other digits come from 128 bits of the number's fraction or, if those are not
- * enough, from printf. */
+/* fast_float reads numbers, Dragonbox finds the shortest digits. Others come from 128
+ * bits of the number's fraction or, if those are too few, from printf. */
 #include "number.h"
 
 /* NDEBUG removes the assertions of both libraries. */
@@ -56,8 +55,7 @@ struct triples {
 
 static constexpr triples triple;
 
-/* Writes the first three decimals of p, a fixed-point number with 54 fractional bits.
- * Returns 1000 times the fraction of p. */
+/* Writes three decimals of p (54 fractional bits). Returns 1000 times its fraction. */
 static inline uint64_t write_three(char *s, uint64_t p)
 {
 	p = (p & ((1ull << 54) - 1)) * 1000;

@@ -11,9 +11,8 @@ static struct {
 	struct place next_line; /* the place of the source's next line */
 	bool lacks_newline;     /* the last byte printed is no newline */
 	size_t bad_lines;
-	bool bad_is_point; /* the last bad line is a binary point */
-	bool bad_scene;    /* a scene was refused */
-	size_t imageless;  /* points without image */
+	bool bad_scene;   /* a scene was refused */
+	size_t imageless; /* points without image */
 	struct place first_imageless;
 } answer;
 
@@ -154,7 +153,6 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 			say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
 	}
 	answer.bad_lines += c->n_complaints;
-	answer.bad_is_point = end.of_points;
 	if (!ends)
 		return;
 	report_imageless();
@@ -196,7 +194,7 @@ int answer_end(void)
 	report_imageless();
 	if (answer.bad_lines > 0)
 		say_at(EXIT_INPUT, NULL, "%zu bad %s%s", answer.bad_lines,
-		    answer.bad_is_point ? "point" : "line",
+		    answer.next_line.of_points ? "point" : "line",
 		    answer.bad_lines == 1 ? "" : "s");
 	output_close();
 	return answer.bad_lines > 0 || answer.bad_scene ? EXIT_INPUT : EXIT_OK;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Prints the output of chunks in the order of their source (answers them), reports bad
- * lines and points without image, and shows progress on standard error. */
+/* Prints the output of chunks in order (answers them), bad lines and progress. */
 #pragma once
 
 #include "job.h"
@@ -18,6 +17,5 @@ void answer_chunk(const struct job *, struct chunk *);
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */
 void answer_refused_scene(enum format);
 
-/* Reports how many lines are bad, how many points have no image and, by --progress, all
- * lines. Closes standard output, and returns the exit status. */
+/* Reports the totals, closes standard output, and returns the exit status. */
 int answer_end(void);

@@ -6,6 +6,7 @@
 
 #include "../../core/points/kernel/little.h"
 #include "../../core/points/points.h"
+#include "../lines/reason.h"
 
 bool binary_is_rows(const struct job *j)
 {
@@ -87,22 +88,17 @@ static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 	size_t *kept = &c->block_points;
 
 	for (; c->block_lines < n; c->block_lines++) {
-		bool within = true, infinite = false;
+		char reason[REASON_MAX];
+		bool within = true;
 
 		for (int k = 0; k < j->layout.reads; k++) {
 			double v = c->in[k][c->block_lines];
 
 			c->in[k][*kept] = v;
-			within &= !(fabs(v) > SCENE_MAGNITUDE_MAX);
-			infinite |= isinf(v) != 0;
+			within = within && reason_in_range(&j->layout, k, v, reason);
 		}
 		*kept += within;
-		if (!within &&
-		    !binary_refuse(j, c,
-			infinite ? "a coordinate is infinite; a number up to 1e150 "
-				   "is wanted, or nan" :
-				   "a coordinate is beyond 1e150 in magnitude; "
-				   "choose another unit"))
+		if (!within && !binary_refuse(j, c, reason))
 			return;
 	}
 }

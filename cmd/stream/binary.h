@@ -8,8 +8,7 @@
 /* Returns whether the job writes a binary image for every binary point of its input. */
 bool binary_is_rows(const struct job *);
 
-/* Reads a block of up to POINTS_BLOCK binary points. Sets the lines of the block only
- * if a point is bad or binary_is_rows is false. */
+/* Reads a block. Sets its lines only if a point is bad or binary_is_rows is false. */
 void binary_read_block(const struct job *, struct chunk *);
 
 /* Reads, transforms and writes a block of floats in precision single. Reads nothing and
@@ -20,7 +19,6 @@ bool binary_map_floats(const struct job *, struct chunk *);
  * finite, or point_exact_float has to round, only sets the lines, and returns false. */
 bool binary_write_rows(const struct job *, struct chunk *, const char *text);
 
-/* Appends a binary point for each point and bad line of the block: the point's image,
- * or nan. If only visible points are printed, leaves out the others and bad lines. */
+/* Appends images of points, and nan for bad lines; or of visible points alone. */
 void binary_write_lines(const struct job *, struct chunk *,
     const unsigned char *outside);

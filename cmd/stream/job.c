@@ -35,8 +35,7 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 	return true;
 }
 
-/* Adds n lines from walk_lines to the block, with their numbers v. Reads line i with
- * line_read if bit i of unread is set. Returns false if a bad line ends the chunk. */
+/* Adds n lines, by line_read if set in unread. Returns false if the chunk ends. */
 static bool block_add_lines(struct job *j, struct chunk *c, size_t n, uint64_t unread,
     double v[4][PLAIN_BATCH])
 {

@@ -24,8 +24,7 @@ void piece_resize(struct piece *p, size_t room)
 	p->room = room;
 }
 
-/* Copies the rest of the previous piece, which may be p itself, to the beginning of p.
- * Shrinks p if a long line had enlarged it. Returns the size at which p is full. */
+/* Begins p with the rest of the last piece, maybe p itself. Returns its full size. */
 static size_t begin_piece(struct piece *p, const struct point_source *s)
 {
 	size_t n = (size_t)(s->rest.end - s->rest.s), full = PIECE_FIRST;
@@ -72,8 +71,7 @@ static bool would_wait(const struct point_source *s)
 	    (poll(&p, 1, 0) <= 0 || (p.revents & POLLNVAL) != 0);
 }
 
-/* Updates the sizes of p after n bytes were read. Searches only these bytes for a
- * newline: to search a long line again after each read would take quadratic time. */
+/* Searches only the n new bytes for a newline, as a line may take many reads. */
 static void update_sizes(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->size + n, whole = end;
@@ -88,8 +86,7 @@ static void update_sizes(struct piece *p, const struct layout *l, size_t n)
 	p->size = end;
 }
 
-/* Reads until the source ends. Stops earlier if p has a whole line or point, and either
- * p is full or the next read would wait. */
+/* Reads until the source ends, or p has a whole line and is full or would wait. */
 static enum piece_state fill_piece(struct point_source *s, const struct layout *l,
     struct piece *p)
 {

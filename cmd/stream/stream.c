@@ -16,7 +16,6 @@
 /* The size of a thread's stack in bytes. By default some systems give 128 KB. */
 enum { STACK_SIZE = 1 << 20 };
 
-/* Starts a thread with STACK_SIZE. Returns 0 or an error, as pthread_create does. */
 static int start_thread(pthread_t *t, void *(*run)(void *), void *data)
 {
 	pthread_attr_t attributes;
@@ -30,8 +29,7 @@ static int start_thread(pthread_t *t, void *(*run)(void *), void *data)
 	return error;
 }
 
-/* One thread may be started for each BYTES_PER_THREAD bytes that were read of a source:
- * for fewer bytes the start takes more time than the thread saves. */
+/* Bytes of a source for each thread: for fewer its start costs more than it saves. */
 enum { BYTES_PER_THREAD = 1 << 16 };
 
 /* A thread without a chunk looks LOOKS_MAX times for one before it sleeps, as to wake
@@ -39,11 +37,10 @@ enum { BYTES_PER_THREAD = 1 << 16 };
  * sched_yield could cost milliseconds if other programs run. */
 enum { LOOKS_MAX = 100, PAUSE_LOOPS = 200 };
 
-/* Each thread begins the next chunk, which may wait for input; does the job on it; and,
- * if no other thread is answering, answers (prints) chunks that are done, in order. No
- * thread waits until another has answered, and no answer waits for the source. A chunk
- * belongs to the thread that began it until it is done, then to the one that answers.
- * The lock protects everything else. */
+/* Each thread begins the next chunk, which may wait for input; does the job on it; and
+ * answers (prints) chunks that are done, in order, if no other does. No thread waits
+ * for an answer, and no answer for the source. A chunk belongs to the thread that began
+ * it, then to the one that answers. The lock protects everything else. */
 static struct {
 	struct job *job;
 	int started_max; /* the largest value that `started` may reach */
@@ -86,8 +83,7 @@ static void add_unused(struct chunk *c)
 
 static void *thread_main(void *);
 
-/* Wakes a sleeping thread if it can begin a chunk. If none sleeps, may start a thread
- * with two more chunks: one to work on, one that waits to be answered. */
+/* Wakes a sleeping thread, or starts one with two chunks: to work on, and to answer. */
 static void wake_or_start_thread(void)
 {
 	pthread_t t;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Does a job on sources of points, with several threads. Each thread works on chunks of
- * its own; stream.c owns the threads and the chunks. */
+/* Does a job on sources of points, with threads that each work on their own chunks. */
 #pragma once
 
 #include "job.h"

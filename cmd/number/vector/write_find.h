@@ -70,8 +70,7 @@ struct digits {
 	M sure;
 };
 
-/* Returns log2 of a power of two, minus `place`. The shift moves its biased exponent to
- * the lowest bits of the double 2^52. */
+/* Returns log2 of a power of two, less `place`: a shift moves its biased exponent. */
 INLINE V log2_of_power(V power, double place)
 {
 	V biased = (V)(SHR((I)(power), 52) | (I)(ALL(0x1p52)));
