@@ -48,14 +48,13 @@ static void print_member(const struct member *row, const char *const *types)
 	output_printf("%s\n", *before == ',' ? ")" : "");
 }
 
-/* Prints the rows of a table that are set in `bits` and that objects of the variant have.
- * A variant < 0 stands for all. */
 static void print_members(const struct member *table, int variant, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
 		if (bits >> (row - table) & 1 &&
-		    (variant < 0 || row->variants == 0 || row->variants >> variant & 1))
-			print_member(row, variant < 0 ? table->words : NULL);
+		    (variant == ANY_VARIANT || row->variants == 0 ||
+			row->variants >> variant & 1))
+			print_member(row, variant == ANY_VARIANT ? table->words : NULL);
 }
 
 void help_all(const struct command *c)
@@ -85,7 +84,6 @@ static void print_options(const struct command *c)
 	}
 }
 
-/* Prints the members of each object that PARAMS may be, such as a camera or a scene. */
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;
@@ -167,17 +165,7 @@ bool help_member(const char *name)
 	return true;
 }
 
-/* Puts a member whose value is the string s, or null if s is NULL. */
-static void put_text_member(struct printer *p, const char *name, const char *s)
-{
-	put_name(p, name);
-	if (s != NULL)
-		put_string(p, s);
-	else
-		put_literal(p, "null");
-}
-
-/* Puts a member with an array of those words whose bit is set. `words` may be NULL. */
+/* Puts an array of those words whose bit is set. `words` may be NULL. */
 static void put_words(struct printer *p, const char *name, const char *const *words,
     unsigned bits)
 {
@@ -205,8 +193,8 @@ static void put_command(struct printer *p, const struct command *c)
 	snprintf(call, sizeof call, "projcalc %s %s", c->name,
 	    c->example != NULL ? c->example : "");
 	open_object(p);
-	put_text_member(p, "name", c->name);
-	put_text_member(p, "about", c->about);
+	put_string(put_name(p, "name"), c->name);
+	put_string(put_name(p, "about"), c->about);
 	put_open(put_name(p, "options"), "[");
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		if (option_is_for(r, c))
@@ -219,7 +207,7 @@ static void put_command(struct printer *p, const struct command *c)
 		    c->wants.flat_members != 0 ? 0 : c->wants.needed);
 		put_words(p, "alone", names, c->wants.lone_member);
 	}
-	put_text_member(p, "example", call);
+	put_string(put_name(p, "example"), call);
 	put_close(p, "}");
 }
 
@@ -229,11 +217,11 @@ static void put_option(struct printer *p, const struct option_row *r,
 	const char letter[] = { r->letter, '\0' };
 
 	open_object(p);
-	put_text_member(p, "name", r->name);
-	put_text_member(p, "letter", r->letter != 0 ? letter : NULL);
-	put_text_member(p, "argument", r->argument);
+	put_string(put_name(p, "name"), r->name);
+	put_string(put_name(p, "letter"), r->letter != 0 ? letter : NULL);
+	put_string(put_name(p, "argument"), r->argument);
 	put_words(p, "words", r->words, ~0u);
-	put_text_member(p, "about", r->about);
+	put_string(put_name(p, "about"), r->about);
 	put_open(put_name(p, "commands"), "[");
 	for (; c->name != NULL; c++)
 		if (option_is_for(r, c))
@@ -259,31 +247,30 @@ static void put_member(struct printer *p, const struct member *row, const char *
 	char type[LIST_ROOM];
 
 	open_object(p);
-	put_text_member(p, "name", row->name);
-	put_text_member(p, "in", object);
-	put_text_member(p, "type", member_type_name(row, type));
-	put_text_member(p, "unit", row->unit);
+	put_string(put_name(p, "name"), row->name);
+	put_string(put_name(p, "in"), object);
+	put_string(put_name(p, "type"), member_type_name(row, type));
+	put_string(put_name(p, "unit"), row->unit);
 	if (row->range != NULL)
 		put_range(p, row->range);
 	put_literal(put_name(p, "default"),
 	    row->fallback != NULL ? row->fallback : "null");
-	put_text_member(p, "before", row->default_from);
-	put_text_member(p, "about", row->about);
+	put_string(put_name(p, "before"), row->default_from);
+	put_string(put_name(p, "about"), row->about);
 	put_words(p, "words", row->words, ~0u);
 	if (row->variants != 0)
 		put_words(p, "types", types, row->variants);
 	put_close(p, "}");
 }
 
-/* Puts a rule for the members of `object`. */
 static void put_rule(struct printer *p, const char *object, const struct rule *r,
     const char *const *types)
 {
 	open_object(p);
-	put_text_member(p, "in", object);
+	put_string(put_name(p, "in"), object);
 	put_words(p, "ways", r->ways, ~0u);
 	if (r->with != NULL)
-		put_text_member(p, "with", r->with);
+		put_string(put_name(p, "with"), r->with);
 	if (r->tasks != 0)
 		put_words(p, "tasks", WAYS("whole", "fit", "plane"), r->tasks);
 	if (r->variants != 0)
@@ -327,9 +314,9 @@ static void put_conventions(struct printer *p)
 		const bool *choice = (const bool *)&conventions[i];
 
 		open_object(p);
-		put_text_member(p, "name", convention_names[i]);
+		put_string(put_name(p, "name"), convention_names[i]);
 		for (const struct member *m = convention_members; m->name != NULL; m++)
-			put_text_member(p, m->name, m->words[choice[m->offset]]);
+			put_string(put_name(p, m->name), m->words[choice[m->offset]]);
 		put_close(p, "}");
 	}
 	put_close(p, "]");
@@ -340,7 +327,7 @@ void help_json(const struct command *commands, const char *version)
 	static char text[1 << 17];
 	struct printer p = { .at = text, .separator = "{" };
 
-	put_text_member(&p, "version", version);
+	put_string(put_name(&p, "version"), version);
 	p.level = 1; /* each member from here on begins a line */
 	put_open(put_name(&p, "commands"), "[");
 	for (const struct command *c = commands; c->name != NULL; c++)

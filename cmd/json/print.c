@@ -39,11 +39,12 @@ struct printer *put_name(struct printer *p, const char *name)
 
 void put_string(struct printer *p, const char *s)
 {
-	size_t n = strlen(s);
+	const size_t n = s != NULL ? strlen(s) : 0;
 
-	put_open(p, "\"");
-	p->at += escape_copy(p->at, JSON_ESCAPE_MAX * n + 1, s, n, true, "");
-	put_close(p, "\"");
+	put_open(p, s != NULL ? "\"" : "null");
+	if (s != NULL)
+		p->at += escape_copy(p->at, JSON_ESCAPE_MAX * n + 1, s, n, true, "");
+	put_close(p, s != NULL ? "\"" : "");
 }
 
 void put_literal(struct printer *p, const char *word)

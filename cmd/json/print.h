@@ -30,7 +30,7 @@ void put_close(struct printer *, const char *bracket);
 /* Prints the name of a member, whose value is to follow. Returns the same printer. */
 struct printer *put_name(struct printer *, const char *name);
 
-void put_string(struct printer *, const char *);
+void put_string(struct printer *, const char *);      /* NULL: null */
 void put_literal(struct printer *, const char *word); /* such as null */
 void put_number(struct printer *, double v);          /* null if v is not finite */
 void put_distance(struct printer *, double v);        /* or "infinity" */
