@@ -30,7 +30,6 @@ static void fit_take_block(const struct job *j, struct chunk *c)
 	extremes_add((void *)c->out, &fit->directions, in, c->block_points);
 }
 
-/* Merges the extremes of a chunk into those of all points. */
 static void fit_collect_chunk(const struct job *j, const struct chunk *c)
 {
 	struct fit *fit = j->data;
@@ -39,7 +38,6 @@ static void fit_collect_chunk(const struct job *j, const struct chunk *c)
 		extremes_merge(&fit->extremes, &fit->directions, (const void *)c->out);
 }
 
-/* Sets the bounds of the document to those of the points. */
 static void fit_read_points(const struct options *o, struct document *d)
 {
 	static struct fit fit;
@@ -90,15 +88,13 @@ void run_fit(const struct options *o)
 
 	if (d.scene.answer != NULL)
 		document_refuse(&d,
-		    "/convention: is not that of -c; fit prints the scene in "
-		    "the scene's own convention, so leave -c out");
+		    "/convention: fit prints the scene in its own; leave -c out");
 	if (d.has_bounds && o->n_points > 0)
 		document_refuse(&d,
 		    "/bounds: not together with POINTS; give one of them");
 	if (!d.has_bounds && !points)
 		document_refuse(&d,
-		    "/bounds: missing; add \"bounds\", which 'projcalc help "
-		    "bounds' describes, or POINTS or -");
+		    "/bounds: missing; add it ('projcalc help bounds'), POINTS or -");
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

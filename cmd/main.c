@@ -26,7 +26,7 @@
 	COMMAND_MATRIX_3D, run_matrix,                                             \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
 	    .source.implied_type = type },                                 \
-	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
+	.from = SPACE_VIEW, .to = SPACE_CLIP
 
 /* A window adapts to the device if the document has a device. */
 #define NEEDS_WINDOW NEEDS_ONE(WINDOW, SCENE_DEVICE)
@@ -37,12 +37,12 @@
 
 #define FLAT_MAP(a, b, members)                                            \
 	COMMAND_MATRIX_2D, run_matrix, .wants = { NEEDS_##members },               \
-	.from = FLAT_##a, .to = FLAT_##b, .points_to = FLAT_##b
+	.from = FLAT_##a, .to = FLAT_##b
 
 static const struct command commands[] = {
 	{ "lookat", "print the matrix from world to view", COMMAND_MATRIX_3D, run_matrix,
 	    .wants = { NEEDS_ONE(CAMERA, 0) },
-	    .from = SPACE_WORLD, .to = SPACE_VIEW, .points_to = SPACE_VIEW,
+	    .from = SPACE_WORLD, .to = SPACE_VIEW,
 	    .example = "'{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
 	{ "persp", "print the matrix from view to clip of a perspective",
 	    VIEW_TO_CLIP(PROJECTION_PERSP),
@@ -108,9 +108,7 @@ static void run_help(const struct options *o)
 	const struct command *c = command_find(commands, what);
 
 	if (o->n_points > 0 || (o->json && !input_is_stdin(what)))
-		die(EXIT_USAGE,
-		    "help: '%s' is one word too many; give one command or "
-		    "member, or --json",
+		die(EXIT_USAGE, "help: '%s' is one word too many",
 		    o->n_points > 0 ? o->points[0] : what);
 	if (o->json)
 		help_json(commands, VERSION);

@@ -90,8 +90,8 @@ static struct elements elements_of(const struct document *d, const struct transf
 
 			if (floats && !isfinite((float)v))
 				document_refuse(d,
-				    "the matrix has elements beyond the range "
-				    "of floats; leave -p single or -o f32 out");
+				    "the matrix is beyond floats, of -p single or -o "
+				    "f32");
 			m.at[column ? j : i][column ? i : j] = v;
 		}
 	return m;
@@ -150,14 +150,14 @@ void run_matrix(const struct options *o)
 	params_read_document(o, &d);
 
 	bool points = !o->matrix && operands_have_points(o, &d);
+	const int to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
 
 	matrix_check_unit_w(o, !points, (enum space)c->from, (enum space)c->to);
-	matrix_prepare(o, &d, points ? c->points_to : c->to, &j);
+	matrix_prepare(o, &d, to, &j);
 	if (!points) {
 		matrix_print(o, &d, &j.transform);
 		return;
 	}
-	j.space = c->kind == COMMAND_MATRIX_2D ? flat_names[c->points_to] :
-						 space_names[c->points_to];
+	j.space = c->kind == COMMAND_MATRIX_2D ? flat_names[to] : space_names[to];
 	operands_run_job(o, &d, &j);
 }

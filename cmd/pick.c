@@ -209,7 +209,6 @@ static void print_hits(const struct job *j)
 	free(out);
 }
 
-/* Sets the position and radius of the picker, by options or else by the document. */
 static void hits_set_circle(const struct document *d, const struct options *o,
     struct hits *h)
 {
@@ -217,12 +216,10 @@ static void hits_set_circle(const struct document *d, const struct options *o,
 
 	if (o->pick_at.n == 0 && !p->has_at)
 		document_refuse(d,
-		    "/pick/at: missing; give the position on the device "
-		    "with \"at\": [x, y] or --at X,Y");
+		    "/pick/at: missing; give \"at\": [x, y] or --at X,Y");
 	if (!(o->radius > 0) && !(p->radius > 0))
 		document_refuse(d,
-		    "/pick/radius: missing; give the radius in device units "
-		    "with \"radius\": r or --radius R");
+		    "/pick/radius: missing; give \"radius\": r or --radius R");
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
@@ -250,8 +247,7 @@ void run_pick(const struct options *o)
 	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE,
-		    "pick prints lines as they were read; leave -o out, or "
-		    "use -o json");
+		    "pick prints lines as read; leave -o out or use -o json");
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	operands_run_job(o, &d, &j);
 }

@@ -5,7 +5,6 @@
 #include "call/option_row.h"
 #include "message/message.h"
 
-/* Refuses options that --ray or --plane excludes. */
 static void project_check(const struct options *o)
 {
 	const bool plane = o->plane.n > 0;
@@ -17,10 +16,9 @@ static void project_check(const struct options *o)
 	if (plane &&
 	    ((o->has_from && o->from < SPACE_NDC) || (o->has_to && o->to > SPACE_VIEW)))
 		die(EXIT_USAGE,
-		    "--plane goes from device or ndc to model, world or view");
+		    "--plane is from device or ndc to model, world or view");
 	if (plane && o->plane.v[0] == 0 && o->plane.v[1] == 0 && o->plane.v[2] == 0)
-		die(EXIT_USAGE,
-		    "--plane: A, B and C are all 0; z = 0 is --plane 0,0,1,0");
+		die(EXIT_USAGE, "--plane: A, B and C are 0; z = 0 is --plane 0,0,1,0");
 	if ((o->ray && (plane || o->matrix)) ||
 	    ((o->ray || plane) && (o->homogeneous || o->flags || o->visible)))
 		die(EXIT_USAGE, "--%s excludes -H, --flags, --visible and %s",

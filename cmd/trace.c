@@ -20,14 +20,12 @@ struct trace {
 	bool printed;                /* a point was printed */
 };
 
-/* The images of a batch of points in all spaces. */
 struct images {
 	COLUMN_ALIGNED double v[SPACES][4][BATCH];
 	struct number_text text[SPACES][4][BATCH];
 	unsigned char outside[BATCH];
 };
 
-/* Computes all members of m for points p to p + n - 1 of the block. */
 static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {

@@ -32,10 +32,9 @@ struct command {
 	/* The command's needs of a document. To a copy of them, params_read_document adds what
 	 * the options need, and the place of the document's text in its file. */
 	struct document_wants wants;
-	/* For COMMAND_MATRIX_3D and COMMAND_MATRIX_2D: the matrix maps the space `from` to the space
-	 * `to`, and points are printed in the space `points_to`. The values are of enum
-	 * space for COMMAND_MATRIX_3D, of enum flat_space for COMMAND_MATRIX_2D. */
-	int from, to, points_to;
+	/* The spaces of the matrix: of enum space for COMMAND_MATRIX_3D, which prints
+	 * points in ndc in place of clip, of enum flat_space for COMMAND_MATRIX_2D. */
+	int from, to;
 	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;
 };

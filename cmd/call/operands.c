@@ -11,7 +11,6 @@
 #include "input.h"
 #include "option_row.h"
 
-/* Refuses a file that can't be read. The message ends with `hint`. */
 static void check_file(const char *name, const char *hint)
 {
 	if (input_is_stdin(name))
@@ -49,9 +48,7 @@ void operands_check(const struct options *o)
 		const char *name = o->points[i];
 
 		if (input_is_stdin(name) && from_stdin)
-			die(EXIT_USAGE,
-			    "standard input is named twice; name a file for "
-			    "one of them");
+			die(EXIT_USAGE, "standard input is named twice; name a file");
 		from_stdin |= input_is_stdin(name);
 		if (input_first_char(name) != '[')
 			check_file(name, hint);
@@ -64,8 +61,7 @@ bool operands_have_points(const struct options *o, const struct document *d)
 
 	if (none && o->points_only_option != NULL)
 		die_at(EXIT_USAGE, &(struct place){ .of_scene = true },
-		    "%s: --%s is for points, and there are none; add POINTS, "
-		    "or - for standard input",
+		    "%s: --%s is for points, and there are none; add POINTS or -",
 		    o->command->name, o->points_only_option);
 	return !none;
 }
@@ -98,18 +94,13 @@ static void check_columns(const struct options *o, const struct layout *l)
 			    "for csv with a header, else numbers: 2,3,4",
 			    name);
 		if (name != NULL && json && is_added_member(l, name))
-			die(EXIT_USAGE,
-			    "--columns: '%s' is also the name of a number that "
-			    "the output adds",
-			    name);
+			die(EXIT_USAGE, "--columns: the output adds '%s', too", name);
 		if (json && (name == NULL) != (o->columns.name[0] == NULL))
 			die(EXIT_USAGE,
-			    "--columns: in json, numbers are for arrays and "
-			    "names for objects; use one or the other");
+			    "--columns: json has numbers for arrays or names for "
+			    "objects");
 		if (l->record > 0 && o->columns.field[i] >= l->record)
-			die(EXIT_USAGE,
-			    "--columns: field %d is beyond the records of %d "
-			    "numbers",
+			die(EXIT_USAGE, "--columns: no field %d in records of %d",
 			    o->columns.field[i] + 1, l->record);
 	}
 	if (n > 0 && n != l->reads && !(format_is_binary(o->in) && l->record == 0))
@@ -117,8 +108,7 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n, n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses options that exclude each other. `printed` is true if the command prints
- * images of points; records of the output then keep their number of coordinates. */
+/* If the command prints images of points, records keep their number of coordinates. */
 static void check_layout(const struct options *o, const struct layout *l, bool printed)
 {
 	const bool record = l->record > 0, binary = format_is_binary(l->out.format);
@@ -127,15 +117,12 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 		const char *message;
 	} rows[] = {
 		{ (o->header || o->no_header) && l->in.format != FORMAT_CSV,
-		    "--header and --no-header are for csv; use -i csv or -i "
-		    "tsv" },
+		    "--header and --no-header are for csv; use -i csv or -i tsv" },
 		{ o->header && o->no_header,
 		    "--header and --no-header exclude each other" },
-		{ l->output.append && (binary || format_is_binary(o->in)),
-		    "--append: binary points have no lines to keep; use -o "
-		    "text without it" },
-		{ l->output.append && o->has_out && o->out != o->in,
-		    "--append keeps lines as they were read; leave -o out" },
+		{ l->output.append &&
+			(format_is_binary(o->in) || (o->has_out && o->out != o->in)),
+		    "--append keeps lines as read: no binary points, and no -o" },
 		{ o->flags && (binary || (printed && record)),
 		    "--flags: binary points and records have no room for "
 		    "words; use -o text, and convert records before" },
@@ -143,8 +130,7 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 		    "--columns: binary points have no other fields; use -i "
 		    "f32x4 or f64x4 for records of four numbers" },
 		{ record && l->record < l->reads,
-		    "--input: the records have fewer numbers than the "
-		    "coordinates of a point" },
+		    "--input: the records have fewer numbers than a point" },
 		{ l->output.keeps && printed && l->reads != l->writes,
 		    "--input: records keep the number of coordinates, and "
 		    "here it changes; use -o text, csv or json" },
@@ -155,9 +141,7 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 		if (rows[i].refused)
 			die(EXIT_USAGE, "%s", rows[i].message);
 	if (o->styles.n > l->writes)
-		die(EXIT_USAGE,
-		    "--decimals or --digits: %d numbers; %d coordinates are "
-		    "printed here",
+		die(EXIT_USAGE, "--decimals or --digits: %d numbers for %d coordinates",
 		    o->styles.n, l->writes);
 }
 
@@ -169,8 +153,8 @@ static void choose_kernels(void)
 
 	if (!kernels_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
 		die(EXIT_USAGE,
-		    "PROJCALC_CPU=%s: not a kind that this processor can "
-		    "run; there are baseline, avx2, avx512 and neon",
+		    "PROJCALC_CPU=%s: is not baseline, avx2, avx512 or neon, or not "
+		    "here",
 		    cpu);
 }
 
@@ -227,17 +211,14 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Does the job on `text`, lines of JSON that document_read_points or document_read
- * made; the format of --input does not count. Messages call the text `name`. */
+/* `text` has the lines that document_read_points or document_read made. */
 static void run_json_points(const struct options *o, struct job *j, const char *name,
     const char *text, size_t size)
 {
 	struct layout files_layout = j->layout;
 
 	if (o->in_record > 0 || o->columns.n > 0)
-		die(EXIT_USAGE,
-		    "--%s: points of an operand or of the document begin "
-		    "with their coordinates; give them in a file",
+		die(EXIT_USAGE, "--%s is for points in a file",
 		    o->in_record > 0 ? "input" : "columns");
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
@@ -282,8 +263,7 @@ void operands_run_job(const struct options *o, const struct document *d, struct 
 		const struct place p = json_source_place(&d->source, "/points");
 
 		die_at(EXIT_USAGE, &p,
-		    "missing, and PARAMS and POINTS are both standard input; "
-		    "name a file for one of them");
+		    "missing, and standard input is PARAMS already; name a file");
 	}
 	j->layout.z_hint = d->source.two_numbers_hint;
 	if (o->n_points == 0 && d->points != NULL)

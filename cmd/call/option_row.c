@@ -59,8 +59,7 @@ static void option_read_format(struct options *o, const struct option_row *r,
 
 	if (strpbrk(word, "./") != NULL)
 		die(EXIT_USAGE, "--%s: '%s' is not a format; %s", r->name, word,
-		    r->letter == 'o' ? "use > to write a file" :
-				       "give files of points after PARAMS");
+		    r->letter == 'o' ? "> writes a file" : "give files after PARAMS");
 	*record = 0;
 	if (strncmp(word, "f32x", 4) == 0 || strncmp(word, "f64x", 4) == 0) {
 		*record = whole_number(r, word + 4, 2, record_max);
@@ -98,9 +97,7 @@ static void option_read_numbers(struct options *o, const struct option_row *r,
 		if (*at++ != ',')
 			break;
 	}
-	die(EXIT_USAGE,
-	    "--%s: '%s' is not %s: numbers up to 1e150 with commas between "
-	    "them, as in --%s %s",
+	die(EXIT_USAGE, "--%s: '%s' is not %s, numbers up to 1e150 as in --%s %s",
 	    r->name, word, r->argument, r->name, r->example);
 }
 
@@ -111,15 +108,11 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
 		o->separator = '\t';
 	else if (strcmp(word, " ") == 0)
-		die(EXIT_USAGE,
-		    "--%s: a blank can't separate the fields of csv; say -i "
-		    "text, whose fields are separated by blanks",
+		die(EXIT_USAGE, "--%s: fields with blanks between them are -i text",
 		    r->name);
 	else if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
 	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
-		die(EXIT_USAGE,
-		    "--%s: '%s' can't separate fields; use one character "
-		    "such as ; or |, or tab",
+		die(EXIT_USAGE, "--%s: '%s' can't separate fields, as ;, | or tab can",
 		    r->name, word);
 	else
 		o->separator = *word;
@@ -144,9 +137,7 @@ static void option_read_styles(struct options *o, const struct option_row *r,
 	struct styles *s = &o->styles;
 
 	if (s->n > 0 && s->style[0].kind != kind)
-		die(EXIT_USAGE,
-		    "--decimals and --digits exclude each other; give one of "
-		    "them a number for each coordinate");
+		die(EXIT_USAGE, "--decimals and --digits exclude each other");
 	for (s->n = 0; list != NULL; s->n++) {
 		int n = whole_number(r, cut_word(&list), r->min, r->max);
 
@@ -187,12 +178,11 @@ static const char *const color_names[] = { "auto", "always", "never", NULL };
 
 /* Kinds of commands that share options, as unions of bits of enum command_kind. */
 enum {
-	TAKE_FLAGS = COMMAND_PROJECT | COMMAND_TRACE |
-	    COMMAND_MATRIX_2D, /* take --flags, --visible */
+	TAKE_FLAGS = COMMAND_PROJECT | COMMAND_TRACE | COMMAND_MATRIX_2D,
 	PRINT_IMAGES = COMMAND_MATRIX_3D | TAKE_FLAGS,
 	PRINT_POINTS = PRINT_IMAGES | COMMAND_PICK,
 	READ_POINTS = PRINT_POINTS | COMMAND_FIT,
-	PRINT_NUMBERS = PRINT_POINTS | COMMAND_INSPECT, /* take -d and --digits */
+	PRINT_NUMBERS = PRINT_POINTS | COMMAND_INSPECT,
 	ALL_BUT_HELP = COMMAND_ALL - COMMAND_HELP,
 };
 

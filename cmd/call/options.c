@@ -34,7 +34,6 @@ static const struct option_row *find_long_option(const struct command *c,
 	return option_find(names[0]);
 }
 
-/* Returns c's option with this letter. Refuses a letter that no option of c has. */
 static const struct option_row *find_letter_option(const struct command *c, char letter)
 {
 	const char word[] = { '-', letter, '\0' };
@@ -48,8 +47,7 @@ static const struct option_row *find_letter_option(const struct command *c, char
 	return r;
 }
 
-/* Sets an option. An option that takes an argument gets `value`. If `value` is NULL, it
- * gets the next word, **next, and *next moves past this word. */
+/* If `value` is NULL, an argument is the next word, **next, and *next moves past it. */
 static void set_option(struct options *o, const struct option_row *r, char *value,
     char ***next)
 {
@@ -145,8 +143,8 @@ void options_read(struct options *o, char **words)
 	if (o->out_record > 0 &&
 	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
 		die(EXIT_USAGE,
-		    "--output: records are only for points, in the format "
-		    "of the input; use -o %s for coordinates alone",
+		    "--output: records are for points and as in --input; "
+		    "use -o %s for coordinates alone",
 		    format_names[o->out]);
 }
 
@@ -182,8 +180,7 @@ struct number_style options_matrix_style(const struct options *o)
 {
 	if (o->styles.n > 1)
 		die(EXIT_USAGE,
-		    "--decimals or --digits: %d numbers; a matrix and the "
-		    "output of inspect and pick take one",
+		    "--decimals or --digits: %d numbers; one is wanted here",
 		    o->styles.n);
 	return o->styles.style[0];
 }

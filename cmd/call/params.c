@@ -55,8 +55,7 @@ static bool params_more(void)
 	}
 	if (t->size > DOCUMENT_MAX)
 		die_at(EXIT_INPUT, &(struct place){ .file = params.name },
-		    "longer than 256 MiB; give points in a file of their own, "
-		    "as POINTS");
+		    "longer than 256 MiB; give points in a file of their own");
 	if (input_append(t, params.fd, params.name))
 		return true;
 	close(params.fd);
@@ -140,9 +139,8 @@ bool params_next_document(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses PARAMS if it looks like points, with EXIT_USAGE: the call is wrong, not the
- * file. Points begin with a number, after blank lines and comments. If the operands
- * POINTS are given, [ also begins points and so does any byte but { of binary input. */
+/* Refuses PARAMS if it looks like points: a number, after blank lines and comments. If
+ * POINTS are given, so does [ and, if they are binary, any byte but {. */
 static void check_not_points(const struct options *o)
 {
 	const struct place place = { .file = params.name };
@@ -154,14 +152,12 @@ static void check_not_points(const struct options *o)
 	    !(o->n_points > 0 && params.begin < params.end &&
 		(*s == '[' || (format_is_binary(o->in) && *s != '{'))))
 		return;
-	if (!command_reads_points(o->command))
-		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
-	die_at(EXIT_USAGE, &place,
-	    "holds points; a scene is wanted first, as in: scene.json %s", params.name);
+	die_at(EXIT_USAGE, &place, "holds points; a scene is wanted%s%s",
+	    command_reads_points(o->command) ? " first, as in: scene.json " : "",
+	    command_reads_points(o->command) ? params.name : "");
 }
 
-/* Returns a hint for messages about points of two numbers, or NULL. These points may be
- * meant as positions on the device, for which pick and project have options. */
+/* Returns a hint for points of two numbers, as positions on the device have; or NULL. */
 static const char *find_two_numbers_hint(const struct options *o)
 {
 	if (o->command->kind == COMMAND_PICK)
@@ -169,8 +165,7 @@ static const char *find_two_numbers_hint(const struct options *o)
 	if (o->command->kind != COMMAND_PROJECT || o->from != SPACE_DEVICE ||
 	    o->homogeneous || (o->has_to && o->to != SPACE_WORLD))
 		return NULL;
-	return "; for points x y, --ray prints their rays, and --plane A,B,C,D "
-	       "where the rays meet a plane";
+	return "; for x y, --ray prints rays, and --plane A,B,C,D where they meet it";
 }
 
 void params_read_document(const struct options *o, struct document *d)

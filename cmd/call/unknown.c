@@ -157,7 +157,6 @@ void unknown_check_option(const struct command *c, const char *word, const char 
 	die(EXIT_USAGE, "%s: unknown option %s; %s", c->name, word, g.remedy);
 }
 
-/* Offers `name`, which is `help` "" or a topic after "help ". */
 static void offer_near(struct word_guess *g, const char *help, const char *name)
 {
 	word_offer(g, word_closeness(g->word, name), "did you mean 'projcalc %s%s'?",

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +23,6 @@ static void skip_space(struct json_check *s)
 	s->at = json_skip_blanks(s->at, s->end);
 }
 
-/* Returns whether c can be part of a word or number. */
 static bool in_token(char c)
 {
 	return (unsigned char)c > ' ' && c != ',' && strchr(":[]{}\"'/#", c) == NULL;
@@ -52,7 +50,6 @@ void json_count_lines(const char *text, const char *at, long long *line, size_t 
 		}
 }
 
-/* Returns whether the last character before s->at, blanks aside, is a comma. */
 static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -133,7 +130,6 @@ static bool check_character(struct json_check *s)
 	return true;
 }
 
-/* Checks a string, which begins with a quotation mark. */
 static bool check_string(struct json_check *s)
 {
 	s->at++;
@@ -160,19 +156,15 @@ const char *json_scalar_end(const char *p, const char *end)
 	return json_number(p, end, NULL);
 }
 
-/* Checks a number, true, false or null. */
 static bool check_scalar(struct json_check *s)
 {
-	const char *end = json_scalar_end(s->at, s->end), *hint = NULL;
+	const char *end = json_scalar_end(s->at, s->end);
 
-	if (end == NULL || (end < s->end && in_token(*end))) {
-		if (s->at < s->end && strchr("+-.0123456789", *s->at))
-			hint = "a number is like -1.5e-3";
-		else if (s->at < s->end && isalpha((unsigned char)*s->at))
-			hint = "a word is true, false, null or \"text\" in "
-			       "quotes";
-		return refuse(s, "a value", hint);
-	}
+	if (end == NULL || (end < s->end && in_token(*end)))
+		return refuse(s, "a value",
+		    s->at < s->end && in_token(*s->at) ?
+			"a value is like -1.5e-3, true, null or \"text\"" :
+			NULL);
 	s->needs_edit |= end - s->at > CJSON_NUMBER_MAX;
 	s->at = end;
 	return true;
@@ -234,8 +226,7 @@ static bool check_member(struct json_check *s, const char *path)
 	return check_value(s, path_after(path, name, 0));
 }
 
-/* Returns false. Refuses the text at s->at, which follows a value in the array or
- * object that begins at `open`, but is neither a comma nor the closing bracket. */
+/* Returns false. Refuses what follows a value in the brackets that begin at `open`. */
 static bool refuse_no_comma(struct json_check *s, const char *open)
 {
 	const char *wanted = *open == '{' ? "',' or '}'" : "',' or ']'";
@@ -251,7 +242,6 @@ static bool refuse_no_comma(struct json_check *s, const char *open)
 	return refuse(s, wanted, hint);
 }
 
-/* Checks an array or object, which begins with a bracket. */
 static bool check_brackets(struct json_check *s, const char *path)
 {
 	const char *open = s->at;

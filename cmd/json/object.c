@@ -35,7 +35,6 @@ struct way_bits {
 	uint64_t all, marked[MARKS];
 };
 
-/* Returns those members of a list of names that objects of the variant have. */
 static struct way_bits way_find(const struct member *table, int variant,
     const char *names)
 {
@@ -192,7 +191,6 @@ static const struct rule_bits *rule_find(const struct rule *rule,
 	return b;
 }
 
-/* Returns the members of a way that an object must have. */
 static uint64_t way_required(const struct way_bits *way, bool fit)
 {
 	return way->all &
@@ -267,8 +265,7 @@ static size_t find_way(const struct value *v, const struct rule_bits *b, bool fi
 	refuse_way(v, b, fit, given, extra != 0 ? extra : lacking, way);
 }
 
-/* Checks that an object v with the members `given` follows a rule. Returns the members
- * that v leaves to another member of the scene. */
+/* Returns the members that v leaves to another member of the scene. */
 static uint64_t check_rule(const struct value *v, const struct rule *rule,
     const struct member *table, int variant, uint64_t given, void *base)
 {

@@ -17,8 +17,7 @@ static bool is_unseen(unsigned code)
 	    code == 0xfeff;
 }
 
-/* Writes the character at *s, escaped if necessary, and moves *s past it. Returns the
- * number of bytes written. */
+/* Moves *s past a character, which it writes. Returns the number of bytes written. */
 static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s, const char *end,
     bool json)
 {

@@ -78,7 +78,6 @@ void convention_require(const struct value *object, const char *name)
 {
 	if (!object->unused && !object->source->has_axes)
 		value_refuse(VALUE_MISSING(object, name),
-		    "needs a \"convention\"; of x, y and z in view space, "
-		    "opencv is right, down, forward and webgpu right, up, "
-		    "backward");
+		    "needs a \"convention\"; opencv has x right, y down, z forward, "
+		    "webgpu right, up, backward");
 }

@@ -29,8 +29,7 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 
 	if (*s == '{')
 		value_refuse(v,
-		    "is an object; -i json reads lines of objects, from a file "
-		    "or -, and jq -c '.[]' makes lines of an array");
+		    "is an object; -i json reads lines of them, as jq -c '.[]' makes");
 	if (*s != '[') {
 		value_peek(v, s, end);
 		value_refuse_type(v, "an array of coordinates");
@@ -129,7 +128,6 @@ static void check_needed(const struct value *root, const struct document_wants *
 				   "");
 }
 
-/* Refuses a document of two dimensions if the command needs three. */
 static void refuse_flat(const struct value *root, const struct document_wants *w,
     unsigned seen)
 {
@@ -139,11 +137,9 @@ static void refuse_flat(const struct value *root, const struct document_wants *w
 	    (seen & SCENE_SPATIAL) == 0 &&
 	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
 		value_refuse(VALUE_MISSING(root, name),
-		    "is of two dimensions, and the command of three; the "
-		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
+		    "is of two dimensions; so are w2n, n2w, n2d, d2n, w2d and d2w");
 }
 
-/* Reads into *d the members m[i] whose bits i are set. */
 static void read_members(struct document *d, const struct value m[SCENE_MEMBERS],
     unsigned bits)
 {
@@ -286,7 +282,6 @@ void document_refuse_if(const struct document *d, const char *reason)
 		document_refuse(d, reason);
 }
 
-/* Prints those members of a document whose bits are set. */
 static void put_document(struct printer *p, const struct document *d, unsigned bits)
 {
 	p->column_vectors = d->scene.convention.column_vectors;

@@ -193,19 +193,14 @@ static const struct rule window_rules[] = {
 	{ .ways = NULL },
 };
 
-/* Reads a point of bounds: three numbers or, in a flat document, two. If the command
- * does not use the bounds, the point may have two or three numbers. */
+/* Reads a point: three numbers, two in a flat document, either if it is not used. */
 static void read_bounds_point(const struct value *v, const struct member *row,
     void *out)
 {
-	bool pair = value_count(v) == 2, flat = v->source->flat;
+	const bool two = v->unused ? value_count(v) == 2 : v->source->flat;
 
 	(void)row;
-	if (flat && !pair && !v->unused)
-		value_refuse(v,
-		    "is not an array of 2 numbers, as a window's are; for "
-		    "three dimensions add a \"projection\"");
-	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
+	value_numbers(v, &range_any, two ? 2 : 3, out);
 }
 
 static const struct member_type type_bounds_point = { "3 numbers, or 2 of a window",

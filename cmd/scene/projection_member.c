@@ -207,34 +207,28 @@ static bool is_given(const struct projection *p, uint64_t given, const char *nam
 	return (given & member_bits(projection_members, (int)p->type - 1, name)) != 0;
 }
 
-/* Refuses a projection without a type; lists the types that fit its members best. */
+/* Refuses a projection without a type; lists the types that have all of its members. */
 static _Noreturn void refuse_missing_type(const struct value *v)
 {
-	const char *names[PROJECTION_TYPES],
-	    *const add[] = { "add \"type\":", "it is" };
+	const char *names[PROJECTION_TYPES];
 	char all[LIST_ROOM];
-	int n = 0, most = 0;
+	int n = 0;
 
 	for (int i = 0; projection_type_names[i] != NULL; i++) {
 		struct value m = value_child(v);
-		int count = 0; /* a name adds 2, an alias 1 */
 
-		for (; m.item != NULL; value_next(&m))
-			for (int alias = 0; alias < 2; alias++)
-				count += *m.name != '_' &&
-				    member_named(projection_members, i, m.name,
-					alias) != NULL;
-		n = count > most ? 0 : n;
-		most = count > most ? count : most;
-		if (count == most)
+		while (m.item != NULL &&
+		    (*m.name == '_' ||
+			member_named(projection_members, i, m.name, true) != NULL))
+			value_next(&m);
+		if (m.item == NULL)
 			names[n++] = projection_type_names[i];
 	}
 	names[n] = NULL;
-	value_refuse(VALUE_MISSING(v, "type"), "missing; %s %s", add[n > 1],
-	    words_join(all, names, " or ", "\""));
+	value_refuse(VALUE_MISSING(v, "type"), "missing; add \"type\": %s",
+	    words_join(all, n > 0 ? names : projection_type_names, " or ", "\""));
 }
 
-/* Reads the type, on which the other members depend. */
 static void read_type(const struct value *v, struct projection *p)
 {
 	unsigned implied = v->source->implied_type;
@@ -257,8 +251,7 @@ static void read_projection(const struct value *v, const struct member *row, voi
 
 	if (value_is(v, JSON_ARRAY))
 		value_refuse(v,
-		    "is an array; a matrix is {\"type\": \"matrix\", "
-		    "\"matrix\": [...]}");
+		    "is an array; write {\"type\": \"matrix\", \"matrix\": [...]}");
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
 	read_type(v, p);
@@ -293,8 +286,7 @@ static void read_projection(const struct value *v, const struct member *row, voi
 	}
 }
 
-/* Sets the image size of intrinsics to the size of the viewport. Refuses intrinsics
- * without a viewport, or with a viewport whose scale is not fill. */
+/* Sets the image size of intrinsics to the viewport's, whose scale must be fill. */
 static void set_image_size(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
@@ -302,13 +294,11 @@ static void set_image_size(const struct value *v, const struct viewport *viewpor
 
 	if (viewport == NULL)
 		value_refuse(given,
-		    "needs a \"viewport\", in whose units it is; "
-		    "write {\"projection\": {...}, \"viewport\": "
-		    "{\"width\": 640, \"height\": 480}}");
+		    "needs a \"viewport\", in whose units it is; write "
+		    "{\"projection\": {...}, \"viewport\": {...}}");
 	if (viewport->scale != SCALE_FILL)
 		value_refuse(given,
-		    "not together with the viewport's \"scale\"; "
-		    "leave that out");
+		    "excludes the viewport's \"scale\"; leave that out");
 	convention_require(v, "intrinsics");
 	p->section.width = viewport->width;
 	p->section.height = viewport->height;

@@ -99,7 +99,7 @@ static const struct member matrix_row = { .members = matrix_members,
 	.rules = matrix_rules };
 
 /* Returns whether rows of a matrix are for column vectors: by the member "vectors" of
- * v, else by the number of rows and columns or, if they are equal, by the document. */
+ * v, else by the shape or, if it is square, by the document. */
 static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, square = rows == columns;
@@ -115,16 +115,14 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 	return given;
 }
 
-/* Refuses m, read for row vectors, if m is affine only for column vectors. */
 static void check_transposed(const struct value *v, const double m[4][4])
 {
 	if (m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && m[3][3] == 1 &&
 	    (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
 		value_refuse(v,
-		    "its rows are for column vectors; add to the scene "
-		    "\"convention\": \"gl\", or another of column vectors, or "
-		    "\"convention\": {\"vectors\": \"column\"}; or write "
-		    "{\"matrix\": [...], \"vectors\": \"column\"}");
+		    "its rows are for column vectors; add to the scene \"convention\": "
+		    "{\"vectors\": \"column\"}, or write it as {\"matrix\": [...], "
+		    "\"vectors\": \"column\"}");
 }
 
 /* Reads an array of rows of numbers, or an array of the numbers row after row. */
@@ -139,10 +137,12 @@ static void read_rows(const struct value *v, size_t rows, size_t columns, double
 			value_numbers(&row, &range_any, columns, out);
 }
 
-/* Reads a matrix. Rows for column vectors are transposed. A list of 16 numbers is not
- * transposed: it lists rows for row vectors, but columns for column vectors. */
-static void read_any_matrix(const struct value *v, bool affine, double m[4][4])
+/* Rows for column vectors are transposed. A list of 16 numbers is not: it lists rows for
+ * row vectors, but columns for column vectors. */
+static void read_matrix(const struct value *v, const struct member *row, void *out)
 {
+	const bool affine = row->type != &type_matrix;
+	double(*m)[4] = out;
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
@@ -152,16 +152,15 @@ static void read_any_matrix(const struct value *v, bool affine, double m[4][4])
 	if (!value_is(&all, JSON_ARRAY))
 		value_refuse_type(&all,
 		    affine ? "an array of " AFFINE_FORMS : "an array of " MATRIX_FORMS);
-	struct value row = value_child(&all);
+	const struct value first = value_child(&all);
 	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
-	bool narrow = affine && n == rows && value_count(&row) == 3;
+	bool narrow = affine && n == rows && value_count(&first) == 3;
 	size_t columns = narrow ? 3 : 4;
 	bool column = is_for_columns(v, rows, columns), swap = column && n == rows;
 	double e[16];
 
 	if (narrow && n == 3)
-		value_refuse(&all,
-		    "is 3x3; append t to its rows as 4th numbers, [R|t]");
+		value_refuse(&all, "is 3x3; append t to its rows: [R|t]");
 	if (n != rows && n != 16)
 		value_refuse(&all, "has %zu element%s; %s are wanted", n,
 		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS);
@@ -176,18 +175,6 @@ static void read_any_matrix(const struct value *v, bool affine, double m[4][4])
 		m[3][3] = 1;
 	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
 		check_transposed(v, m);
-}
-
-static void read_matrix(const struct value *v, const struct member *row, void *out)
-{
-	(void)row;
-	read_any_matrix(v, false, out);
-}
-
-static void read_affine(const struct value *v, const struct member *row, void *out)
-{
-	(void)row;
-	read_any_matrix(v, true, out);
 }
 
 static void print_affine(struct printer *p, const struct member *row, const void *at)
@@ -207,28 +194,19 @@ static void print_affine(struct printer *p, const struct member *row, const void
 }
 
 const struct member_type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct member_type type_affine = { "matrix", read_affine, print_affine, 0 };
+const struct member_type type_affine = { "matrix", read_matrix, print_affine, 0 };
 
 #define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-/* Refuses a matrix K whose fx (k[0][0]) or fy (k[1][1]) is not positive, whose last row
- * is not 0, 0, 1, or which is not 0 under the diagonal. */
 static void check_k(const struct value *v, const double k[3][4])
 {
-	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 3; j++)
-			if (i == 2 && k[i][j] != (j == 2))
-				value_refuse(v,
-				    "the last row of K is 0, 0, 1; is it a "
-				    "camera's K, and not transposed?");
-			else if (j < i && k[i][j] != 0)
-				value_refuse(v,
-				    "under the diagonal of K there is 0; is it "
-				    "transposed?");
-			else if (j == i && !scene_is_size(k[i][j]))
-				value_refuse(v, "fx and fy of K are positive");
+	if (k[1][0] != 0 || k[2][0] != 0 || k[2][1] != 0 || k[2][2] != 1 ||
+	    !scene_is_size(k[0][0]) || !scene_is_size(k[1][1]))
+		value_refuse(v,
+		    "is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], fx and fy "
+		    "positive; is it a camera's K, and not transposed?");
 }
 
 static void read_intrinsics(const struct value *v, const struct member *row, void *out)
@@ -254,18 +232,14 @@ static void read_intrinsics(const struct value *v, const struct member *row, voi
 		k[2][2] = 1;
 		return;
 	}
-	if (n == 16 || (n == 4 && columns == 4))
-		value_refuse(v,
-		    "is 4x4; leave out the last row and, if it is K, the last "
-		    "column; a 4x4 from view to clip is of type \"matrix\"");
 	if (nested ? n != 3 : n != 9 && n != 12)
-		value_refuse(v, "is none of " INTRINSICS_FORMS);
+		value_refuse(v,
+		    "is none of " INTRINSICS_FORMS
+		    "; a 4x4 from view to clip is of type \"matrix\"");
 	read_rows(v, 3, columns, e);
 	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 && e[5] == 0 &&
 	    e[8] == 1 && !v->unused)
-		value_refuse(v,
-		    "looks like a P column after column; write it row after "
-		    "row, or as 3 rows of 4 if its rows are right");
+		value_refuse(v, "looks like a P by columns; write 3 rows of 4");
 	for (size_t i = 0; i < 3; i++)
 		memcpy(k[i], e + i * columns, columns * sizeof *e);
 	if (columns == 3 && !v->unused)

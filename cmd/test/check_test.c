@@ -36,42 +36,62 @@ static const struct text refused[] = {
 	TEXT(" \n", "2: expected a value, but the text ends"),
 	TEXT("\xef\xbb\xbf", "1: expected a value, but the text ends"),
 	TEXT("{\n\"a\":\n01}",
-	    "3: expected a value, not '01'; a number is like -1.5e-3"),
+	    "3: expected a value, not '01'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
 	TEXT("[-012.50]",
-	    "1: expected a value, not '-012.50'; a number is like -1.5e-3"),
-	TEXT("[1.]", "1: expected a value, not '1.'; a number is like -1.5e-3"),
-	TEXT("[+1]", "1: expected a value, not '+1'; a number is like -1.5e-3"),
-	TEXT("[.5]", "1: expected a value, not '.5'; a number is like -1.5e-3"),
-	TEXT("[1.e5]", "1: expected a value, not '1.e5'; a number is like -1.5e-3"),
-	TEXT("[-]", "1: expected a value, not '-'; a number is like -1.5e-3"),
-	TEXT("[1e]", "1: expected a value, not '1e'; a number is like -1.5e-3"),
-	TEXT("[0x1]", "1: expected a value, not '0x1'; a number is like -1.5e-3"),
+	    "1: expected a value, not '-012.50'; a value is like -1.5e-3, true, null "
+	    "or \"text\""),
+	TEXT("[1.]",
+	    "1: expected a value, not '1.'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
+	TEXT("[+1]",
+	    "1: expected a value, not '+1'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
+	TEXT("[.5]",
+	    "1: expected a value, not '.5'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
+	TEXT("[1.e5]",
+	    "1: expected a value, not '1.e5'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
+	TEXT("[-]",
+	    "1: expected a value, not '-'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
+	TEXT("[1e]",
+	    "1: expected a value, not '1e'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
+	TEXT("[0x1]",
+	    "1: expected a value, not '0x1'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
 	TEXT("[6\xc2\xb0]",
-	    "1: expected a value, not '6\xc2\xb0'; a number is like -1.5e-3"),
+	    "1: expected a value, not '6\xc2\xb0'; a value is like -1.5e-3, true, null "
+	    "or \"text\""),
 	TEXT("[NaN]",
-	    "1: expected a value, not 'NaN'; a word is true, false, null or "
-	    "\"text\" in quotes"),
-	TEXT("[-nan]", "1: expected a value, not '-nan'; a number is like -1.5e-3"),
+	    "1: expected a value, not 'NaN'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
+	TEXT("[-nan]",
+	    "1: expected a value, not '-nan'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
 	TEXT("[Infinity]",
-	    "1: expected a value, not 'Infinity'; a word is true, false, null "
-	    "or \"text\" in quotes"),
+	    "1: expected a value, not 'Infinity'; a value is like -1.5e-3, true, null "
+	    "or \"text\""),
 	TEXT("[-Infinity]",
-	    "1: expected a value, not '-Infinity'; a number is like -1.5e-3"),
+	    "1: expected a value, not '-Infinity'; a value is like -1.5e-3, true, null "
+	    "or \"text\""),
 	TEXT("[inf]",
-	    "1: expected a value, not 'inf'; a word is true, false, null or "
-	    "\"text\" in quotes"),
+	    "1: expected a value, not 'inf'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
 	TEXT("[True]",
-	    "1: expected a value, not 'True'; a word is true, false, null or "
-	    "\"text\" in quotes"),
+	    "1: expected a value, not 'True'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
 	TEXT("[None]",
-	    "1: expected a value, not 'None'; a word is true, false, null or "
-	    "\"text\" in quotes"),
+	    "1: expected a value, not 'None'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
 	TEXT("[gl]",
-	    "1: expected a value, not 'gl'; a word is true, false, null or "
-	    "\"text\" in quotes"),
+	    "1: expected a value, not 'gl'; a value is like -1.5e-3, true, null or "
+	    "\"text\""),
 	TEXT("[truefalse]",
-	    "1: expected a value, not 'truefalse'; a word is true, false, null "
-	    "or \"text\" in quotes"),
+	    "1: expected a value, not 'truefalse'; a value is like -1.5e-3, true, null "
+	    "or \"text\""),
 	TEXT("['a']", "1: expected a value, not '''; JSON has \"double quotes\" alone"),
 	TEXT("{'a':1}",
 	    "1: expected a member's name in \"double quotes\", not '''; JSON "
@@ -97,7 +117,9 @@ static const struct text refused[] = {
 	TEXT("[1/2]", "1: expected ',' or ']', not '/'; JSON has no arithmetic"),
 	TEXT("[\x01]", "1: expected a value, not '\\u0001'"),
 	TEXT("[\xff]", "1: expected a value, not '\\xff'; JSON is UTF-8 text"),
-	TEXT("[\xc2\xa0]", "1: expected a value, not '\\u00a0'"),
+	TEXT("[\xc2\xa0]",
+	    "1: expected a value, not '\\u00a0'; a value is like -1.5e-3, true, null "
+	    "or \"text\""),
 	TEXT("[\f1]", "1: expected a value, not '\\u000c'"),
 	TEXT("{\n[1", "2: expected a member's name in \"double quotes\", not '['"),
 	TEXT("{\n\"a\":[1\n\n",

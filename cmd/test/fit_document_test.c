@@ -69,11 +69,9 @@ static const struct refusal refusals[] = {
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}, or for "
 	    "two dimensions \"window\": {}" },
 	{ &either, "{\"window\":{}," BOX "}",
-	    "/bounds/min: is not an array of 2 numbers, as a window's are; "
-	    "for three dimensions add a \"projection\"" },
+	    "/bounds/min: has 3 elements; an array of 2 numbers is wanted" },
 	{ &either, "{\"window\":{},\"bounds\":{\"center\":1,\"radius\":1}}",
-	    "/bounds/center: is not an array of 2 numbers, as a "
-	    "window's are; for three dimensions add a \"projection\"" },
+	    "/bounds/center: is a number; an array of 2 numbers is wanted" },
 	{ &either, "{\"window\":{\"left\":1,\"width\":1}}",
 	    "/window/left: does not go with \"width\"; give \"width\", or "
 	    "\"left\"" },

@@ -39,7 +39,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"type\":\"matrix\"}",
 	    "/type: is \"matrix\", not \"persp\"; project takes any type" },
 	{ &project, "{\"projection\":{}}",
-	    "/projection/type: missing; it is \"persp\", \"ortho\", "
+	    "/projection/type: missing; add \"type\": \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
 	{ &project, "{\"projection\":{\"type\":\"perspective\"}}",
 	    "/projection/type: is \"perspective\"; did you mean \"persp\"?" },
@@ -161,16 +161,13 @@ static const struct refusal projections[] = {
 	"{\"projection\":{\"type\":\"persp\"," members "},\"viewport\":{" SIZE rest "}}"
 	{ &persp, "{\"intrinsics\":[1,1,0,0]}",
 	    "/intrinsics: needs a \"viewport\", in whose units it is; write "
-	    "{\"projection\": {...}, \"viewport\": {\"width\": 640, "
-	    "\"height\": 480}}" },
+	    "{\"projection\": {...}, \"viewport\": {...}}" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
-	    "/projection/intrinsics: not together with the viewport's "
-	    "\"scale\"; "
-	    "leave that out" },
+	    "/projection/intrinsics: excludes the viewport's \"scale\"; leave that "
+	    "out" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ""),
-	    "/projection/intrinsics: needs a \"convention\"; of x, y and z in "
-	    "view space, opencv is right, down, forward and webgpu right, up, "
-	    "backward" },
+	    "/projection/intrinsics: needs a \"convention\"; opencv has x right, y "
+	    "down, z forward, webgpu right, up, backward" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
 	    "/projection/intrinsics: does not go with \"fovy\"; " PERSP_HINT },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
@@ -181,26 +178,26 @@ static const struct refusal projections[] = {
 	    "/projection/near: missing; give \"near\" and \"reverse_z\", or "
 	    "none of them" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0]", ""),
-	    "/projection/intrinsics: is none of " INTRINSICS_FORMS },
+	    "/projection/intrinsics: is none of " INTRINSICS_FORMS
+	    "; a 4x4 from view to clip is of type \"matrix\"" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":1", ""),
 	    "/projection/intrinsics: is a number; " INTRINSICS_FORMS ", is wanted" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,0,0,0]", ""),
 	    "/projection/intrinsics/1: 0 is not positive; " POSITIVE },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
-	    "/projection/intrinsics: fx and fy of K are positive" },
+	    "/projection/intrinsics: is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], "
+	    "fx and fy positive; is it a camera's K, and not transposed?" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
-	    "/projection/intrinsics: the last row of K is 0, 0, 1; is it a "
-	    "camera's K, and not transposed?" },
+	    "/projection/intrinsics: is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], "
+	    "fx and fy positive; is it a camera's K, and not transposed?" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
-	    "/projection/intrinsics: the last row of K is 0, 0, 1; is it a "
-	    "camera's K, and not transposed?" },
+	    "/projection/intrinsics: is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], "
+	    "fx and fy positive; is it a camera's K, and not transposed?" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[2,0,0,1,2,0,5,5,1,7,8,9]", ""),
-	    "/projection/intrinsics: looks like a P column after column; "
-	    "write it row after row, or as 3 rows of 4 if its rows are "
-	    "right" },
+	    "/projection/intrinsics: looks like a P by columns; write 3 rows of 4" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
-	    "/projection/intrinsics: under the diagonal of K there is 0; is it "
-	    "transposed?" },
+	    "/projection/intrinsics: is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], "
+	    "fx and fy positive; is it a camera's K, and not transposed?" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,1,0]]", ""),
 	    "/projection/intrinsics/2: has 4 elements; an array of 3 numbers "
 	    "is "
