@@ -55,45 +55,11 @@ static void map_one(const struct transform *t, enum precision precision,
 		out[j][i] = rounded(q[j], single);
 }
 
-/* Computes the image of point i by a call of the kernel for this point alone. The error
- * bounds of a call are smaller for one point than for a block. Returns true if rounding
- * is certain, as it is for four of five points that are uncertain in their block. */
-static bool map_alone(const struct transform *t, exact_kernel kernel,
-    const double *const in[4], double *const out[4], size_t i)
-{
-	enum { COLUMN_MIN = 16 }; /* kernels may read 16 numbers per column */
-	COLUMN_ALIGNED double p[3][COLUMN_MIN], q[4][COLUMN_MIN];
-	const double *const from[3] = { p[0], p[1], p[2] };
-	double *const to[4] = { q[0], q[1], q[2], q[3] };
-
-	for (int k = 0; k < 3; k++)
-		for (int l = 0; l < COLUMN_MIN; l++)
-			p[k][l] = in[k][i];
-	bool done = kernel(&t->for_kernel, from, to, 1);
-
-	for (int j = 0; j < t->out && done; j++)
-		out[j][i] = q[j][0];
-	return done;
-}
-
 /* Returns whether all coordinates of image i are finite. */
 static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 {
 	return isfinite(out[0][i]) && isfinite(out[1][i]) &&
 	    (t->out < 3 || isfinite(out[2][i])) && (t->out < 4 || isfinite(out[3][i]));
-}
-
-/* Completes image i. The kernel wrote infinity if the point has no image, or nan if the
- * rounding is uncertain. Returns true if all coordinates are finite. */
-static bool map_undecided(const struct transform *t, exact_kernel kernel,
-    const double *const in[4], double *const out[4], size_t i)
-{
-	if (isinf(out[0][i]))
-		for (int j = 0; j < t->out; j++)
-			out[j][i] = (double)NAN;
-	else if (!map_alone(t, kernel, in, out, i))
-		map_one(t, PRECISION_EXACT, in, out, i);
-	return is_finite(t, out, i);
 }
 
 /* Computes the images one by one. Returns true if all coordinates are finite. */
@@ -109,20 +75,29 @@ static bool map_each(const struct transform *t, enum precision precision,
 	return finite;
 }
 
+/* Computes exact images: what one loop leaves undecided is left to the next. Returns
+ * true if all coordinates are finite. */
 static bool map_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
-	exact_kernel kernel = kernels_chosen()->exact[t->kernel];
-	const double *x = out[0];
+	const struct kernels *k = kernels_chosen();
 	bool finite = true;
 
-	if (kernel == NULL)
+	if (k->exact[t->kernel] == NULL)
 		return map_each(t, PRECISION_EXACT, in, out, n);
-	if (kernel(&t->for_kernel, in, out, n))
+	if (k->exact[t->kernel](&t->for_kernel, in, out, n) ||
+	    k->doubled[t->kernel](&t->for_kernel, in, out, n))
 		return true;
-	for (size_t i = 0; i < n; i++)
-		if (!isfinite(x[i]))
-			finite &= map_undecided(t, kernel, in, out, i);
+	for (size_t i = 0; i < n; i++) {
+		if (isfinite(out[0][i]))
+			continue;
+		if (isnan(out[0][i]))
+			map_one(t, PRECISION_EXACT, in, out, i);
+		else
+			for (int j = 0; j < t->out; j++)
+				out[j][i] = (double)NAN;
+		finite &= is_finite(t, out, i);
+	}
 	return finite;
 }
 
@@ -147,11 +122,8 @@ static bool map_nonfinite(const struct transform *t, bool single,
 }
 
 bool points_map(const struct transform *t, enum precision precision,
-    const double *const given[4], double *const out[4], size_t n)
+    const double *const in[4], double *const out[4], size_t n)
 {
-	/* map_alone reads three columns; in 2D any column serves as z */
-	const double *const in[4] = { given[0], given[1], given[t->in == 2 ? 1 : 2],
-		given[3] };
 	approx_kernel kernel = kernels_chosen()->approx[precision][t->kernel];
 
 	if (precision == PRECISION_EXACT)

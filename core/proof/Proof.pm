@@ -53,13 +53,16 @@ sub told {
 
 sub claims {
 	my ($core) = @_;
-	my $exact = "$core/points/kernel/exact.h";
+	my ($exact, $doubled) = map { "$core/points/kernel/$_.h" }
+	    qw(exact doubled);
 	my %claim = (EX_ROUND_BOUND => macro("$core/exact/ex.h", 'EX_ROUND_BOUND'),
 	    COLUMN_UNITS => told($exact, 'columns', qr/together (\d+(?:\.\d+)?) u/),
 	    COLUMN_LOW => told($exact, 'low parts', qr{above (\d+(?:\.\d+)?) times 2\^-26 B}),
 	    QUOTIENT_LOW => told($exact, 'quotients of low parts', qr/(\d+) u times the low parts/),
 	    QUOTIENT_BOUND => claimed($exact, 'quotient'),
 	    LENGTH_BOUND => claimed($exact, 'length_of'),
+	    DOUBLED_UNITS => told($doubled, 'columns', qr/together at most (\d+(?:\.\d+)?) u\^2/),
+	    DOUBLED_LOW => told($doubled, 'low parts', qr/lo, at most (\d+) u S/),
 	    LENGTH_LOW => told($exact, 'lengths', qr/length, which is at most (\d+) u/));
 	return map { "-D$_=$claim{$_}" } sort keys %claim;
 }
@@ -102,7 +105,7 @@ sub loose {
 	my (%most, $text);
 	while ($said =~ /^(\S.{35}) +(\S+) +(\S+) +(?!2\^ ).* proved$/mg) {
 		my ($row, $claimed, $found) = ($1, $2, $3);
-		my ($claim) = $row =~ /(\w+_BOUND|share of its error)/ ? $1 :
+		my ($claim) = $row =~ /(\w+_BOUND|(?:doubled: )?share of its error)/ ? $1 :
 		    $row =~ s/ +\z//r;
 		my $share = $found / $claimed;
 		$most{$claim} = $share if $share > ($most{$claim} // 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/* Counts the errors of kernel/exact.h and kernel/approx.h, and compares them with the
- * bounds that these headers claim. Prints a line for each:
+/* Counts the errors of kernel/exact.h, doubled.h and approx.h, and compares them with
+ * the bounds that these headers claim. Prints a line for each:
  *
  *	claim, claimed, found, proved or refused
  */
@@ -52,6 +52,7 @@ static number same(number up, number, number sure)
 #define double number
 #include "exact/dd.h"
 #include "points/kernel/exact.h"
+#include "points/kernel/doubled.h"
 
 #define restrict
 #define REAL number
@@ -291,15 +292,16 @@ static double length_error(int many, double *low)
 
 /* Returns the share of the error in the test of a quotient that is needed. The columns
  * of n and w have errors of a share of their bounds, and w is above its bound. The
- * quotient's own error is own |q|, where the test allows at least |q| COLUMN_BOUND /
- * most; the error from low parts, of_low, is in units of B, as is the bound. */
-static double share(double column, double most, double own, double of_low)
+ * quotient's own error is own |q|, where the test allows at least |q| least / most; the
+ * error from low parts, of_low, is in units of B, as is the bound, least. */
+static double share(double column, double most, double own, double of_low,
+    double least = COLUMN_BOUND)
 {
-	double part = column / (double)COLUMN_BOUND;
+	double part = column / least;
 
 	if (part >= 1)
 		return HUGE_VAL;
-	return (part / (1 - part) + (own * most + of_low) / COLUMN_BOUND) *
+	return (part / (1 - part) + (own * most + of_low) / least) *
 	    (1 + 16 * U);
 }
 
@@ -350,6 +352,55 @@ static void prove_exact(void)
 	say("length", LENGTH_BOUND, length / (U * U), "u^2");
 	say("length: its low part", LENGTH_LOW, low / U, "u");
 	say("direction: share of its error", 1, share(normal, most.hi, d, 0), "");
+}
+
+/* ---- kernel/doubled.h, in units of S ---- */
+
+/* Returns the error of a column of doubled.h in which this term alone is not small, and
+ * raises *low to its low part. */
+static double doubled_error(int term, double *low)
+{
+	fresh();
+	count::relative = true;
+	give_map(small, small);
+	for (int j = 0; j < 4; j++) {
+		map.hi[term][j] = given(1);
+		map.lo[term][j] = given(U);
+	}
+	const struct doubled_map doubled = doubled_map_of(&map);
+	struct doubled_point p;
+
+	p.farthest = number(1);
+	for (int k = 0; k < 3; k++) {
+		double size = k == term ? 1 : small;
+
+		p.size[k] = given(size);
+		p.d[k] = vdd{ given(size), given(size * U) };
+		difference[k] = plus(p.d[k].hi->is, p.d[k].lo->is);
+	}
+	number allowed, moderate = 1, sure = 1, error = given(DOUBLED_BOUND);
+	vdd c = doubled_column(&doubled, 0, 3, &p, &allowed, &moderate);
+
+	round_surely(c.hi, c.lo, error, &sure);
+	*low = std::fmax(*low, c.lo->most);
+	return bound(minus(minus(tested(), error->is), column_of(0, 3))) +
+	    EX_ROUND_BOUND * U * U;
+}
+
+static void prove_doubled(void)
+{
+	double column = 0, low = 0;
+
+	for (int term = 0; term < 4; term++)
+		column = std::fmax(column, doubled_error(term, &low));
+	const double q = quotient_error(0, 0),
+		     of_low = std::fmax(quotient_error(low, 0),
+			 quotient_error(0, low));
+
+	say("doubled: |lo| at most", DOUBLED_LOW, low / U, "u");
+	say("doubled: column", DOUBLED_UNITS, column / (U * U), "u^2");
+	say("doubled: share of its error", 1,
+	    share(column, 1 + DOUBLED_LOW * U, q, of_low, DOUBLED_BOUND), "");
 }
 
 /* ---- kernel/approx.h, in units of u ---- */
@@ -473,6 +524,7 @@ int main()
 	prove_round();
 	prove_exact();
 	prove_ends();
+	prove_doubled();
 	prove_approx();
 	prove_estimate();
 	return refusals > 0;

@@ -36,6 +36,7 @@ holds('errors counted', count_errors($core));
 # The faults: the file, what is changed there, and what finds it. That is a program in
 # toy arithmetic, with its number of digits, or a claim that the count exceeds.
 my $exact = 'points/kernel/exact.h';
+my $doubled = 'points/kernel/doubled.h';
 my @toy = ('toy_exact.cc', '-DP=53');
 my @ties = ('toy_exact.cc', '-DP=6');
 my @mutations = (
@@ -70,6 +71,17 @@ my @mutations = (
 	    'MADD(ABS(q), w_bound, bound);', 'bound;', @toy],
 	[$exact, 'a length whose squares are rounded',
 	    'low = low + FMA(a[k].hi, a[k].hi, -square[k])', 'low = low', @toy],
+	[$doubled, 'an element\'s low part that is forgotten',
+	    'lo = MADD(a, ALL(m->lo[k][j]), lo)', 'lo = lo', @toy],
+	[$doubled, 'a difference\'s low part that is forgotten',
+	    'lo = MADD(p->d[k].lo, element, lo)', 'lo = lo', @toy],
+	[$doubled, 'a w that may be 0',
+	    'MIN(w_sum - w_bound, sure)', 'MIN(w_sum, sure)', @toy],
+	[$doubled, 'elements that underflow',
+	    'fmax(fabs(m->hi[i][j]),
+				    1 / MODERATE)', 'fabs(m->hi[i][j])', @toy],
+	[$doubled, 'differences that underflow',
+	    'MAX(size, ALL(1 / MODERATE))', 'size', @toy],
 );
 # Groups of faults. Those of a group are made in one copy of the headers, and the count
 # finds each.
@@ -87,6 +99,8 @@ my @bounds = (
 	    'POINT_CUT - 3', 'POINT_CUT + 3', 'column, of 2^-79 B'],
 	[$exact, 'a bound of an eighth', 'COLUMN_BOUND 0x1p-72',
 	    'COLUMN_BOUND 0x1p-75', 'quotient: share of its error'],
+	[$doubled, 'a bound of a half', 'DOUBLED_BOUND 0x1p-98',
+	    'DOUBLED_BOUND 0x1p-99', 'doubled: share of its error'],
 	['points/kernel/kernel.h', 'a bound of approximations that is too small',
 	    'APPROX_BOUND 10', 'APPROX_BOUND 8',
 	    'approx depth, of b/w: APPROX_BOUND'],
@@ -98,6 +112,9 @@ my @bounds = (
 my @loose = (
 	[$exact, 'a bound of columns that is too large', 'COLUMN_BOUND 0x1p-72',
 	    'COLUMN_BOUND 0x1p-71', 'share of its error'],
+	[$doubled, 'a bound of doubled columns that is too large',
+	    'DOUBLED_BOUND 0x1p-98', 'DOUBLED_BOUND 0x1p-97',
+	    'doubled: share of its error'],
 	['points/kernel/kernel.h', 'a bound of approximations that is too large', 'APPROX_BOUND 10',
 	    'APPROX_BOUND 20', 'APPROX_BOUND'],
 	['points/kernel/kernel.h', 'a bound of estimates that is too large',
@@ -112,7 +129,7 @@ sub mutant {
 	make_path("$copy/exact", "$copy/points/kernel");
 	for my $header (qw(exact/dd.h exact/ex.h exact/ex.c exact/wide.h exact/sum.h
 	    exact/sum.c exact/trig.h exact/trig.c points/kernel/exact.h
-	    points/kernel/approx.h points/kernel/kernel.h)) {
+	    points/kernel/doubled.h points/kernel/approx.h points/kernel/kernel.h)) {
 		spew("$copy/$header", slurp("$core/$header"));
 	}
 	for my $m (@_) {

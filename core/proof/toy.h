@@ -155,6 +155,7 @@ static inline toy frexp(toy a, int *e)
 /* For 53 digits, as in exact.h: 128 u 2^-26. */
 #define DIGITS P
 #define COLUMN_BOUND (128 * U / (1 << (P - 1) / 2))
+#define DOUBLED_BOUND (256 * U * U)
 #define MODERATE 0x1p200
 
 static inline double at(toy a)
@@ -169,6 +170,7 @@ static inline double at(toy a)
 #define double toy
 #include "exact/dd.h"
 #include "points/kernel/exact.h"
+#include "points/kernel/doubled.h"
 #undef double
 
 static inline wide value(dd a)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* Tests kernel/exact.h in the arithmetic of toy.h: no rounding that it says is sure is
+/* Tests kernel/exact.h and doubled.h in the arithmetic of toy.h: no rounding that it says is sure is
  * wrong, no point without an image gets one, and no point with an image loses it. */
 #include "toy.h"
 
@@ -172,25 +172,34 @@ static int loops(int tries, bool at_the_ends)
 	ends = at_the_ends;
 	const toy *const from[3] = { in[0], in[1], in[2] };
 	toy *const to[4] = { out[0], out[1], out[2], out[3] };
-	int count[KERNELS][2] = { { 0 } };
+	int count[2 * KERNELS][2] = { { 0 } };
 
 	for (int i = 0; i < tries; i++) {
-		int kind = KERNEL_FLAT + (int)below(6);
+		int loop = KERNEL_FLAT + (int)below(KERNEL_DIRECTION);
+		enum kernel_kind kind = (enum kernel_kind)loop;
 
 		any_map();
 		any_point();
-		exact_images(&map, from, to, 2, (enum kernel_kind)kind);
+		exact_images(&map, from, to, 2, kind);
 		int verdict = judge(kind);
 
 		if (verdict == WRONG)
 			return failed("surely wrong");
-		count[kind][verdict]++;
+		count[loop][verdict]++;
+		if (kind == KERNEL_DIRECTION)
+			continue;
+		out[0][0] = out[0][1] = NAN;
+		doubled_images(&map, from, to, 2, kind);
+		verdict = judge(kind);
+		if (verdict == WRONG)
+			return failed("surely wrong in doubled.h");
+		count[KERNELS + loop][verdict]++;
 	}
-	for (int kind = KERNEL_FLAT; kind < KERNELS; kind++) {
-		const int *n = count[kind];
+	for (int loop = KERNEL_FLAT; loop < 2 * KERNELS; loop++) {
+		const int *n = count[loop];
 
-		printf("# P = %d, loop %d: %d sure, %d not\n", P, kind, n[RIGHT],
-		    n[UNSURE]);
+		printf("# P = %d, loop %d: %d sure, %d not\n", P, loop,
+		    n[RIGHT], n[UNSURE]);
 		if (P > 20 && !ends && n[RIGHT] < n[UNSURE] / 16)
 			return failed("hardly ever sure");
 	}

@@ -30,6 +30,7 @@
 #define ALL_POSITIVE(a) (MASK_BITS(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
 
 #include "exact.h"
+#include "doubled.h"
 #include "farthest.h"
 #include "rows.h"
 #include "signs.h"
@@ -66,6 +67,8 @@ const struct kernels KERNELS_NAME = {
 	.processor = PROCESSOR,
 	.exact = { KERNELS_OF(exact, projective), [KERNEL_XYZW] = exact_xyzw,
 	    [KERNEL_DIRECTION] = exact_direction },
+	.doubled = { KERNELS_OF(doubled, projective),
+	    [KERNEL_XYZW] = doubled_xyzw },
 	.approx = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double, depth) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single, depth) },

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The kernels of PRECISION_EXACT, written once for the vectors that copy.h describes. A
  * coordinate is a sum hi + lo with a bound of its error. If all numbers within this
- * bound of hi + lo round to one double, this double is the result; if not, point.c
+ * bound of hi + lo round to one double, this double is the result; if not, doubled.h
  * computes the point. Variables named `sure` are positive if the rounding is certain.
  * Noise (struct kernel_map) is the error up to which a difference counts as 0.
  *
@@ -301,8 +301,10 @@ static inline V inexact_if_noisy(V a, double noisy_below)
 static inline V column_inexactness(const struct column_cut *c, vdd sum, const V cut[3],
     const V rest[3], int terms)
 {
-	V lo = ALL(c->rest[3]), inexact = ALL(c->noise_only ? 0 : 1);
+	V lo = ALL(c->rest[3]), inexact = ALL(0);
 
+	if (!c->noise_only)
+		return ALL(1);
 	for (int k = 0; k < 2 * terms; k++) {
 		V a = k < terms ? rest[k] : cut[k - terms];
 		double b = k < terms ? c->element[k] : c->rest[k - terms];
@@ -394,6 +396,13 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
 }
 
+/* Returns x or, if the image is not sure, infinity or nan, as exact_kernel says. */
+static inline V mark(V x, V sure, V behind)
+{
+	return IF_POSITIVE(sure, x,
+	    IF_POSITIVE(behind, ALL(HUGE_VAL), ALL((double)NAN)));
+}
+
 /* Writes the images q of points p. Returns true if all roundings are sure. If a
  * rounding is not sure, its image gets nan or infinity in q[0] (see exact_kernel). The
  * other images are finite, as columns are below 2^202 and w is above 2^-274.
@@ -436,10 +445,8 @@ static inline __attribute__((always_inline)) bool image_of(const struct kernel_b
 		sure = round_exact(b, cut, rest, kind, q);
 	if (ALL_POSITIVE(sure))
 		return true;
-	V behind = IF_POSITIVE(-(w_sum + bound), ALL(b->moderate), ALL(0));
-
-	q[0] = IF_POSITIVE(sure, q[0],
-	    IF_POSITIVE(behind, ALL(HUGE_VAL), ALL((double)NAN)));
+	q[0] = mark(q[0], sure,
+	    IF_POSITIVE(-(w_sum + bound), ALL(b->moderate), ALL(0)));
 	return false;
 }
 

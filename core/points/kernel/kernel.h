@@ -137,7 +137,8 @@ typedef void (*farthest_kernel)(const double (*m)[3], int directions,
 
 struct kernels {
 	enum processor processor;
-	exact_kernel exact[KERNELS];
+	/* `doubled` completes images that exact has left nan, and leaves the others */
+	exact_kernel exact[KERNELS], doubled[KERNELS];
 	approx_kernel approx[3][KERNELS]; /* [precision][kind] */
 	float_rows_kernel float_rows[KERNELS];
 	signs_kernel signs;
