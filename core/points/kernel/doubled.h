@@ -120,16 +120,17 @@ doubled_images(const struct kernel_map *m, const double *const in[3],
 
 	for (size_t i = 0; i < n; i += WIDTH) {
 		V p[3], q[4], x = LOAD(out[0] + i);
+		V is_set = IF_EQUAL(x, x, ALL(1));
 
-		if (ALL_POSITIVE(ALL(HUGE_VAL) - ABS(x)))
-			continue;
 		for (int k = 0; k < terms; k++)
 			p[k] = LOAD(in[k] + i);
-		doubled_image(&map, p, q, kind);
-		for (int j = kernel_outputs(kind) - 1; j >= 0; j--)
-			STORE(out[j] + i,
-			    IF_POSITIVE(IF_EQUAL(x, x, ALL(1)),
-				LOAD(out[j] + i), q[j]));
+		if (!ALL_POSITIVE(is_set)) {
+			doubled_image(&map, p, q, kind);
+			for (int j = kernel_outputs(kind) - 1; j >= 0; j--)
+				STORE(out[j] + i,
+				    IF_POSITIVE(is_set, LOAD(out[j] + i),
+					q[j]));
+		}
 		done &= ALL_POSITIVE(ALL(HUGE_VAL) - ABS(LOAD(out[0] + i)));
 	}
 	return done;
