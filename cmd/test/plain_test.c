@@ -58,7 +58,7 @@ static int put_of_sort(int sort, char *s)
 
 	switch (sort) {
 	case 0:
-		return sprintf(s, "%.6f", 1000 * v);
+		return sprintf(s, random_below(2) ? "%.6f" : "%+.6f", 1000 * v);
 	case 1:
 		return sprintf(s, "%.17g", v * 100 + (v < 0 ? -1 : 1));
 	case 2:
@@ -67,11 +67,11 @@ static int put_of_sort(int sort, char *s)
 		return sprintf(s, "%.*e", 17 + random_below(2),
 		    ldexp(v + (v < 0 ? -1 : 1), random_below(50)));
 	case 4:
-		return put_decimal(s, 15, 4);
+		return put_decimal(s, 15, 7);
 	case 5:
 		return put_decimal(s, 1, 29);
 	case 6:
-		return put_digits(s, 1 + random_below(19));
+		return put_digits(s, 1 + random_below(22));
 	case 7:
 		return put_midway(s);
 	case 8: {
@@ -97,11 +97,11 @@ static bool is_exponent(const char *s)
 		strspn(s + 2, "0123456789") == 2 && s[4] == '\0' && s[-1] != '.');
 }
 
-/* Returns whether the loops may read s: [-] digits with at most one point, and an
+/* Returns whether the loops may read s: [+-] digits with at most one point, and an
  * exponent of two digits. */
 static bool is_plain(const char *s)
 {
-	s += *s == '-';
+	s += *s == '-' || *s == '+';
 	size_t whole = strspn(s, "0123456789");
 	size_t point = s[whole] == '.';
 	size_t decimals = strspn(s + whole + point, "0123456789");

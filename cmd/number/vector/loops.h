@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads and writes many numbers at a time, by loops that are compiled once for each
- * kind of processor. The loops read plain numbers: [-] digits [. digits], or these with
- * an exponent as %e writes it; number_read reads all other legal numbers. The loops
+ * kind of processor. The loops read plain numbers: [+-] digits [. digits], or these
+ * with an exponent as %e writes it; number_read reads all other legal numbers. The loops
  * give the same bits as number_read and the same bytes as number_write. */
 #pragma once
 
@@ -48,7 +48,7 @@ struct number_loops {
 	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a
 	 * multiple of PLAIN_GROUP. Returns a mask: bit i is set if number i was not
 	 * read. It is not read if it is not plain, has more than 22 decimals, has more
-	 * than 19 digits after leading zeros, or is too near to the middle between two
+	 * than 22 digits after leading zeros, or is too near to the middle between two
 	 * doubles. An exponent has to have a sign and two digits, and the number of
 	 * decimals less the exponent has to be 0 to 22. */
 	uint64_t (*read)(const struct plain_places *, size_t n, double v[PLAIN_BATCH]);

@@ -56,27 +56,27 @@ static inline struct integer short_integer(const struct digit_rows *r, size_t i)
 	};
 }
 
-/* Returns the integers of WIDTH rows, of up to 19 digits; more digits make a lane bad.
- * top, the first three of 19 digits times 10^16, is a multiple of 2^16 below 2^64, and
- * exact. To top are added a, eight digits times 10^8, and b, the last eight digits. The
- * sums, s and m.hi, are below 2^64, and rounded: each rounding loses an integer of at
- * most 2^10. m.lo, the sum of both losses, is exact. */
+/* Returns the integers of WIDTH rows, of up to 22 digits; more digits make a lane bad.
+ * top is the first six of 22 digits times 10^16. To top are added a, eight digits times
+ * 10^8, and b, the last eight digits. top and the sums, s and m.hi, are below 2^74, and
+ * rounded: each rounding loses an integer of at most 2^20. m.lo, the sum of the losses,
+ * is exact. */
 static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 {
 	struct integer m;
 	I high, low;
 
 	join_digits(r->digits[i], 0, &high, &low);
-	V more = (V)((high > ALL_BITS(0)) | (low > ALL_BITS(999)));
+	V more = (V)((high > ALL_BITS(0)) | (low > ALL_BITS(999999)));
 
 	m.bad = different_lanes(more, ALL(0)); /* all bits set make a nan */
-	V top = double_of(low) * ALL(1e16);
+	V first = double_of(low), top = first * ALL(1e16);
 
 	join_digits(r->digits[i], 1, &high, &low);
 	V a = double_of(high) * ALL(1e8), b = double_of(low), s = top + a;
 
 	m.hi = s + b;
-	m.lo = (a - (s - top)) + (b - (m.hi - s));
+	m.lo = FMA(first, ALL(1e16), -top) + (a - (s - top)) + (b - (m.hi - s));
 	return m;
 }
 
@@ -165,10 +165,10 @@ static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 	    end[-5] >= '0' && end[-5] <= '9';
 }
 
-/* Reads each number of the mask `bad` that has an exponent. Returns `bad` without the
- * bits of the numbers that are read now. */
-static uint64_t read_exponential(const struct plain_places *at, uint64_t bad,
-    double v[PLAIN_BATCH])
+/* Reads the numbers of the mask `bad` that have a plus or an exponent or, if `all` is
+ * set, all of its numbers. Returns `bad` without the bits of the numbers that are read. */
+static uint64_t read_stripped(const struct plain_places *at, uint64_t bad,
+    bool all, double v[PLAIN_BATCH])
 {
 	struct plain_places places;
 	int8_t exponent[PLAIN_BATCH];
@@ -178,11 +178,18 @@ static uint64_t read_exponential(const struct plain_places *at, uint64_t bad,
 
 	for (uint64_t rest = bad; rest != 0; rest &= rest - 1) {
 		int i = __builtin_ctzll(rest);
+		const char *end = at->end[i], *s = end - at->size[i];
+		bool plus = (*s == '+') & (s[end - s > 1] >= '.');
 
-		if (!get_exponent(at->end[i], at->size[i], &exponent[n]))
+		s += plus;
+		if (get_exponent(end, (size_t)(end - s), &exponent[n]))
+			end -= 4;
+		else if (all || plus)
+			exponent[n] = 0;
+		else
 			continue;
-		places.end[n] = at->end[i] - 4;
-		places.size[n] = (uint8_t)(at->size[i] - 4);
+		places.end[n] = end;
+		places.size[n] = (uint8_t)(end - s);
 		index[n++] = (uint8_t)i;
 	}
 	for (size_t k = n; k % PLAIN_GROUP != 0; k++) {
@@ -199,12 +206,22 @@ static uint64_t read_exponential(const struct plain_places *at, uint64_t bad,
 	return bad;
 }
 
+/* Looks for plus and exponents at once if the first numbers have them, as others then
+ * have them, too. */
 static uint64_t loops_read(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
+	int8_t exponent;
+	bool stripped = n > 0 &&
+	    get_exponent(at->end[0], at->size[0], &exponent);
+
+	for (size_t i = 0; i < n && i < 4; i++)
+		stripped |= *(at->end[i] - at->size[i]) == '+';
+	if (stripped)
+		return read_stripped(at, ~0ull >> (PLAIN_BATCH - n), true, v);
 	uint64_t bad = read_plain(at, n, NULL, v);
 
-	return bad == 0 ? 0 : read_exponential(at, bad, v);
+	return bad == 0 ? 0 : read_stripped(at, bad, false, v);
 }
 
 /* Writes base + i to `at` for each bit i that is set in `bits`, and returns the end of
