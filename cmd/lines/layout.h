@@ -13,6 +13,7 @@ enum {
 	COORDINATES_MAX = 6, /* the most numbers written for a point */
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
 	PREFIX_ROOM = 64,    /* bytes for the separator and name before a value */
+	LINE_MARGIN = 16,    /* bytes after a line that may be read */
 };
 
 /* The fields that hold the coordinates, from --columns or a csv header. */

@@ -68,11 +68,11 @@ static inline char *put_added(const struct layout *l, struct image_numbers n, in
 }
 
 /* Copies the n bytes at s, which precede a coordinate or end the line. Copies the first
- * byte without a branch, even if n is 0, because n is mostly 1. */
+ * bytes without a branch, as n varies where columns are aligned by blanks. */
 static inline char *put_gap(const char *s, size_t n, char *out)
 {
-	*out = *s;
-	if (n > 1)
+	memcpy(out, s, LINE_MARGIN);
+	if (n > LINE_MARGIN)
 		memcpy(out, s, n);
 	return out + n;
 }

@@ -81,7 +81,7 @@ static void put_values(struct splice *w, int k, bool members)
 	for (; due != 0; due &= due - 1) {
 		k = __builtin_ctz(due);
 		if (w->fields++ > 0)
-			out = put_gap(w->separator.s, gap, out);
+			out = (char *)memcpy(out, w->separator.s, gap) + gap;
 		if (members) {
 			*out++ = '"';
 			out = stpcpy(out, value_name(w, k));

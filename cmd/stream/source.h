@@ -4,9 +4,7 @@
 
 #include <sys/types.h>
 
-#include "../message/utf8.h"
-
-struct layout;
+#include "../lines/layout.h"
 
 /* The size of a piece in bytes. Threads then seldom wait, and caches hold a piece. */
 enum { PIECE_ROOM = 1 << 17 };
@@ -17,7 +15,7 @@ enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
 /* The number of bytes after the end of a text that the readers of points may read. In a
  * JSON document they may also write them: a newline after a point at the very end. */
-enum { PIECE_MARGIN = 2 };
+enum { PIECE_MARGIN = LINE_MARGIN };
 
 /* EARLY: not full, as the next read would wait. LAST: the source ends with this piece, as
  * it does after the errors TOO_LONG, a line of more than 64 MiB, and FAILED, of a read. */
