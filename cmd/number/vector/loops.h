@@ -41,8 +41,8 @@ struct plain_places {
 };
 
 struct number_loops {
-	/* Stores in `at` the indexes of the bytes of text that are in the set; returns
-	 * how many. `at` has room for size rounded up to a multiple of 64, plus 64. */
+	/* Stores in `at` the indexes of the bytes of text that are in the set, but
+	 * maybe not of spaces that follow two others; returns how many. `at` has room for size rounded up to a multiple of 64, plus 64. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
 	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a

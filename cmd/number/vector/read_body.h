@@ -167,8 +167,8 @@ static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 
 /* Reads the numbers of the mask `bad` that have a plus or an exponent or, if `all` is
  * set, all of its numbers. Returns `bad` without the bits of the numbers that are read. */
-static uint64_t read_stripped(const struct plain_places *at, uint64_t bad,
-    bool all, double v[PLAIN_BATCH])
+static uint64_t read_stripped(const struct plain_places *at, uint64_t bad, bool all,
+    double v[PLAIN_BATCH])
 {
 	struct plain_places places;
 	int8_t exponent[PLAIN_BATCH];
@@ -212,8 +212,7 @@ static uint64_t loops_read(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
 	int8_t exponent;
-	bool stripped = n > 0 &&
-	    get_exponent(at->end[0], at->size[0], &exponent);
+	bool stripped = n > 0 && get_exponent(at->end[0], at->size[0], &exponent);
 
 	for (size_t i = 0; i < n && i < 4; i++)
 		stripped |= *(at->end[i] - at->size[i]) == '+';
@@ -240,6 +239,23 @@ static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 	return at + n;
 }
 
+/* Returns a mask of the 64 bytes at s that are in the set, without spaces that follow
+ * two others in the mask. */
+static inline uint64_t find_64(const struct byte_set *set, const char *s)
+{
+	uint64_t found = IN_SET(set, s), spaces = 0;
+
+	if ((found & found << 1 & found << 2) == 0)
+		return found;
+	for (size_t k = 0; k < 64; k += sizeof(row)) {
+		row x;
+
+		memcpy(&x, s + k, sizeof x);
+		spaces |= (uint64_t)MATCH(x, ' ') << k;
+	}
+	return found & ~(spaces & spaces << 1 & spaces << 2);
+}
+
 static size_t loops_find(const struct byte_set *set, const char *text, size_t size,
     uint16_t *at)
 {
@@ -248,8 +264,8 @@ static size_t loops_find(const struct byte_set *set, const char *text, size_t si
 	size_t i = 0;
 
 	for (; size - i >= 64; i += 64)
-		end = put_places(IN_SET(set, text + i), i, end);
+		end = put_places(find_64(set, text + i), i, end);
 	memcpy(rest, text + i, size - i);
-	end = put_places(IN_SET(set, rest) & ((1ull << (size - i)) - 1), i, end);
+	end = put_places(find_64(set, rest) & ((1ull << (size - i)) - 1), i, end);
 	return (size_t)(end - at);
 }
