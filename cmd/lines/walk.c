@@ -45,19 +45,42 @@ struct target {
 	struct plain_places *places;
 };
 
+/* Sets the place of number k of line i, which is unknown, to a byte that may be read. */
+static void set_dummy_number(int k, size_t i, struct plain_places places[4])
+{
+	static const char none[PLAIN_READABLE + 1] = "";
+
+	places[k].end[i] = none + sizeof none;
+	places[k].size[i] = 1;
+}
+
+/* Returns whether a coordinate of csv without bytes is a gap that may be replaced where
+ * it is: blanks, as the CR of CR LF, do not precede it. */
+INLINE bool is_gap(const struct walker *p, struct dialect d, const struct target *t)
+{
+	char before = (p->text + p->at)[-1];
+
+	return d.format == FORMAT_CSV &&
+	    (before == d.separator || before == '"' || p->at == t->begin);
+}
+
 /* Passes the number that is coordinate k. Returns false if it is too long for vector
  * code or, in JSON, not legal. */
 INLINE bool pass_number(struct walker *p, struct dialect d, const struct target *t,
     int k)
 {
 	uint32_t from = p->at, to = *p->stop;
+	bool fits = to - from - 1 < PLAIN_MAX;
 
-	if (to - from - 1 >= PLAIN_MAX ||
-	    (d.format == FORMAT_JSON && !is_json_number(p->text + from, p->text + to)))
+	if (!fits && (to != from || !is_gap(p, d, t)))
+		return false;
+	if (d.format == FORMAT_JSON && !is_json_number(p->text + from, p->text + to))
 		return false;
 	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
 	t->places[k].end[t->i] = p->text + to;
 	t->places[k].size[t->i] = (uint8_t)(to - from);
+	if (!fits)
+		set_dummy_number(k, t->i, t->places);
 	p->at = to;
 	p->found++;
 	return true;
@@ -279,15 +302,10 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n, enum walk_way l
 	    (d.format == FORMAT_TEXT || stop_is(p, '\n'));
 }
 
-/* Sets the places of line i, whose numbers are unknown, to a byte that may be read. */
 static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 {
-	static const char none[PLAIN_READABLE + 1] = "";
-
-	for (int k = 0; k < n; k++) {
-		places[k].end[i] = none + sizeof none;
-		places[k].size[i] = 1;
-	}
+	for (int k = 0; k < n; k++)
+		set_dummy_number(k, i, places);
 }
 
 INLINE size_t walk_batch(struct stretch *s, const struct walk *walk, struct dialect d,

@@ -120,11 +120,16 @@ doubled_images(const struct kernel_map *m, const double *const in[3],
 
 	for (size_t i = 0; i < n; i += WIDTH) {
 		V p[3], q[4], x = LOAD(out[0] + i);
-		V is_set = IF_EQUAL(x, x, ALL(1));
+		V is_set = IF_EQUAL(x, x, ALL(1)), size = ALL(0);
 
-		for (int k = 0; k < terms; k++)
+		for (int k = 0; k < terms; k++) {
 			p[k] = LOAD(in[k] + i);
-		if (!ALL_POSITIVE(is_set)) {
+			size = size + ABS(p[k]);
+		}
+		/* 1, or 0 if a coordinate of the point is nan */
+		V whole = IF_EQUAL(size, size, ALL(1));
+
+		if (!ALL_POSITIVE(ALL(1) - whole + is_set)) {
 			doubled_image(&map, p, q, kind);
 			for (int j = kernel_outputs(kind) - 1; j >= 0; j--)
 				STORE(out[j] + i,
