@@ -11,6 +11,7 @@ struct writer {
 	const struct layout *layout;
 	bool in_place;    /* write_in_place may write the images */
 	bool adds_values; /* values are added after those that were read */
+	bool three;       /* three numbers are read, and replaced in place */
 	int order[4];     /* of the coordinates on the previous line */
 
 	/* enough images for vector loops, few enough for the first-level cache */
@@ -113,6 +114,31 @@ static inline struct image_numbers image_of(const struct writer *w, size_t p)
 		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 }
 
+/* Writes a line that is three numbers with a byte between them, and no more than a byte
+ * at each end, as most are. Returns the end of the line, or NULL if it is another. */
+static inline char *put_three(const struct writer *w, const struct line *line,
+    size_t p, char *out)
+{
+	const struct number_text *t = &w->text[0][p % NUMBER_BATCH];
+	const struct number_text *u = t + NUMBER_BATCH, *v = u + NUMBER_BATCH;
+	const struct part *at = line->at;
+
+	if ((t->layout == 0) | (u->layout == 0) | (v->layout == 0) |
+	    (at[0].from > 1) | (at[1].from != at[0].to + 1) |
+	    (at[2].from != at[1].to + 1) | (line->size > at[2].to + 1))
+		return NULL;
+	*out = *line->s;
+	out = number_text_copy(out + at[0].from, t);
+	*out++ = line->s[at[0].to];
+	out = number_text_copy(out, u);
+	*out++ = line->s[at[1].to];
+	out = number_text_copy(out, v);
+	*out = line->s[at[2].to];
+	out += line->size - at[2].to;
+	*out = '\n';
+	return out + line->newline;
+}
+
 /* Writes the line of point p with the point's image. Returns the end of the line. Each
  * branch calls image_of, as a single call takes 3 % more time in the format text. */
 static char *put_image(struct writer *w, const struct line *line, size_t p, char *at)
@@ -123,6 +149,12 @@ static char *put_image(struct writer *w, const struct line *line, size_t p, char
 	    NULL;
 
 	writer_make_texts(w, p);
+	if (w->three) {
+		char *end = put_three(w, line, p, at);
+
+		if (end != NULL)
+			return end;
+	}
 	if (w->in_place && is_in_order(line, l->reads) &&
 	    (!w->adds_values || can_add_in_place(l, line)))
 		return l->output.append ?
@@ -153,6 +185,7 @@ char *writer_put_block(const struct written_block *b, char *at)
 	w.adds_values = l->output.append || l->output.flags || l->reads < l->writes;
 	w.in_place = same_dialect(l->in, l->out) &&
 	    (l->output.append || l->reads <= l->writes);
+	w.three = w.in_place && !w.adds_values && l->reads == 3;
 	for (size_t i = 0, p = 0; i < b->n; i++) {
 		const struct line *line = &b->line[i];
 		const bool point = line->kind == LINE_POINT;

@@ -71,23 +71,29 @@ void number_texts(const double *v, size_t n, bool single, struct number_style st
 /* The most characters of a struct number_text on either side of the point. */
 enum { NUMBER_SIDE = 24 };
 
-/* Writes v as number_write does, but copies its text t if number_texts has made it. */
-static inline char *number_text_put(char *s, const struct number_text *t, double v,
-    bool single, struct number_style style)
+/* Copies a text that number_texts has made. Returns its end. */
+static inline char *number_text_copy(char *s, const struct number_text *t)
 {
 	uint32_t layout = t->layout;
 	const char *from = t->chars + (layout & 255);
 	size_t minus = layout >> 8 & 255, before = layout >> 16 & 255;
 
-	if (__builtin_expect(layout == 0, 0))
-		return single ? number_write_float(s, (float)v, style) :
-				number_write(s, v, style);
 	*s = '-';
 	s += minus;
 	memcpy(s, from, NUMBER_SIDE);
 	s[before] = '.';
 	memcpy(s + before + 1, from + before, NUMBER_SIDE);
 	return s + (layout >> 24);
+}
+
+/* Writes v as number_write does, but copies its text t if number_texts has made it. */
+static inline char *number_text_put(char *s, const struct number_text *t, double v,
+    bool single, struct number_style style)
+{
+	if (__builtin_expect(t->layout == 0, 0))
+		return single ? number_write_float(s, (float)v, style) :
+				number_write(s, v, style);
+	return number_text_copy(s, t);
 }
 
 #ifdef __cplusplus
