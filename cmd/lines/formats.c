@@ -7,6 +7,7 @@
 #include "../json/check.h"
 #include "../json/text.h"
 #include "../number/number.h"
+#include "put.h"
 
 struct dialect dialect_of(enum format f, char separator)
 {
@@ -91,12 +92,59 @@ static void next_of_text(struct cursor *c, struct field *f)
 	f->next = after == c->end && !c->comma ? NULL : after;
 }
 
+/* Returns 8 bytes as a number, the first in the lowest bits. */
+static inline uint64_t eight_at(const char *s)
+{
+	uint64_t x;
+
+	memcpy(&x, s, sizeof x);
+#if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+	x = __builtin_bswap64(x);
+#endif
+	return x;
+}
+
+/* Each byte of a number is 1, or the top bit of each is set. */
+static const uint64_t ones = 0x0101010101010101, tops = ones << 7;
+
+/* Returns the first byte in [s, end) that is a, b or a control character, else end. By 8
+ * bytes at a time no branch depends on the lengths of short fields, which vary. Of the
+ * top bits that are set, the lowest is right. */
+static inline const char *find_either(const char *s, const char *end, char a, char b)
+{
+	for (; s < end; s += 8) {
+		uint64_t x = eight_at(s), is_a = x ^ (ones * (uint8_t)a),
+			 is_b = x ^ (ones * (uint8_t)b);
+		uint64_t found = (((is_a - ones) & ~is_a) | ((is_b - ones) & ~is_b) |
+				     ((x - ones * ' ') & ~x)) &
+		    tops;
+
+		if (found != 0) {
+			s += __builtin_ctzll(found) / 8;
+			break;
+		}
+	}
+	return s < end ? s : end;
+}
+
 /* Sets *f to the next field of csv. If the field begins with a quote, separators and
  * doubled quotes before the closing quote are in it. Other quotes are plain bytes. */
 static void next_of_csv(struct cursor *c, struct field *f)
 {
-	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
+	const char *s = c->s, *end = c->end;
 
+	/* a field without quotes, and without blanks at its ends */
+	s = find_either(s, end, c->in.separator, '"');
+	if ((s == end || *s == c->in.separator) &&
+	    (s == c->s || (*c->s != ' ' && s[-1] != ' '))) {
+		/* by single words: to load two just after takes long */
+		f->whole.s = f->value.s = c->s;
+		f->whole.end = f->value.end = s;
+		f->next = s < end ? s + 1 : NULL;
+		c->previous_end = s;
+		return;
+	}
+	s = skip_blanks(c->in, c->s, end);
 	f->whole.s = c->s;
 	if (s < end && *s == '"') {
 		s = csv_quote_end(s, end);
@@ -165,18 +213,46 @@ const char *format_read(struct dialect d, const char *s, const char *end, double
 	return after;
 }
 
+/* Returns whether f is a number of JSON without exponent, of so few digits that it is
+ * finite. */
+static bool is_short_number(struct span f)
+{
+	const char *s = f.s + (f.s < f.end && *f.s == '-'), *from = s;
+	const size_t n = (size_t)(f.end - f.s);
+
+	/* up to 7 digits in one step: most numbers beside coordinates are such */
+	if (n - 1 < 7 && (*f.s > '0' || n == 1)) {
+		uint64_t x = (eight_at(f.s) ^ ('0' * ones)) << (64 - 8 * n);
+
+		if (((x | (x + 0x76 * ones)) & tops) == 0)
+			return true;
+	}
+	while (s < f.end && *s >= '0' && *s <= '9')
+		s++;
+	if (s == from || (*from == '0' && s > from + 1) || f.end - f.s > 99)
+		return false;
+	if (s == f.end || *s != '.')
+		return s == f.end;
+	for (from = ++s; s < f.end && *s >= '0' && *s <= '9';)
+		s++;
+	return s == f.end && s > from;
+}
+
 /* Returns whether the unquoted field f can be copied to the dialect d: to JSON if f is
  * a finite number, to csv if f has no quote or separator, to FORMAT_TEXT always. */
 static bool can_copy(struct dialect d, struct span f)
 {
 	const struct format_row *to = format_of(d);
-	size_t n = (size_t)(f.end - f.s);
 	double v;
 
 	if (*to->open != '\0')
-		return json_number(f.s, f.end, &v) == f.end && isfinite(v);
-	return to->quote == 0 ||
-	    (memchr(f.s, to->quote, n) == NULL && memchr(f.s, d.separator, n) == NULL);
+		return is_short_number(f) ||
+		    (json_number(f.s, f.end, &v) == f.end && isfinite(v));
+	if (to->quote == 0)
+		return true;
+	f.s = find_either(f.s, f.end, to->quote, d.separator);
+	return memchr(f.s, to->quote, (size_t)(f.end - f.s)) == NULL &&
+	    memchr(f.s, d.separator, (size_t)(f.end - f.s)) == NULL;
 }
 
 #define LINES .open = "", .close = "", .nan_text = "nan"
@@ -248,6 +324,10 @@ static char *put_quoted(const struct format_row *out, struct span f, char escape
 	*at = out->quote;
 	at += out->quote != 0;
 	while (f.s < f.end) {
+		if (*f.s >= ' ' && *f.s != '"' && *f.s != '\\') {
+			*at++ = *f.s++;
+			continue;
+		}
 		int n = decode_one(&f.s, f.end, escape, out->escape == '\\', c);
 
 		if ((unsigned char)c[0] < ' ') {
@@ -275,8 +355,7 @@ char *format_convert(struct dialect in, struct dialect out, struct span f, char 
 		    from->escape, at);
 	if (!can_copy(out, f))
 		return put_quoted(to, f, 0, at);
-	memcpy(at, f.s, (size_t)(f.end - f.s));
-	return at + (f.end - f.s);
+	return put_gap(f.s, (size_t)(f.end - f.s), at);
 }
 
 struct cursor value_cursor(struct span value, const char *end)
