@@ -61,7 +61,10 @@ static const struct example csv[] = {
 	{ "1,\"2\"3,4", NULL },
 	{ "1,\"2\"\"\",4", NULL },
 	{ "1,2,\"3", NULL },
-	{ "1,,3", NULL },
+	{ "1,,3", "1||3|" },
+	{ ",\"\",", "|||" },
+	{ "1, ,3", NULL },
+	{ "1,2,\r", NULL },
 	{ "x,y,z", "x|y|z|" },
 	{ NULL, NULL },
 };
@@ -190,8 +193,10 @@ static const char *numbers_found(const struct layout *l, const char *line,
 		const struct part *at = &lines[BEFORE].at[k];
 		const char *end = places[k].end[BEFORE];
 
-		assert_ptr_equal(end, lines[BEFORE].s + at->to);
-		assert_int_equal(places[k].size[BEFORE], at->to - at->from);
+		if (at->to > at->from) {
+			assert_ptr_equal(end, lines[BEFORE].s + at->to);
+			assert_int_equal(places[k].size[BEFORE], at->to - at->from);
+		}
 		size += (size_t)sprintf(out + size, "%.*s|", (int)(at->to - at->from),
 		    line + at->from);
 	}

@@ -75,11 +75,11 @@ INLINE I split_2(I x)
 	return SUB(x, MUL16(a, OPAQUE(((10 << 8) - 1) * each_quarter)));
 }
 
-/* Writes the WHOLE_DIGITS digits of f->whole < 2^53. FLOOR gives the right quotient by
+/* Writes the WHOLE_DIGITS digits of f->whole < 10^16 at place `at`. FLOOR gives the right quotient by
  * 10^8: The double 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than
- * 1.9e-9 too large. Rounding adds at most 7.5e-9, half a unit in the last place below
+ * 2.1e-9 too large. Rounding adds at most 7.5e-9, half a unit in the last place below
  * 2^27. Only an error of 1e-8 could reach the next whole number. */
-INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
+INLINE void write_digits(struct number_text *t, size_t at, uint16_t *nonzero,
     const struct batch_digits *f)
 {
 	const V lowest_bits = ALL(0x1p52);
@@ -91,7 +91,7 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 		I x = split_4(split_8((I)(high + lowest_bits)) |
 		    (split_8((I)(low + lowest_bits)) << 32));
 
-		store_digits(t[i].chars + ZEROS_BEFORE, sizeof *t, nonzero + i,
+		store_digits(t[i].chars + at, sizeof *t, nonzero + i,
 		    split_2(BYTES_LOW(x)), split_2(BYTES_HIGH(x)));
 	}
 }
@@ -166,14 +166,44 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind, int 
 				find_significant(&f, i, n, LOAD(v + k + i));
 			else
 				find_shortest(&f, i, single, LOAD(v + k + i));
-		write_digits(t, nonzero, &f);
+		write_digits(t, ZEROS_BEFORE, nonzero, &f);
 		lay_out(layout, nonzero, &f,
 		    float_shortest ? WHOLE_DIGITS / 2 : WHOLE_DIGITS, decimals);
 		write_zeros(t, layout, &f, decimals);
 	}
 }
 
-/* Makes the texts by write_all, with kind and single as constants for the compiler. */
+/* Makes the texts of count numbers with integers and decimals apart. `decimals` is the
+ * number of decimals, or 0 if there are n digits without zeros at their end. */
+INLINE void write_parts(const double *v, size_t count, int n, int decimals,
+    struct number_text *t)
+{
+	struct batch_digits whole, rest;
+	uint16_t digits[2][NUMBER_BATCH];
+
+	for (size_t k = 0; k < count; k += NUMBER_BATCH, t += NUMBER_BATCH) {
+		for (size_t i = 0; i < NUMBER_BATCH; i += WIDTH)
+			find_parts(&whole, &rest, i, n, decimals > 0,
+			    LOAD(v + k + i));
+		write_digits(t, 0, digits[0], &whole);
+		write_digits(t, WHOLE_DIGITS, digits[1], &rest);
+		for (size_t i = 0; i < NUMBER_BATCH; i++) {
+			int some = digits[0][i] | 1 << (WHOLE_DIGITS - 1);
+			int first = highest_bit(some & -some);
+			int before = WHOLE_DIGITS - first, sign = whole.sign[i];
+			int after = decimals > 0 ?
+			    decimals :
+			    highest_bit(digits[1][i]) + 1;
+			int size = before + (after > 0 ? after + 1 : 0);
+			int all = first | (sign < 0) << 8 | before << 16 |
+			    size << 24;
+
+			t[i].layout = (uint32_t)(sign != 0 ? all : 0);
+		}
+	}
+}
+
+/* Makes the texts by write_all or write_parts, with kind and single as constants for the compiler. */
 static void loops_write(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {
@@ -181,8 +211,12 @@ static void loops_write(const double *v, size_t count, bool single,
 		write_all(v, count, NUMBER_SHORTEST, 0, true, t);
 	else if (style.kind == NUMBER_SHORTEST)
 		write_all(v, count, NUMBER_SHORTEST, 0, false, t);
-	else if (style.n > MOST_DIGITS)
+	else if (style.n > WHOLE_DIGITS + (style.kind == NUMBER_DIGITS))
 		memset(t, 0, count * sizeof *t);
+	else if (style.kind == NUMBER_DECIMALS && style.n >= LEAST_PARTS)
+		write_parts(v, count, style.n, style.n, t);
+	else if (style.n > MOST_DIGITS)
+		write_parts(v, count, style.n, 0, t);
 	else if (style.kind == NUMBER_DECIMALS)
 		write_all(v, count, NUMBER_DECIMALS, style.n, false, t);
 	else

@@ -22,6 +22,10 @@ enum { WHOLE_DIGITS = 16 };
  * They write at most MOST_ZEROS zeros between digits and the point. */
 enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
+/* More decimals than LEAST_PARTS - 1, and more digits than MOST_DIGITS, are found by
+ * find_parts. It serves up to WHOLE_DIGITS decimals and one digit more. */
+enum { LEAST_PARTS = 13 };
+
 /* The digits of a batch of numbers. whole has WHOLE_DIGITS digits; the point stands
  * `scale` digits before their end. digit is the 17th, which is not written if it is 0.
  * sign is -1, 1 for no minus, and 0 if number_write has to make the text. */
@@ -104,24 +108,28 @@ INLINE void find_decimals(struct batch_digits *f, size_t i, int n, V v)
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15.
- * FLOOR(78913 / 2^18 floor(log2 a)) is floor(log10 a) or one less; a comparison of a
- * with the next power of ten corrects this. A power below 1 is rounded, but a number
- * equal to this double gives the same text with either log10: its n digits round to a
- * one and zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN
- * (write_shortest.h); number_write makes the text if x is no farther than this from a
- * tie. */
-INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
+/* Returns floor(log10 a) where in_range, which is from 1e-6 to below 1e15. FLOOR(78913 /
+ * 2^18 floor(log2 a)) is that or one less; a comparison of a with the next power of ten
+ * corrects this. A power below 1 is rounded, but a number equal to this double gives the
+ * same text with either log10: its n <= MOST_DIGITS digits round to a one and zeros. */
+INLINE V floor_log10(V a, M in_range)
 {
-	const V zero = ALL(0), one = ALL(1);
-	V a = ABS(v), hi, lo, rest;
-	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
-	V top = power_of_two_up_to(SELECT(in_range, a, one));
+	V top = power_of_two_up_to(SELECT(in_range, a, ALL(1))), hi, lo;
 	V log10 = FLOOR(log2_of_power(top, 0) * ALL(78913 * 0x1p-18));
 
-	power_of_ten(log10 + one, &hi, &lo);
-	log10 = log10 + ONLY(~(LESS(a, hi) | ~in_range), one);
-	V scale = ALL(n - 1) - log10;
+	power_of_ten(log10 + ALL(1), &hi, &lo);
+	return log10 + ONLY(~(LESS(a, hi) | ~in_range), ALL(1));
+}
+
+/* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15. If scale
+ * < 0, the product is rounded, by less than WRITE_MARGIN (write_shortest.h); number_write
+ * makes the text if x is no farther than this from a tie. */
+INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
+{
+	const V zero = ALL(0);
+	V a = ABS(v), hi, lo, rest;
+	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
+	V scale = ALL(n - 1) - floor_log10(a, in_range);
 	M exact = LESS(ALL(-0.5), scale);
 	M in_table = LESS(ALL(-MOST_ZEROS - 0.5), scale);
 
@@ -133,4 +141,39 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 
 	d.sure = d.sure & (exact | LESS(ALL(WRITE_MARGIN), ABS(rest)));
 	store_lanes(f, i, v, d, scale);
+}
+
+/* Finds the integers of numbers below 1e15, and the first WHOLE_DIGITS decimals, of which
+ * scale are rounded, and zeros follow: n decimals if `decimals` is set, else as many as
+ * make n significant digits. The product of a fraction and 10^scale has to be below 2^53,
+ * so that round_ties_even serves; with the zeros it is a multiple of 2^(WHOLE_DIGITS -
+ * scale) below 2^54, a double. A power of ten below 1 is met with scale = WHOLE_DIGITS
+ * alone, if it is 1/10, which rounds up to the double: floor_log10 is right. */
+INLINE void find_parts(struct batch_digits *whole, struct batch_digits *rest, size_t i,
+    int n, bool decimals, V v)
+{
+	V a = ABS(v), top = FLOOR(a), scale = ALL(n), hi, lo, half;
+	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(0.1));
+
+	if (!decimals)
+		scale = ALL(n - 1) - floor_log10(a, in_range);
+	M in_table = LESS(scale, ALL(WHOLE_DIGITS + 0.5));
+
+	scale = ONLY(in_table, scale);
+	power_of_ten(scale, &hi, &lo);
+	struct product x = multiply_exactly(a - top, hi, lo, true);
+	V r = round_ties_even(x, &half);
+	M carry = EQUAL(r, hi), sure = in_range & in_table;
+
+	if (decimals)
+		sure = LESS(a, ALL(1e15));
+	top = top + ONLY(carry, ALL(1));
+	r = ONLY(~carry, r);
+	power_of_ten(ALL(WHOLE_DIGITS) - scale, &hi, &lo);
+	sure = (sure | EQUAL(a, ALL(0))) & LESS(x.p, ALL(0x1p53));
+	M minus = LESS(v, ALL(0)) & ~EQUAL(top + r, ALL(0));
+
+	STORE(whole->whole + i, top);
+	STORE(rest->whole + i, r * hi);
+	STORE_INTS(whole->sign + i, ONLY(sure, SELECT(minus, ALL(-1), ALL(1))));
 }
