@@ -63,28 +63,48 @@ sub ask {
 
 ### What is measured
 
+# Returns a point of an object of 20 units, for a scene that sees it from 7e5 away.
+sub far {
+	return join ' ', map { $_ * 5 } @_;
+}
+
+# Options, and a line with other columns as a survey has them.
+my @survey = ('-i csv --columns 2,3,4', sub { my $n = abs $_[0] * 1e6; join ',',
+    $n, @_, map({ $n * $_ % 256 } 3, 5, 7, 11), 2,
+    ('ground', 'low veg', 'building')[$n % 3], $n / 1e3, $n % 2 });
+
 # Kinds of lines. Each has a name, the kind with which it is compared, options of
-# project, and a line of three coordinates.
+# project, a line of three coordinates and, if it is not scene.json, the scene.
 my $kind_lines = 5e5;
 my @object = ('objects', '-i json');
 my @kinds = (
 	['lines', '', '', sub { "@_" }],
 	['an exponent', 'lines', '', sub { "$_[0]e-01 $_[1] $_[2]" }],
-	['a plus', 'lines', '', sub { "+@_" =~ s/\+-/-/r }],
+	['a plus on every number', 'lines', '',
+	    sub { join ' ', map { s/^(?!-)/+/r } @_ }],
 	['17 digits', 'lines', '', sub { sprintf '%.17g %.17g %.17g',
 	    map { $_ * 1.1 } @_ }],
-	['%.18e', 'lines', '', sub { sprintf '%.18e %.18e %.18e', @_ }],
+	(map { my $f = $_; [$f, 'lines', '', sub { join ' ',
+	    map { sprintf $f, $_ * 1.1 } @_ }] } qw(%.16e %.18e %.19f %.20f)),
 	['whole numbers', 'lines', '', sub { join ' ',
 	    map { int abs $_ * 1e3 } @_ }],
 	['tabs', 'lines', '', sub { join "\t", @_ }],
 	['blanks before', 'lines', '', sub { "   @_" }],
+	['columns of 14 characters', 'lines', '', sub { join ' ',
+	    map { sprintf '%14.*f', 1 + abs($_ * 1e6) % 6, $_ } @_ }],
 	['a name behind', 'lines', '', sub { "@_ name" }],
 	['CR LF', 'lines', '', sub { "@_\r" }],
 	['-d 6', 'lines', '-d 6', sub { "@_" }],
+	['-d 15', 'lines', '-d 15', sub { "@_" }],
+	['-d 16', 'lines', '-d 16', sub { "@_" }],
 	['-d 20', 'lines', '-d 20', sub { "@_" }],
 	['--digits 6', '-d 6', '--digits 6', sub { "@_" }],
+	['--digits 17', 'lines', '--digits 17', sub { "@_" }],
 	['--flags', 'lines', '--flags', sub { "@_" }],
 	['trace', 'lines', 'trace', sub { "@_" }],
+	['far object, view', 'lines', '--to view', \&far, 'far.json'],
+	['far object, ndc', 'lines', '--to ndc', \&far, 'far.json'],
+	['far object, trace', 'trace', 'trace', \&far, 'far.json'],
 	['csv', 'lines', '-i csv', sub { join ',', @_ }],
 	['csv by --columns', 'csv', '-i csv --columns 2,3,4',
 	    sub { join ',', 'id', @_ }],
@@ -96,12 +116,22 @@ my @kinds = (
 	    sub { join ',', @_, '"a, b"' }],
 	['csv with semicolons', 'csv', '-i csv --separator ";"',
 	    sub { join ';', @_ }],
+	['csv, a gap in ten', 'csv', '-i csv',
+	    sub { join ',', $_[0] =~ /3$/ ? '' : $_[0], @_[1, 2] }],
+	['csv, NA in ten', 'csv', '-i csv',
+	    sub { join ',', $_[0] =~ /3$/ ? 'NA' : $_[0], @_[1, 2] }],
+	['csv of 12 columns', 'csv', @survey],
+	(map { ["csv of 12 columns to $_", 'csv of 12 columns',
+	    "$survey[0] -o $_", $survey[1]] } qw(text tsv json)),
 	['JSON arrays', 'lines', '-i json',
 	    sub { sprintf '[%s,%s,%s]', @_ }],
 	['JSON arrays with blanks', 'JSON arrays', '-i json',
 	    sub { sprintf '[ %s, %s, %s ]', @_ }],
 	['objects', 'lines', '-i json',
 	    sub { sprintf '{"id":7,"x":%s,"y":%s,"z":%s}', @_ }],
+	['objects, null in ten', @object,
+	    sub { sprintf '{"id":7,"x":%s,"y":%s,"z":%s}',
+	    $_[0] =~ /3$/ ? 'null' : $_[0], @_[1, 2] }],
 	['objects with blanks', @object,
 	    sub { sprintf '{"id": 7, "x": %s, "y": %s, "z": %s}', @_ }],
 	['objects, an escaped quote', @object,
@@ -194,9 +224,10 @@ sub our_rows {
 	row('avx2', '', "PROJCALC_CPU=avx2 $run scene.json {text}")
 	    if `lscpu` =~ /avx2/;
 	for (@kinds) {
-		my ($name, $usual, $how) = @$_;
+		my ($name, $usual, $how, undef, $scene) = @$_;
 		my $command = $how =~ /^trace/ ? 'projcalc' : $run;
-		row($name, $name, "$command $how -j 1 scene.json {$name}",
+		$scene //= 'scene.json';
+		row($name, $name, "$command $how -j 1 $scene {$name}",
 		    group => 'kinds', usual => $usual, n => $kind_lines);
 	}
 	row('ray', '', "$run --ray scene.json {pixels}");
@@ -497,6 +528,12 @@ sub draw {
 spew('scene.json', '{
   "camera":     {"eye": [1, 2, -5], "at": [0.125, 0.25, 0.375]},
   "projection": {"type": "persp", "fovy": 60, "near": 1, "far": 10},
+  "viewport":   {"width": 640, "height": 480}
+}
+');
+spew('far.json', '{
+  "camera":     {"eye": [210000, 30000, 700000], "at": [0, 0, 0]},
+  "projection": {"type": "persp", "fovy": 2, "near": 6e5, "far": 9e5},
   "viewport":   {"width": 640, "height": 480}
 }
 ');
