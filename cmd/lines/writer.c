@@ -116,16 +116,16 @@ static inline struct image_numbers image_of(const struct writer *w, size_t p)
 
 /* Writes a line that is three numbers with a byte between them, and no more than a byte
  * at each end, as most are. Returns the end of the line, or NULL if it is another. */
-static inline char *put_three(const struct writer *w, const struct line *line,
-    size_t p, char *out)
+static inline char *put_three(const struct writer *w, const struct line *line, size_t p,
+    char *out)
 {
 	const struct number_text *t = &w->text[0][p % NUMBER_BATCH];
 	const struct number_text *u = t + NUMBER_BATCH, *v = u + NUMBER_BATCH;
 	const struct part *at = line->at;
 
-	if ((t->layout == 0) | (u->layout == 0) | (v->layout == 0) |
-	    (at[0].from > 1) | (at[1].from != at[0].to + 1) |
-	    (at[2].from != at[1].to + 1) | (line->size > at[2].to + 1))
+	if ((t->layout == 0) | (u->layout == 0) | (v->layout == 0) | (at[0].from > 1) |
+	    (at[1].from != at[0].to + 1) | (at[2].from != at[1].to + 1) |
+	    (line->size > at[2].to + 1))
 		return NULL;
 	*out = *line->s;
 	out = number_text_copy(out + at[0].from, t);

@@ -17,6 +17,8 @@ struct example {
 
 #define A_NUMBER "1234567890.1234567890123456789012"
 
+#define BLANKS "                              "
+
 static const struct example text[] = {
 	{ "1 2 3", "1|2|3|" },
 	{ "1,2,3", "1|2|3|" },
@@ -24,6 +26,9 @@ static const struct example text[] = {
 	{ " \t-1\t.5  3.", "-1|.5|3.|" },
 	{ "1 2 3 and, more", "1|2|3|" },
 	{ "1 2 3\r", "1|2|3|" },
+	{ "       1  2   3    ", "1|2|3|" },
+	{ "1" BLANKS BLANKS "2 \t " BLANKS ", 3", NULL },
+	{ "1" BLANKS BLANKS "2 \t " BLANKS " 3", "1|2|3|" },
 	{ "1,2 3", NULL },
 	{ "1 2,3", NULL },
 	{ "1 2", NULL },

@@ -183,20 +183,17 @@ INLINE void write_parts(const double *v, size_t count, int n, int decimals,
 
 	for (size_t k = 0; k < count; k += NUMBER_BATCH, t += NUMBER_BATCH) {
 		for (size_t i = 0; i < NUMBER_BATCH; i += WIDTH)
-			find_parts(&whole, &rest, i, n, decimals > 0,
-			    LOAD(v + k + i));
+			find_parts(&whole, &rest, i, n, decimals > 0, LOAD(v + k + i));
 		write_digits(t, 0, digits[0], &whole);
 		write_digits(t, WHOLE_DIGITS, digits[1], &rest);
 		for (size_t i = 0; i < NUMBER_BATCH; i++) {
 			int some = digits[0][i] | 1 << (WHOLE_DIGITS - 1);
 			int first = highest_bit(some & -some);
 			int before = WHOLE_DIGITS - first, sign = whole.sign[i];
-			int after = decimals > 0 ?
-			    decimals :
-			    highest_bit(digits[1][i]) + 1;
+			int after = decimals > 0 ? decimals :
+						   highest_bit(digits[1][i]) + 1;
 			int size = before + (after > 0 ? after + 1 : 0);
-			int all = first | (sign < 0) << 8 | before << 16 |
-			    size << 24;
+			int all = first | (sign < 0) << 8 | before << 16 | size << 24;
 
 			t[i].layout = (uint32_t)(sign != 0 ? all : 0);
 		}

@@ -34,8 +34,7 @@ static struct doubled_map doubled_map_of(const struct kernel_map *m)
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			if (fabs(m->hi[i][j]) > 0)
-				r.size[i][j] = fmax(fabs(m->hi[i][j]),
-				    1 / MODERATE);
+				r.size[i][j] = fmax(fabs(m->hi[i][j]), 1 / MODERATE);
 	return r;
 }
 
@@ -48,16 +47,15 @@ struct doubled_point {
 
 /* Returns column j at a point, with the bound of its error. *moderate becomes 0 or less
  * if the column could overflow. */
-static inline vdd doubled_column(const struct doubled_map *map, int j,
-    int terms, const struct doubled_point *p, V *bound, V *moderate)
+static inline vdd doubled_column(const struct doubled_map *map, int j, int terms,
+    const struct doubled_point *p, V *bound, V *moderate)
 {
 	const struct kernel_map *m = &map->m;
 	V hi = ALL(m->hi[3][j]), lo = ALL(m->lo[3][j]);
 	V sum = ALL(map->size[3][j]);
 
 	for (int k = 0; k < terms; k++) {
-		V a = p->d[k].hi, element = ALL(m->hi[k][j]),
-		  high = a * element;
+		V a = p->d[k].hi, element = ALL(m->hi[k][j]), high = a * element;
 		vdd s = v_two_sum(hi, high);
 
 		hi = s.hi;
@@ -72,8 +70,8 @@ static inline vdd doubled_column(const struct doubled_map *map, int j,
 }
 
 /* Writes the image q of a point as image_of does. */
-static inline void doubled_image(const struct doubled_map *m, const V in[3],
-    V q[], enum kernel_kind kind)
+static inline void doubled_image(const struct doubled_map *m, const V in[3], V q[],
+    enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind);
 	const bool divide = kernel_divides(kind);
@@ -86,8 +84,7 @@ static inline void doubled_image(const struct doubled_map *m, const V in[3],
 		V size = ABS(p.d[k].hi);
 
 		p.farthest = MAX(size, p.farthest);
-		p.size[k] = IF_POSITIVE(size, MAX(size, ALL(1 / MODERATE)),
-		    ALL(0));
+		p.size[k] = IF_POSITIVE(size, MAX(size, ALL(1 / MODERATE)), ALL(0));
 	}
 	if (divide) {
 		w = doubled_column(m, 3, terms, &p, &w_bound, &moderate);
@@ -133,8 +130,7 @@ doubled_images(const struct kernel_map *m, const double *const in[3],
 			doubled_image(&map, p, q, kind);
 			for (int j = kernel_outputs(kind) - 1; j >= 0; j--)
 				STORE(out[j] + i,
-				    IF_POSITIVE(is_set, LOAD(out[j] + i),
-					q[j]));
+				    IF_POSITIVE(is_set, LOAD(out[j] + i), q[j]));
 		}
 		done &= ALL_POSITIVE(ALL(HUGE_VAL) - ABS(LOAD(out[0] + i)));
 	}
