@@ -301,8 +301,7 @@ static double share(double column, double most, double own, double of_low,
 
 	if (part >= 1)
 		return HUGE_VAL;
-	return (part / (1 - part) + (own * most + of_low) / least) *
-	    (1 + 16 * U);
+	return (part / (1 - part) + (own * most + of_low) / least) * (1 + 16 * U);
 }
 
 /* Checks binary exponents for coordinates and B at the ends of the moderate range. All
@@ -394,8 +393,7 @@ static void prove_doubled(void)
 	for (int term = 0; term < 4; term++)
 		column = std::fmax(column, doubled_error(term, &low));
 	const double q = quotient_error(0, 0),
-		     of_low = std::fmax(quotient_error(low, 0),
-			 quotient_error(0, low));
+		     of_low = std::fmax(quotient_error(low, 0), quotient_error(0, low));
 
 	say("doubled: |lo| at most", DOUBLED_LOW, low / U, "u");
 	say("doubled: column", DOUBLED_UNITS, column / (U * U), "u^2");

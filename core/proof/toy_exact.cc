@@ -198,8 +198,8 @@ static int loops(int tries, bool at_the_ends)
 	for (int loop = KERNEL_FLAT; loop < 2 * KERNELS; loop++) {
 		const int *n = count[loop];
 
-		printf("# P = %d, loop %d: %d sure, %d not\n", P, loop,
-		    n[RIGHT], n[UNSURE]);
+		printf("# P = %d, loop %d: %d sure, %d not\n", P, loop, n[RIGHT],
+		    n[UNSURE]);
 		if (P > 20 && !ends && n[RIGHT] < n[UNSURE] / 16)
 			return failed("hardly ever sure");
 	}
