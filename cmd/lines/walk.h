@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads simple lines fast, many at once. A walk goes from stop to stop of a stretch and
- * finds the coordinates without a look at the bytes between; vector code then reads the
- * numbers. A line that is not simple is left to line_read. */
+/* Reads simple lines fast: a walk goes from stop to stop of a stretch and finds the
+ * coordinates; vector code reads the numbers. line_read reads all other lines. */
 #pragma once
 
 #include "line.h"

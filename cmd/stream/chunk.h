@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A chunk is a piece of a source and its output. Chunks are independent, so that
- * several threads work on them at the same time; at any time one thread owns a chunk.
- * */
+/* A chunk is a piece of a source and its output. Chunks are independent, so that several
+ * threads work on them at the same time; at any time one thread owns a chunk. */
 #pragma once
 
 #include "../../core/points/transform.h"

@@ -9,8 +9,7 @@
 /* The size of a piece in bytes. Threads then seldom wait, and caches hold a piece. */
 enum { PIECE_ROOM = 1 << 17 };
 
-/* The size of pipes in bytes: room for two pieces, so that one process writes a piece
- * while another reads the other. A larger pipe would not stay in the cache. */
+/* Pipes have room for two pieces: one is written while another is read. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
 /* The number of bytes after the end of a text that the readers of points may read. In a

@@ -4,9 +4,8 @@
  * integers, I, that write_body.h describes, and defines:
  *
  *	IN_SET(set, s)	a mask of 64 bytes; bit i is set if s[i] is in the set
- *	join_digits(rows, half, &high, &low)
- *			reads 16 digits in each of WIDTH rows, the first 16 if half is
- *			0, else the last: high is made of 8 digits, low of the next 8
+ *	join_digits(rows, half, &high, &low)	reads the first (half 0) or last 16
+ *			digits of WIDTH rows: 8 digits make high, the next 8 low
  *	MATCH(row, c)	a mask; bit i is set if row[i] is c
  *	LARGER(a, b)	at each place the larger byte of the rows a and b
  *	ANY_TOP_BIT(x)	whether one of 32 bytes has its top bit set
@@ -18,8 +17,7 @@
  *	ROW_BEFORE(end, n) a row: the 32 bytes from end[i] - n on for its number i
  *	LAST_KEYS(n)	a vector of keys for LAST_BYTES, for counts n <= 32
  *	LAST_BYTES(keys) a mask of the last n bytes of each number in a row
- *	PICK(m, a, b)	m ? a : b for each byte
- *	KEEP(m, a)	m ? a : 0 for each byte
+ *	PICK(m, a, b), KEEP(m, a)	m ? a : b, and m ? a : 0, for each byte
  *	ANY_ABOVE_9(row) whether a byte of the row is above 9
  *	LEADING_ZEROS(x) the number of leading zero bits, in integers of 32 bits
  *

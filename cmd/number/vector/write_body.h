@@ -1,27 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them:
- * the processor overlaps the turns of a short loop, but in a long loop it waits for the
- * results of each turn. write_find.h and write_shortest.h find the digits. They are
- * stored at a fixed place of a number_text, from which number_text_put copies them with
- * a point between them.
+/* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them,
+ * whose turns the processor overlaps. write_find.h and write_shortest.h find the digits.
+ * They have a fixed place; number_text_put copies them with a point between them.
  *
  * A file that includes this file has the vectors of doubles that
  * core/points/kernel/copy.h describes, and defines:
  *
  *	LOOPS		the name of its struct number_loops
- *	I		a vector of integers of 64 bits, as large as a V; it has & | <<
- *			and > in each lane
+ *	I		a vector of integers of 64 bits, as large as a V, with & | << >
  *	STORE_INTS(p, a) stores whole numbers, the lanes of a V, as int32_t
  *	FLOOR, NEAREST	round to a whole number, NEAREST with ties to even
  *	ALL_BITS(a)	a in each lane of an I
  *	REGISTER	the constraint of asm for a register of an I
- *	SHR(a, n)	shifts lanes right, and fills with zeros
- *	SHR16(a, n)	shifts quarters of lanes, of 16 bits each
+ *	SHR, SHR16(a, n) shift lanes, or quarters of 16 bits, right; zeros follow
  *	SUB(a, b)	a - b modulo 2^64
  *	MUL32(a, b)	the products of the lower halves of lanes
  *	MUL16, HIGH16	the lower and the upper halves of products of quarters
- *	power_of_ten(scale, &hi, &lo)
- *			looks 10^scale up in powers.h as hi + lo
+ *	power_of_ten(scale, &hi, &lo)	looks 10^scale up in powers.h as hi + lo
  *	BYTES_LOW, BYTES_HIGH(a)
  *			the bytes of the lanes 0, 2, ... or of 1, 3, ..., each in
  *			the upper half of a quarter whose lower half is 0

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the shortest digits of numbers. Those of numbers from 2^-17 to 2^52 (floats: to
- * 2^23) are found without rounding. */
+/* Finds shortest digits, without rounding from 2^-17 to 2^52 (floats: to 2^23). */
 #pragma once
 
 #include "write_find.h"
