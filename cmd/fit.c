@@ -6,7 +6,6 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* The directions along which fit measures, and the farthest point along each. */
 struct fit {
 	struct directions directions;
 	struct extremes extremes;
@@ -60,8 +59,7 @@ static void fit_read_points(const struct options *o, struct document *d)
 		document_refuse(d, "/bounds: missing, and there are no points");
 }
 
-/* Refuses a scene for a reason that fit_window or fit_scene returned. If the reason is
- * about /bounds, and the bounds are those of points, the message names the points. */
+/* If the reason is about /bounds, and these are those of points, names the points. */
 static _Noreturn void refuse_fit(const struct options *o, const struct document *d,
     const char *reason)
 {
@@ -88,10 +86,9 @@ void run_fit(const struct options *o)
 
 	if (d.scene.answer != NULL)
 		document_refuse(&d,
-		    "/convention: fit prints the scene in its own; leave -c out");
+		    "/convention: fit prints the scene's; leave -c out");
 	if (d.has_bounds && o->n_points > 0)
-		document_refuse(&d,
-		    "/bounds: not together with POINTS; give one of them");
+		document_refuse(&d, "/bounds: not together with POINTS; give one");
 	if (!d.has_bounds && !points)
 		document_refuse(&d,
 		    "/bounds: missing; add it ('projcalc help bounds'), POINTS or -");

@@ -22,8 +22,7 @@ static void put_heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
-/* Prints a member's name, type, unit, meaning and default. If `types` is not NULL, it
- * names the types of the object: also prints which of these types have the member. */
+/* `types` are names of the object's types, of which it prints who has the member. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LIST_ROOM], type[2 * LIST_ROOM];
@@ -118,8 +117,7 @@ void help_command(const struct command *c)
 	output_printf(" projcalc %s %s\n", c->name, c->example);
 }
 
-/* Prints `name` and, for each member m of a convention, the word that is selected by
- * choices[m->offset]. If `choices` is NULL, prints the names of the members instead. */
+/* Prints the words of choices[m->offset] or, if it is NULL, the names of members m. */
 static void print_convention_row(const char *name, const bool *choices)
 {
 	output_printf("  %-8s", name);
@@ -176,7 +174,6 @@ static void put_words(struct printer *p, const char *name, const char *const *wo
 	put_close(p, "]");
 }
 
-/* Opens an object on a new line, as the next element of an array. */
 static void open_object(struct printer *p)
 {
 	p->separator = *p->separator != '\0' ? ",\n    " : "\n    ";
@@ -239,8 +236,7 @@ static void put_range(struct printer *p, const struct value_range *r)
 	put_number(p, r->max);
 }
 
-/* Puts the row of a member of the scene or, if `object` is not NULL, of the object with
- * this name in the scene. `types` has the names of the object's types. */
+/* Puts the row of a member of `object`, which has these types, or of the scene. */
 static void put_member(struct printer *p, const struct member *row, const char *object,
     const char *const *types)
 {

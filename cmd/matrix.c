@@ -18,8 +18,7 @@ struct elements {
 	double at[4][4];
 };
 
-/* Puts the elements row by row, as text or in binary. Binary is always for row
- * vectors: column vectors need the same bytes, as their matrix is stored by columns. */
+/* Binary is for row vectors: column vectors need the same bytes, stored by columns. */
 static void put_elements(struct printer *p, const struct elements *m,
     struct dialect out)
 {

@@ -30,7 +30,7 @@ struct hits {
 	size_t size, room;
 };
 
-/* Returns the distance in bytes from a hit with size bytes of text to the next hit. */
+/* Returns the bytes from a hit with `size` bytes of text to the next. */
 static size_t hit_stride(size_t size)
 {
 	const size_t unit = _Alignof(struct hit);
@@ -71,7 +71,6 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 	c->size += hit_stride(hit.size);
 }
 
-/* Appends hits for the visible points of a block within the radius, and csv headers. */
 static void hits_take_block(const struct job *j, struct chunk *c)
 {
 	const struct hits *h = j->data;
@@ -140,12 +139,10 @@ static bool hit_is_header(const struct hit *hit)
 	return hit->distance < -DBL_MAX;
 }
 
-/* The picker for hit_compare, as qsort passes only the two hits to compare. NULL: exact
- * distances are not compared. */
+/* The picker for hit_compare; NULL: exact distances are not compared. */
 static const struct picker *hit_picker;
 
-/* Compares hits for qsort: by the nearest double of the distance, then by the exact
- * distance, then by address, as hits are stored in the order of the input. */
+/* Hits of one distance are in the order of addresses, which is that of the input. */
 static int hit_compare(const void *a, const void *b)
 {
 	const struct hit *p = *(struct hit *const *)a;
@@ -157,8 +154,7 @@ static int hit_compare(const void *a, const void *b)
 	return order != 0 ? order : (p > q) - (p < q);
 }
 
-/* Sorts hits, the nearest first: all by the doubles of their distances, then each run
- * of equal doubles by exact distances, if it is not in this order already. */
+/* Sorts by the doubles of distances, then runs of equal doubles by exact distances. */
 static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 {
 	hit_picker = NULL;
@@ -175,8 +171,7 @@ static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 	}
 }
 
-/* Returns the index of the first of n sorted hits that is printed. Headers of several
- * sources are printed once if they are equal, else not at all. */
+/* Headers of several sources are printed once if they are equal, else not at all. */
 static size_t hits_first_printed(struct hit *const *hit, size_t n)
 {
 	size_t i = 0;
@@ -215,11 +210,9 @@ static void hits_set_circle(const struct document *d, const struct options *o,
 	const struct pick *p = &d->pick;
 
 	if (o->pick_at.n == 0 && !p->has_at)
-		document_refuse(d,
-		    "/pick/at: missing; give \"at\": [x, y] or --at X,Y");
+		document_refuse(d, "/pick/at: missing; give \"at\": [x,y] or --at X,Y");
 	if (!(o->radius > 0) && !(p->radius > 0))
-		document_refuse(d,
-		    "/pick/radius: missing; give \"radius\": r or --radius R");
+		document_refuse(d, "/pick/radius: missing; give it or --radius R");
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
@@ -246,8 +239,7 @@ void run_pick(const struct options *o)
 	document_refuse_if(&d, picker_of(&d.scene, &j.transform, &hits.picker));
 	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))
-		die(EXIT_USAGE,
-		    "pick prints lines as read; leave -o out or use -o json");
+		die(EXIT_USAGE, "pick prints lines as read; only -o json differs");
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	operands_run_job(o, &d, &j);
 }

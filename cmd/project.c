@@ -15,8 +15,7 @@ static void project_check(const struct options *o)
 		die(EXIT_USAGE, "--ray goes from device to world");
 	if (plane &&
 	    ((o->has_from && o->from < SPACE_NDC) || (o->has_to && o->to > SPACE_VIEW)))
-		die(EXIT_USAGE,
-		    "--plane is from device or ndc to model, world or view");
+		die(EXIT_USAGE, "--plane is from device or ndc to model, world, view");
 	if (plane && o->plane.v[0] == 0 && o->plane.v[1] == 0 && o->plane.v[2] == 0)
 		die(EXIT_USAGE, "--plane: A, B and C are 0; z = 0 is --plane 0,0,1,0");
 	if ((o->ray && (plane || o->matrix)) ||
@@ -25,7 +24,7 @@ static void project_check(const struct options *o)
 		    plane ? "plane" : "ray", plane ? "--ray" : "-m");
 }
 
-/* Sets the members of *j that depend on the scene. Returns NULL, or why it can't. */
+/* Returns NULL, or why the scene is refused. */
 static const char *project_prepare(const struct scene *s, const struct options *o,
     enum space from, enum space to, struct job *j)
 {

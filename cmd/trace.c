@@ -45,9 +45,8 @@ static void images_transform(struct images *m, const struct job *j,
 	frustum_outside_all(&j->frustum, from, m->outside, n);
 }
 
-/* Writes the image of point p of m in space s, in JSON as an array. Returns the end. A
- * number beyond the range of doubles (with -p single, of floats), and each number if m
- * is NULL, becomes nan or, in JSON, null. An array of only nulls becomes null. */
+/* Returns the end of an image. A number beyond the range, and each if m is NULL, becomes
+ * nan or, in JSON, null. An array of only nulls becomes null. */
 static char *trace_put_image(char *at, const struct job *j, const struct images *m,
     int s, size_t p)
 {
@@ -75,8 +74,7 @@ static char *trace_put_image(char *at, const struct job *j, const struct images 
 	return at;
 }
 
-/* Appends the output for a line: the images of point p of m or, for a bad line with m
- * NULL, nan or null. In the format text the output begins with a blank line. */
+/* Appends the images of point p of m; of a bad line, whose m is NULL, nan or null. */
 static void trace_put_point(const struct job *j, struct chunk *c,
     const struct line *line, const struct images *m, size_t p)
 {
@@ -128,7 +126,7 @@ static void trace_take_block(const struct job *j, struct chunk *c)
 	free(m);
 }
 
-/* Prints the output of a chunk, without the blank line before the very first point. */
+/* Leaves out the blank line before the very first point. */
 static void trace_collect_chunk(const struct job *j, const struct chunk *c)
 {
 	struct trace *trace = j->data;

@@ -29,8 +29,7 @@ struct command {
 	enum command_kind kind;
 	/* Reads the scene and prints the answer. Does not return after an error. */
 	void (*run)(const struct options *);
-	/* The command's needs of a document. To a copy of them, params_read_document adds what
-	 * the options need, and the place of the document's text in its file. */
+	/* params_read_document adds to a copy what the options need. */
 	struct document_wants wants;
 	/* The spaces of the matrix: of enum space for COMMAND_MATRIX_3D, which prints
 	 * points in ndc in place of clip, of enum flat_space for COMMAND_MATRIX_2D. */

@@ -22,8 +22,7 @@ char input_first_char(const char *);
  * a directory, and the file to which standard output goes: it can't be input, too. */
 bool input_check(const char *name, int fd);
 
-/* Returns a descriptor of a file, or of standard input for "-". Refuses with exit
- * status 2 what input_check refuses, and a file that can't be opened. */
+/* Returns a descriptor of a file, or of standard input for "-"; refuses with status 2. */
 int input_open(const char *name);
 
 /* Appends the next bytes of fd to the text. Returns false at the end of the file. */

@@ -27,10 +27,7 @@ void operands_check(const struct options *o)
 	char hint[160];
 
 	snprintf(hint, sizeof hint,
-	    o->columns.n == 1 ?
-		"--columns takes a list with commas: 1,2,3 or x,y,z" :
-		"PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help "
-		"%s' shows",
+	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' shows",
 	    c->name);
 	/* the shell splits an object without quotes: the first operand lacks } */
 	if (input_first_char(o->params) != '{')
@@ -40,10 +37,11 @@ void operands_check(const struct options *o)
 		    hint);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
-	if (o->columns.n != 1)
-		snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
-		    2 * options_coordinates(o) + 1, "1.5,2,3,4",
-		    c->kind == COMMAND_PICK ? POSITION_HINT : "");
+	snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
+	    2 * options_coordinates(o) + 1, "1.5,2,3,4",
+	    o->columns.n == 1           ? "; --columns takes a list such as 1,2,3" :
+		c->kind == COMMAND_PICK ? POSITION_HINT :
+					  "");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
@@ -66,8 +64,7 @@ bool operands_have_points(const struct options *o, const struct document *d)
 	return !none;
 }
 
-/* Returns whether `path` is the name of a member that the output adds, or is a JSON
- * pointer whose first token is such a name. */
+/* Returns whether `path`, or its first token, is a name that the output adds. */
 static bool is_added_member(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
@@ -96,9 +93,7 @@ static void check_columns(const struct options *o, const struct layout *l)
 		if (name != NULL && json && is_added_member(l, name))
 			die(EXIT_USAGE, "--columns: the output adds '%s', too", name);
 		if (json && (name == NULL) != (o->columns.name[0] == NULL))
-			die(EXIT_USAGE,
-			    "--columns: json has numbers for arrays or names for "
-			    "objects");
+			die(EXIT_USAGE, "--columns: in json all are numbers or names");
 		if (l->record > 0 && o->columns.field[i] >= l->record)
 			die(EXIT_USAGE, "--columns: no field %d in records of %d",
 			    o->columns.field[i] + 1, l->record);
@@ -145,21 +140,16 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 		    o->styles.n, l->writes);
 }
 
-/* Chooses the kernels by the environment variable PROJCALC_CPU, which is for tests. If
- * it is unset or empty, chooses the fastest kernels that this processor can run. */
+/* Tests choose the kernels by PROJCALC_CPU; else they are the processor's fastest. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
 	if (!kernels_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
-		die(EXIT_USAGE,
-		    "PROJCALC_CPU=%s: is not baseline, avx2, avx512 or neon, or not "
-		    "here",
-		    cpu);
+		die(EXIT_USAGE, "PROJCALC_CPU=%s: is no kind of this processor", cpu);
 }
 
-/* Sets the names of the numbers that are written for a point. With --append the names
- * of coordinates begin with the space of the images: device_x. */
+/* With --append the names of coordinates begin with the space of images: device_x. */
 static void name_numbers(struct layout *l, const char *space)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
@@ -226,8 +216,7 @@ static void run_json_points(const struct options *o, struct job *j, const char *
 	j->layout = files_layout;
 }
 
-/* Does the job on operand i of POINTS or, without POINTS, on standard input. With
- * --scenes, the text of a file is kept for the next scenes. */
+/* With --scenes, the text of a file is kept for the next scenes. */
 static void run_operand(const struct options *o, struct job *j, int i)
 {
 	static struct input_text *kept;
@@ -262,8 +251,7 @@ void operands_run_job(const struct options *o, const struct document *d, struct 
 	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {
 		const struct place p = json_source_place(&d->source, "/points");
 
-		die_at(EXIT_USAGE, &p,
-		    "missing, and standard input is PARAMS already; name a file");
+		die_at(EXIT_USAGE, &p, "missing, and standard input is PARAMS already");
 	}
 	j->layout.z_hint = d->source.two_numbers_hint;
 	if (o->n_points == 0 && d->points != NULL)

@@ -50,7 +50,6 @@ static void option_read_whole_number(struct options *o, const struct option_row 
 	*(int *)((char *)o + r->offset) = whole_number(r, word, r->min, r->max);
 }
 
-/* Reads the name of a format or of binary records, such as "f32x4". */
 static void option_read_format(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -68,7 +67,6 @@ static void option_read_format(struct options *o, const struct option_row *r,
 	option_read_word(o, r, word);
 }
 
-/* Sets the option's member to a number from SCENE_SIZE_MIN to SCENE_MAGNITUDE_MAX. */
 static void option_read_size(struct options *o, const struct option_row *r, char *word)
 {
 	const char *end = word + strlen(word);
@@ -80,7 +78,6 @@ static void option_read_size(struct options *o, const struct option_row *r, char
 		    r->name, word);
 }
 
-/* Reads a list of r->min to r->max numbers with commas between them. */
 static void option_read_numbers(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -118,8 +115,7 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 		o->separator = *word;
 }
 
-/* Returns the first word of a list that commas divide. Sets *list to the next word, or
- * to NULL if there is none. */
+/* Returns the first word of a list; sets *list to the next word, or to NULL. */
 static char *cut_word(char **list)
 {
 	char *word = *list;

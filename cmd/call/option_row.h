@@ -10,15 +10,12 @@ extern const char *const precision_names[], *const space_names[];
 
 struct option_row {
 	const char *name;
-	char letter;       /* or 0 */
-	unsigned kinds;    /* of the commands that take the option, as bits */
-	const char *about; /* one line of help */
-	/* For an option with an argument: the argument's name in the help, the function
-	 * that reads the argument, and the offset in struct options of the member that
-	 * the function sets. */
-	const char *argument;
+	char letter;          /* or 0 */
+	unsigned kinds;       /* of the commands that take the option, as bits */
+	const char *about;    /* one line of help */
+	const char *argument; /* its name in the help; NULL: the option takes none */
 	void (*read)(struct options *, const struct option_row *, char *word);
-	size_t offset;
+	size_t offset;            /* in struct options, of what `read` sets */
 	unsigned *global;         /* a variable to set instead of the member; or NULL */
 	const char *const *words; /* possible arguments; NULL ends them */
 	int min, max; /* range of a whole number, or of the length of a list */
@@ -35,5 +32,4 @@ extern const struct option_row option_rows[];
 /* Returns the option called `name`, or NULL. A NUL, = or blank ends the name. */
 const struct option_row *option_find(const char *name);
 
-/* Returns whether the command takes the option. Either may be NULL. */
-bool option_is_for(const struct option_row *, const struct command *);
+bool option_is_for(const struct option_row *, const struct command *); /* or NULL */

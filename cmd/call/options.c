@@ -98,8 +98,7 @@ static bool is_operand(const char *word)
 	    isdigit((unsigned char)word[1]);
 }
 
-/* Sets the format of the output of trace, inspect and fit: text or JSON. The default is
- * JSON if trace reads points in JSON, else text. */
+/* The default is JSON if trace reads points in JSON, else text. */
 static void choose_output(struct options *o)
 {
 	if (!o->has_out)
@@ -179,8 +178,7 @@ enum format options_out_format(const struct options *o)
 struct number_style options_matrix_style(const struct options *o)
 {
 	if (o->styles.n > 1)
-		die(EXIT_USAGE,
-		    "--decimals or --digits: %d numbers; one is wanted here",
+		die(EXIT_USAGE, "--decimals or --digits: %d numbers for one",
 		    o->styles.n);
 	return o->styles.style[0];
 }

@@ -18,9 +18,8 @@ static struct {
 	int fd; /* -1: nothing of PARAMS is left to read */
 	struct input_text text;
 	long number; /* index of the document, from 1 */
-	/* Offsets in text: the document begins at `begin`, and the search for its end
-	 * continues at `end`. The search counts quotes and brackets only, so that it
-	 * finds the end of invalid JSON, too. */
+	/* Offsets in text: the document begins at `begin`, and the search for its end,
+	 * which counts quotes and brackets only, continues at `end`. */
 	size_t begin, end;
 	/* The lines and columns (in bytes) of `begin` and `end`, from 1. next_scene
 	 * sets all four before the readers of the document change the text. */
@@ -63,8 +62,8 @@ static bool params_more(void)
 	return false;
 }
 
-/* Moves params.begin past white space and byte order marks, which may stand between
- * concatenated files. Returns false if params.text ends there, or in such a mark. */
+/* Byte order marks may stand between concatenated files. Returns false if params.text
+ * ends with the blanks, or in such a mark. */
 static bool params_skip_blanks(void)
 {
 	const char *s, *next = params.text.s + params.begin;
@@ -157,7 +156,7 @@ static void check_not_points(const struct options *o)
 	    command_reads_points(o->command) ? params.name : "");
 }
 
-/* Returns a hint for points of two numbers, as positions on the device have; or NULL. */
+/* Returns a hint for points of two numbers, which may be positions; or NULL. */
 static const char *find_two_numbers_hint(const struct options *o)
 {
 	if (o->command->kind == COMMAND_PICK)

@@ -44,9 +44,8 @@ const struct member *unknown_find_member(const char *name, const struct member *
 	return find_member(SCENE_ALL, 0, name, "nNaA", object);
 }
 
-/* Offers the member that find_member finds. Shows the example of its object if that has
- * the member, else the topic of help about it. `reads` has, as bits, the members of the
- * scene that the command reads. */
+/* Offers what find_member finds, by the example of its object if that has the member,
+ * else by a topic of help. `reads` are the scene's members that the command reads. */
 static void offer_member(struct word_guess *g, unsigned objects, int variant,
     const char *passes, unsigned reads)
 {
@@ -67,7 +66,6 @@ static void offer_member(struct word_guess *g, unsigned objects, int variant,
 		    s->name);
 }
 
-/* Writes to `list` which commands take an option: "fit and trace". Returns `list`. */
 static const char *option_takers(const struct option_row *r, char list[LIST_ROOM])
 {
 	/* in the order of the bits of enum command_kind */

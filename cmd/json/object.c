@@ -85,7 +85,6 @@ const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 	return out;
 }
 
-/* Fills `names` with the members in `bits` that objects of the variant have, and NULL. */
 static void list_names(const struct member *row, int variant, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
@@ -215,9 +214,8 @@ static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, bool fit,
 	}
 }
 
-/* Refuses the object v because of m, the first member in `members`. If `way` is 0, v
- * lacks m. If not, the given members complete a way, which m does not belong to; `way`
- * has the given members of that way, as bits. */
+/* Refuses v because of the first of `members`. If `way` is 0, v lacks it; if not, it is
+ * not of the way that v has, of which `way` has the given members. */
 static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *b,
     bool fit, uint64_t given, uint64_t members, uint64_t way)
 {
@@ -239,8 +237,7 @@ static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *
 	    words_join(rivals, names, " and ", "\""), ways);
 }
 
-/* Returns the index of the way that the members `given` of v are. Refuses v if there is
- * none: it lacks a member, or has one of other ways. */
+/* Returns the index of the way that the members `given` of v are. */
 static size_t find_way(const struct value *v, const struct rule_bits *b, bool fit,
     uint64_t given)
 {
@@ -327,8 +324,7 @@ struct found object_read(const struct value *v, const struct member *row, int va
 	return found;
 }
 
-/* Returns whether object_print leaves out a member with the value *at: a default that
- * is not always shown, or a size of 0, which means that no size was given. */
+/* Returns whether *at is a default that is not shown, or a size of 0: none is given. */
 static bool is_omitted(const struct member *row, const void *at)
 {
 	const double *v = at;

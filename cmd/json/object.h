@@ -32,10 +32,8 @@ struct member {
 	const char *name; /* NULL ends a table */
 	const struct member_type *type;
 	size_t offset; /* of the field in the struct */
-	/* FIELD of a bool that is set when the member is read. If the bool is false, the
-	 * member is not printed. 0: there is no bool. */
-	size_t flag;
-	size_t n; /* length of an array of numbers; 0: one number */
+	size_t flag;   /* FIELD of a bool: the member is given; or 0 */
+	size_t n;      /* length of an array of numbers; 0: one number */
 	const struct value_range *range; /* of numbers; NULL: range_any */
 	const char *const *words;        /* possible strings; NULL ends them */
 	unsigned word_0;                 /* the field's value for words[0] */
@@ -88,8 +86,7 @@ struct rule {
 	const char *with;
 	/* The end of the message that a member is missing; NULL: it lists the ways. */
 	const char *hint;
-	/* FIELD of an unsigned, which becomes way_0 plus the index of the object's way;
-	 * or 0. */
+	/* FIELD of an unsigned, which becomes way_0 plus the index of the way; or 0 */
 	size_t field;
 	unsigned way_0;
 };
@@ -102,9 +99,8 @@ struct found {
 	uint64_t given, left;
 };
 
-/* Reads an object of the variant, and returns the members that were found. Sets the
- * struct at `base`, if not NULL: defaults, given members, and for each rule with a field
- * the index of the object's way. `variant` is 0 if the table has no variants. Ignores
+/* Reads an object of the variant, which is 0 if the table has none, and returns what it
+ * found. Sets the struct at `base`, if not NULL: defaults, given members, ways. Ignores
  * $schema, names that begin with _ and, in the outermost object, members that any
  * document may have. Refuses unknown and repeated members, and broken rules. */
 struct found object_read(const struct value *, const struct member *row, int variant,
@@ -129,10 +125,8 @@ enum { ANY_VARIANT = -1 }; /* searches all rows */
 const struct member *member_named(const struct member *, int variant, const char *name,
     bool alias);
 
-/* Returns the words for a member's type in the help, such as "3 numbers", "size", "left
- * or right". The words may be written to `out`. */
+/* Returns a member's type for the help, such as "3 numbers"; may be written to `out`. */
 const char *member_type_name(const struct member *, char out[LIST_ROOM]);
 
-/* Returns, as bits, the rows for those of `names`, with blanks between them, that objects
- * of the variant have. */
+/* Returns the rows of those of `names` that objects of the variant have, as bits. */
 uint64_t member_bits(const struct member *, int variant, const char *names);

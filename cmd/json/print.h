@@ -20,8 +20,7 @@ struct printer {
 	const char *separator;
 };
 
-/* Prints text as it is, without the separator before it. */
-void put_text(struct printer *, const char *);
+void put_text(struct printer *, const char *); /* without the separator before it */
 
 /* put_open begins an array or object with a bracket; put_close ends it with another. */
 void put_open(struct printer *, const char *bracket);

@@ -20,7 +20,6 @@ const struct value_range range_positive = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* Returns the place in the source's file of the byte *at. text is the whole text. */
 static struct place source_place_at(const struct json_source *source, const char *text,
     const char *at)
 {
@@ -215,8 +214,7 @@ size_t value_count(const struct value *v)
  * TOKEN_MAX bytes: a longer name is cut. */
 enum { TOKEN_MAX = 64 };
 
-/* Writes the pointer to a value, such as /camera/eye/0. In a name, ~ becomes ~0 and /
- * becomes ~1 (RFC 6901). Returns the end of the pointer. */
+/* Returns the end. In a name, ~ becomes ~0 and / becomes ~1 (RFC 6901). */
 static char *write_pointer(const struct value *v, char *out)
 {
 	if (v->parent == NULL)
@@ -261,9 +259,8 @@ void value_refuse_type(const struct value *v, const char *wanted)
 	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
-/* Returns whether x is in the range. In radians, limits of 180 and 90 degrees become
- * the doubles PI and PI / 2. As these are below pi and pi/2, x may be equal to them,
- * even if the limit is excluded. */
+/* In radians, limits of 180 and 90 degrees become the doubles PI and PI / 2, which are
+ * below pi and pi/2, so x may be equal to them even if the limit is excluded. */
 static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;

@@ -17,10 +17,9 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Writes the point v, whose text begins at s, to *out as a line without blanks. Moves
- * *out to the end of the line, and returns the end of the point's text, which is known
- * to be JSON. A point is an array: first the coordinates, each a number or null, then
- * any values but arrays and objects. Refuses other values. */
+/* Writes the point v, whose text begins at s and is JSON, to *out as a line without
+ * blanks, moves *out to its end, and returns the text's end. A point is an array: first
+ * the coordinates, each a number or null, then any values but arrays and objects. */
 static const char *write_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
@@ -58,9 +57,8 @@ static const char *write_point(struct value *v, const char *s, const char *end,
 }
 
 /* Replaces the text of an array of points, or of one point, by a line for each point,
- * and returns the size of the lines. Refuses a value that is not an array. The lines
- * fit into the text: in an array, a comma or bracket before each point leaves room for
- * its newline. The newline of a single point may take the byte after the text. */
+ * and returns the size of the lines. These fit into the text, as a comma or bracket is
+ * before each point; the newline of a single point may take the byte after the text. */
 static size_t write_points(const struct value *v, const struct span *array,
     int coordinates)
 {
@@ -122,10 +120,7 @@ static void check_needed(const struct value *root, const struct document_wants *
 
 	value_refuse(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
 	    row->name, row->example,
-	    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" :
-		missing == SCENE_DEVICE && (seen & SCENE_VIEWPORT) != 0 ?
-				   "; \"viewport\" is for three dimensions" :
-				   "");
+	    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" : "");
 }
 
 static void refuse_flat(const struct value *root, const struct document_wants *w,
@@ -148,8 +143,7 @@ static void read_members(struct document *d, const struct value m[SCENE_MEMBERS]
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns, as bits, the rows of convention_members that the document gives. v is its
- * member "convention": a name gives all rows, a missing v none. */
+/* Returns the rows that a "convention" gives, as bits: a name all, a missing one none. */
 static uint64_t given_by_convention(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))
@@ -157,8 +151,7 @@ static uint64_t given_by_convention(const struct value *v)
 	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL).given;
 }
 
-/* Sets fields of *d that depend on several members. A device without "origin" takes it
- * from the convention of -c or, without -c, from the document's if that gives one. */
+/* A device without "origin" takes it from -c or, without -c, from the document's. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {

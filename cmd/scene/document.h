@@ -36,11 +36,8 @@ struct document {
 
 /* What a command needs of a document. */
 struct document_wants {
-	/* The member that may be the whole document, such as the camera for the
-	 * command lookat; or 0. */
-	enum scene_member lone_member;
-	/* The members that a document must have, as bits. */
-	unsigned needed;
+	enum scene_member lone_member; /* may be the whole document; or 0 */
+	unsigned needed;               /* members that a document must have, as bits */
 	/* The members that the command uses, as bits. In a member that is not used,
 	 * numbers may be out of range, and a projection may lack its aspect. */
 	unsigned used;
@@ -59,7 +56,7 @@ struct document_wants {
 	int coordinates;
 };
 
-/* Returns, as bits, all members that the command may use, in a flat document or not. */
+/* Returns all members that the command may use, in a flat document or not, as bits. */
 unsigned document_used_members(const struct document_wants *);
 
 /* Reads the document text[0..size) into *d; changes `text`. Messages show `name`. */
@@ -76,8 +73,7 @@ char *document_read_points(const char *name, char *text, size_t size, int coordi
  * function of core/, may begin with a JSON pointer: "/camera/up: ...". */
 _Noreturn void document_refuse(const struct document *d, const char *reason);
 
-/* Calls document_refuse if the reason is not NULL. */
-void document_refuse_if(const struct document *d, const char *reason);
+void document_refuse_if(const struct document *d, const char *reason); /* or NULL */
 
 /* Prints a document of the command fit, with a line for each member or, if compact, in
  * one line. Leaves SCENE_SPATIAL out of a flat document. If the camera has a gaze and

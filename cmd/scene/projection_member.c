@@ -250,28 +250,26 @@ static void read_projection(const struct value *v, const struct member *row, voi
 	struct projection *p = out;
 
 	if (value_is(v, JSON_ARRAY))
-		value_refuse(v,
-		    "is an array; write {\"type\": \"matrix\", \"matrix\": [...]}");
+		value_refuse_type(v, "{\"type\": \"matrix\", \"matrix\": [...]}");
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
 	read_type(v, p);
 	/* an index in projection_type_names, which has no PROJECTION_NONE */
 	int variant = (int)p->type - 1;
 	const struct found found = object_read(v, row, variant, p);
-	const uint64_t seen = found.given;
 	const enum task task = v->source->task;
 	const enum projection_family family = projection_family(p);
 
 	p->unit = (enum angle_unit)v->source->unit;
 	/* the default direction, 45, is in degrees in every document */
-	if (is_given(p, seen, "direction"))
+	if (is_given(p, found.given, "direction"))
 		p->shear.direction_unit = p->unit;
 	if (family == FAMILY_PERSP && task != TASK_FIT) {
-		p->reverse_z |= !is_given(p, seen, "near");
-		if (!is_given(p, seen, "far"))
+		p->reverse_z |= !is_given(p, found.given, "near");
+		if (!is_given(p, found.given, "far"))
 			p->far = HUGE_VAL;
 	} else if (task == TASK_PLANE && p->far == p->near &&
-	    !(is_given(p, seen, "near") && is_given(p, seen, "far"))) {
+	    !(is_given(p, found.given, "near") && is_given(p, found.given, "far"))) {
 		p->far = 1; /* both were 0 */
 	}
 	if (p->section.way == SECTION_ANGLES &&
@@ -280,7 +278,7 @@ static void read_projection(const struct value *v, const struct member *row, voi
 		value_refuse(VALUE_MISSING(v, "angles"),
 		    "not in order: left below right, bottom below top");
 	p->aspect[1] = p->aspect[0] > 0 || found.left != 0;
-	if (is_given(p, seen, "size")) {
+	if (is_given(p, found.given, "size")) {
 		p->volume.half_width /= 2;
 		p->volume.half_height = p->volume.half_width;
 	}
@@ -297,8 +295,7 @@ static void set_image_size(const struct value *v, const struct viewport *viewpor
 		    "needs a \"viewport\", in whose units it is; write "
 		    "{\"projection\": {...}, \"viewport\": {...}}");
 	if (viewport->scale != SCALE_FILL)
-		value_refuse(given,
-		    "excludes the viewport's \"scale\"; leave that out");
+		value_refuse(given, "excludes the viewport's \"scale\"; omit that");
 	convention_require(v, "intrinsics");
 	p->section.width = viewport->width;
 	p->section.height = viewport->height;

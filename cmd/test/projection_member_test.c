@@ -163,8 +163,7 @@ static const struct refusal projections[] = {
 	    "/intrinsics: needs a \"viewport\", in whose units it is; write "
 	    "{\"projection\": {...}, \"viewport\": {...}}" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
-	    "/projection/intrinsics: excludes the viewport's \"scale\"; leave that "
-	    "out" },
+	    "/projection/intrinsics: excludes the viewport's \"scale\"; omit that" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0]", ""),
 	    "/projection/intrinsics: needs a \"convention\"; opencv has x right, y "
 	    "down, z forward, webgpu right, up, backward" },
