@@ -17,7 +17,7 @@ static const struct sum HALF_PI = {
 enum { SINE_WORDS = 6 };
 
 /* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
- * this is cos x (n = 0), sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
+ * this is sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
  * scheme computes the sum as s / c, with the common denominator c. y and each s are cut
  * to `words` words; each cut loses less than one unit of the last word. */
 static struct sum trig_series(const ex *y, int n, int last, int words)
@@ -103,46 +103,15 @@ static void reduce_radians(double angle, struct reduced_angle *r)
 	r->quarters *= (unsigned)q->sign;
 }
 
-/* Returns the sine (n = 1) or the cosine (n = 0) of the rest of a reduced angle. The
- * sine is the rest times the series, and so exactly 0 if the rest is 0. */
-static struct sum sine_or_cosine(const struct reduced_angle *r, int n)
+/* The sine is the rest times the series, and so exactly 0 if the rest is 0. */
+static struct sum sine_of_rest(const struct reduced_angle *r)
 {
-	if (n == 0 && r->rest_radians.value.sign == 0)
-		return sum_of_double(1);
-	if (n == 1 && fabs(r->rest_degrees) == 30)
+	if (fabs(r->rest_degrees) == 30)
 		return sum_of_double(copysign(0.5, r->rest_degrees));
 	struct sum square = sum_mul(r->rest_radians, r->rest_radians);
-	struct sum s = trig_series(&square.value, n, SINE_POWER, SINE_WORDS);
+	struct sum s = trig_series(&square.value, 1, SINE_POWER, SINE_WORDS);
 
-	return n == 1 ? sum_mul(s, r->rest_radians) : s;
-}
-
-static void reduce(double angle, enum angle_unit unit, struct reduced_angle *r)
-{
-	if (unit == ANGLE_RADIANS)
-		reduce_radians(angle, r);
-	else
-		reduce_degrees(angle, r);
-}
-
-/* Returns the sine of the angle plus quarters times 90 degrees. */
-static struct sum sine(double angle, enum angle_unit unit, unsigned quarters)
-{
-	struct reduced_angle r;
-
-	reduce(angle, unit, &r);
-	quarters += r.quarters;
-	return sum_negated_if(quarters & 2, sine_or_cosine(&r, ~quarters & 1));
-}
-
-struct sum trig_sin(double angle, enum angle_unit unit)
-{
-	return sine(angle, unit, 0);
-}
-
-struct sum trig_cos(double angle, enum angle_unit unit)
-{
-	return sine(angle, unit, 1);
+	return sum_mul(s, r->rest_radians);
 }
 
 /* The sine of the rest is at most sqrt(1/2), so its error hardly changes the cosine's. */
@@ -152,9 +121,12 @@ void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
 	const struct sum one = sum_of_double(1);
 	struct reduced_angle r;
 
-	reduce(angle, unit, &r);
+	if (unit == ANGLE_RADIANS)
+		reduce_radians(angle, &r);
+	else
+		reduce_degrees(angle, &r);
 	const bool odd = r.quarters & 1, back = r.quarters & 2;
-	struct sum s = sine_or_cosine(&r, 1);
+	struct sum s = sine_of_rest(&r);
 	struct sum c = sum_sqrt(sum_sub(one, sum_mul(s, s)));
 
 	*sine = sum_negated_if(back, odd ? c : s);
@@ -163,9 +135,12 @@ void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
 
 struct sum trig_cot(double angle, enum angle_unit unit)
 {
+	struct sum s, c;
+
 	if (unit == ANGLE_DEGREES && angle == 45)
 		return sum_of_double(1);
-	return sum_quotient(trig_cos(angle, unit), trig_sin(angle, unit));
+	trig_sin_cos(angle, unit, &s, &c);
+	return sum_quotient(c, s);
 }
 
 #define DEGREES_PER_RADIAN 57.29577951308232
@@ -183,7 +158,9 @@ double trig_atan2_degrees(struct sum y, struct sum x)
 		return (double)NAN;
 	double a = atan2(sum_ratio(y, larger), sum_ratio(x, larger)) *
 	    DEGREES_PER_RADIAN;
-	struct sum s = trig_sin(a, ANGLE_DEGREES), c = trig_cos(a, ANGLE_DEGREES);
+	struct sum s, c;
+
+	trig_sin_cos(a, ANGLE_DEGREES, &s, &c);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
 	struct sum square = sum_mul(tan, tan), cube = sum_mul(square, tan);

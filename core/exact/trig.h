@@ -13,11 +13,7 @@
 
 enum angle_unit { ANGLE_DEGREES, ANGLE_RADIANS };
 
-/* Return the sine or cosine of any angle in degrees, or of up to 2^500 radians. */
-struct sum trig_sin(double angle, enum angle_unit);
-struct sum trig_cos(double angle, enum angle_unit);
-
-/* Computes both in little more time than one takes. The cosine is a root. */
+/* Computes the sine and cosine of any angle in degrees, or of up to 2^500 radians. */
 void trig_sin_cos(double angle, enum angle_unit, struct sum *sine, struct sum *cosine);
 
 /* Returns the cotangent of an angle above 0 and up to 90 degrees. */

@@ -165,7 +165,7 @@ sub trigonometry {
 	my $pi = Math::BigFloat->bpi(350);
 	my $given = off($text, 'HALF_PI', $pi / 2);
 	my $x = $pi / 4;
-	# the first term that is left out, of a cosine of at least 0.7
+	# the first term that is left out, of a sum of at least 0.7
 	my $rest = $x**($top + 2) / Math::BigFloat->new($top + 2)->bfac / 0.7;
 	# what is cut off below the last word: of x, of x^2, and of each term
 	my $cut = $two**(-64 * ($words - 1));

@@ -32,8 +32,9 @@ int main(void)
 	for (int i = 0; i < 8; i++) {
 		enum angle_unit unit = i % 2 ? ANGLE_RADIANS : ANGLE_DEGREES;
 		double a = angles[i / 2];
-		struct sum sine = trig_sin(a, unit), cosine = trig_cos(a, unit);
+		struct sum sine, cosine;
 
+		trig_sin_cos(a, unit, &sine, &cosine);
 		print("sine", a, unit, &sine.value);
 		print("cosine", a, unit, &cosine.value);
 		if (unit == ANGLE_DEGREES) {

@@ -146,8 +146,9 @@ static void map_of_axes(const struct axes *a, const double given[3],
 static void camera_roll(double roll, enum angle_unit unit, bool inverse, struct map *r)
 {
 	const struct sum one = sum_of_double(1);
-	const struct sum c = trig_cos(roll, unit);
-	const struct sum s = sum_negated_if(inverse, trig_sin(roll, unit));
+	struct sum c, s;
+
+	trig_sin_cos(inverse ? -roll : roll, unit, &s, &c);
 	const struct map turn = { .m = { { c, s }, { sum_neg(s), c }, { [2] = one },
 				      { [3] = one }, { [3] = one } },
 		.divisor = one };

@@ -37,9 +37,11 @@ static void set_scales(const double aspect[2], bool sets_x, struct sum scale,
 static void tangents(double a, double b, enum angle_unit unit, struct sum *scale,
     struct sum *size, struct sum *edge_sum)
 {
-	struct sum ca = trig_cos(a, unit), cb = trig_cos(b, unit);
-	struct sum left = sum_mul(trig_sin(a, unit), cb);
-	struct sum right = sum_mul(trig_sin(b, unit), ca);
+	struct sum sa, ca, sb, cb;
+
+	trig_sin_cos(a, unit, &sa, &ca);
+	trig_sin_cos(b, unit, &sb, &cb);
+	struct sum left = sum_mul(sa, cb), right = sum_mul(sb, ca);
 
 	*scale = sum_mul(sum_of_double(2), sum_mul(ca, cb));
 	*size = sum_sub(right, left);
@@ -173,16 +175,16 @@ static const char *oblique_matrix(const struct projection *p, struct scaled_matr
 {
 	const struct projection_shear *s = &p->shear;
 	const char *why = ortho_matrix(p, f);
-	struct sum cot = sum_of_double(s->kind == OBLIQUE_CABINET ? 0.5 : 1);
+	struct sum cot = sum_of_double(s->kind == OBLIQUE_CABINET ? 0.5 : 1), sine,
+		   cosine;
 
 	if (why != NULL)
 		return why;
 	if (s->kind == OBLIQUE_ANGLE)
 		cot = trig_cot(s->projector_angle, p->unit);
-	f->zx = sum_mul(cot, trig_cos(s->direction, s->direction_unit));
-	f->zx = sum_mul(f->zx, f->x);
-	f->zy = sum_mul(cot, trig_sin(s->direction, s->direction_unit));
-	f->zy = sum_mul(f->zy, f->y);
+	trig_sin_cos(s->direction, s->direction_unit, &sine, &cosine);
+	f->zx = sum_mul(sum_mul(cot, cosine), f->x);
+	f->zy = sum_mul(sum_mul(cot, sine), f->y);
 	f->tx = sum_sub(f->tx, sum_scale(f->zx, s->plane));
 	f->ty = sum_sub(f->ty, sum_scale(f->zy, s->plane));
 	return NULL;

@@ -15,6 +15,22 @@ static void keep_worst_error(struct sum got, real exact)
 	worst = fmax(worst, fabs(e));
 }
 
+static struct sum trig_sin(double angle, enum angle_unit unit)
+{
+	struct sum sine, cosine;
+
+	trig_sin_cos(angle, unit, &sine, &cosine);
+	return sine;
+}
+
+static struct sum trig_cos(double angle, enum angle_unit unit)
+{
+	struct sum sine, cosine;
+
+	trig_sin_cos(angle, unit, &sine, &cosine);
+	return cosine;
+}
+
 static void check_sine_and_cosine(double angle, enum angle_unit unit)
 {
 	int mark = real_mark();
