@@ -257,9 +257,8 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Moves the eye by the step of find_eye_step, after which a plane touches the bounds.
- * As the eye's coordinates are rounded, a part of the bounds can be outside. The eye
- * then moves back by 2^-53 of its largest coordinate, by twice as much, and so on. */
+/* Moves the eye by the step of find_eye_step. If a part of the bounds is then outside, as
+ * the eye is rounded, the eye moves back by 2^-53 of its largest coordinate, then twice. */
 static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 {
 	const struct projection given = s->projection;
@@ -289,10 +288,9 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 	return NOT_IN_RANGE;
 }
 
-/* Moves the eye so that the bounds are in the middle of the picture. If has_eye is
- * false the eye also moves along the gaze, until its distance from the middle of the
- * bounds is the bounds' extent along the gaze. In an oblique projection a step along
- * the gaze shifts the image; a step across the gaze undoes the shift. */
+/* Moves the eye so that the bounds are in the middle of the picture and, unless has_eye,
+ * as far from it as they extend along the gaze. A step along the gaze of an oblique
+ * projection shifts the image; a step across the gaze undoes the shift. */
 static const char *center_picture(struct scene *s, bool has_eye, const struct hull *h)
 {
 	const struct convention *c = &s->convention;

@@ -53,11 +53,10 @@ void frustum_outside_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
 /* The view volume in view space. sides and ends have the columns of frustum_planes. The
- * corners and the eye are homogeneous points, each computed as the point where three
- * planes meet. (The inverse of to_clip has errors relative to the whole volume; they
- * could exceed the size of a small near plane.) The corners of near are 0 to 3, those
- * of far 4 to 7, in the order left-bottom, right-bottom, right-top, left-top. w of a
- * corner is not negative. Without near and far planes all corners are at infinity. */
+ * corners and the eye are homogeneous points where three planes meet, as the errors of
+ * the inverse of to_clip could exceed a small near plane. The corners of near are 0 to
+ * 3, those of far 4 to 7, in the order left-bottom, right-bottom, right-top, left-top. w
+ * of a corner is not negative. Without near and far planes all are at infinity. */
 struct volume {
 	struct map to_clip, sides, ends; /* from view space */
 	struct sum corner[8][4], eye[4];

@@ -15,9 +15,7 @@ struct lens {
 	struct sum clip[4][4];        /* columns of volume.to_clip; y points upward */
 	struct sum half[2], scale[2]; /* set by frustum_limits */
 	bool parallel, reversed;      /* reversed: near has the larger ndc depth */
-	/* The map from world to view space mirrors, as the handedness of
-	 * scene_answer_convention is not the document's. */
-	bool mirrors;
+	bool mirrors; /* the answer's handedness is not the document's */
 };
 
 /* Makes the maps of a scene. Returns NULL, or the member at fault and why. */

@@ -185,9 +185,8 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		set_edges(u, &r->depth, swap, p);
 }
 
-/* Returns whether the matrix looks transposed. A transposed perspective matrix has the
- * gaze, a unit vector, in its last row and the image of the origin in its last column.
- * A transposed parallel projection has the last row 0 0 0 1. */
+/* Returns whether the matrix looks transposed: a transposed perspective has the gaze, a
+ * unit vector, in its last row; a transposed parallel projection has 0 0 0 1. */
 static bool seems_transposed(const double m[4][4])
 {
 	double row = 0, column = 0; /* squares of lengths */

@@ -220,8 +220,9 @@ void map_multiply(struct map *r, const struct map *factor, bool before)
 
 struct sum map_element(const struct map *a, int i, int j)
 {
-	struct sum e = a->m[i][j];
+	struct sum e;
 
+	sum_copy(&e, &a->m[i][j]);
 	divide_element(&e, &a->divisor);
 	return e;
 }

@@ -89,8 +89,9 @@ struct sum(sum_truncate)(const struct sum *a, int n)
 
 struct sum(sum_add_error)(const struct sum *a, const struct sum *e)
 {
-	struct sum r = *a;
+	struct sum r;
 
+	sum_copy(&r, a);
 	r.error = add_errors(3,
 	    (int[]){ a->error, ceil_log2(&e->value) + EX_RANGE, e->error });
 	return r;
@@ -98,10 +99,10 @@ struct sum(sum_add_error)(const struct sum *a, const struct sum *e)
 
 struct sum(sum_negated_if)(bool negates, const struct sum *a)
 {
-	struct sum r = *a;
+	struct sum r;
 
-	if (negates)
-		r.value.sign = -r.value.sign;
+	sum_copy(&r, a);
+	r.value.sign = negates ? -r.value.sign : r.value.sign;
 	return r;
 }
 

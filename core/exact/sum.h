@@ -21,9 +21,8 @@ struct sum {
 	};
 };
 
-/* Returns the address of a sum, which may be the result of a call: C hands an array by
- * its address, and keeps the result to the end of the expression. By this the macros
- * below save copies of 900 bytes, and calls nest: sum_add(sum_mul(a, b), c). */
+/* Returns the address of a sum, which may be the result of a call: C keeps it to the end
+ * of the expression. So calls nest without copies of 900 bytes. */
 #define SUM_AT(a) ((const struct sum *)(a).at)
 
 /* Each operation drops words below 2^-20 of the bound of its error: the bound is then

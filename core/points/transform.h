@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A transform of points from one space of a scene to another: the map, the numbers of
- * coordinates, and the kernel that computes the images. */
+/* A transform of points between spaces of a scene: the map, and the kernel for it. */
 #pragma once
 
 #include "kernel/kernel.h"

@@ -33,9 +33,8 @@ struct viewport {
 const char *window_map(const struct window *, const struct device *, bool inverse,
     struct map *);
 
-/* device_map computes the map from ndc to a 2D device; viewport_map, to a 3D viewport.
- * If inverse, they compute the map back. The convention gives the depth range and the y
- * direction of ndc, and the device's origin. Return NULL, or the member and why. */
+/* Compute the map from ndc to a 2D device or a 3D viewport or, if inverse, back. The
+ * convention has ndc's depth and y, and the device's origin. Return NULL or the reason. */
 const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);

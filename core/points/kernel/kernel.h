@@ -8,8 +8,7 @@
 
 enum { POINTS_BLOCK = 1024 };
 
-/* Aligns a column, one coordinate of all points, to cache lines. Without alignment, a
- * fifth of the time of PRECISION_DOUBLE would go to vectors that cross two lines. */
+/* Aligns a column to cache lines, which saves a fifth of PRECISION_DOUBLE's time. */
 #define COLUMN_ALIGNED _Alignas(64)
 
 /* The kinds of kernels, by the structure of the matrix. */
@@ -24,8 +23,7 @@ enum kernel_kind {
 	KERNELS,
 };
 
-/* kernel_inputs and kernel_outputs return how many coordinates a point and its image
- * have. kernel_divides returns whether the image's coordinates are divided by w. */
+/* How many coordinates a point and its image have, and whether they are divided by w. */
 static inline int kernel_inputs(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
@@ -93,8 +91,7 @@ typedef int (*to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_
 /* A map in doubles, with the matrix m, which finds signs of the columns of an exact map
  * by estimates. Let size be |x| + |y| + |z|, relative to the origin. If low <= size <
  * high, an estimate whose magnitude is above slope * size + floor has the sign of the
- * exact column. One slope and one floor, the largest of any column, serve all columns:
- * this takes less time, but leaves the signs of a few more points unsure. */
+ * exact column. One slope and one floor, the largest, serve all columns, to save time. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };
