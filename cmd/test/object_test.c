@@ -141,8 +141,8 @@ static const struct refusal names[] = {
 	    "/plane: unknown member; there are \"type\", \"fovy\", \"fovx\", "
 	    "\"view_angle\", \"field\", \"width\", \"height\", \"aspect\", "
 	    "\"left\", \"right\", \"bottom\", \"top\", \"angles\", "
-	    "\"intrinsics\", \"edges_at\", \"near\", \"far\", \"reverse_z\" "
-	    "and \"near_ratio\"" },
+	    "\"intrinsics\", \"edges_at\", \"near\", \"far\", \"reverse_z\", "
+	    "\"near_ratio\" and \"min_near\"" },
 };
 
 REFUSES(names)
