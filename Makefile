@@ -181,10 +181,10 @@ $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 prove: ## each bound that core claims, checked by machine
 	@perl core/proof/prove.pl
 	@perl cmd/test/digits_test.t
-demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
+demo: | $(FIRST) ## the Utah teapot, seen in a terminal
 	@+$(PARALLEL) all
 	@sh cmd/demo/demo.sh $(BUILD)
-views: all ## the bunny in four views, as an SVG
+views: all ## the teapot in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
 html: ## the manual and the charts as pages for a browser, build/html

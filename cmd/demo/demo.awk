@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Draws a solid in a terminal: its outline, and dots where a lamp shines on it. The
-# first file has points, the second the images of the points on a device of 160 x 120
+# first file has points, the second the images of the points on a device of 160 x 96
 # dots. The third has triangles, each as the numbers of three points, from 0. A
 # character has 2 x 4 dots.
 
@@ -115,7 +115,7 @@ END {
 		split(triangle[i], corner)
 		fill(corner[1], corner[2], corner[3])
 	}
-	for (y = 0; y < 120; y += 4) {
+	for (y = 0; y < 96; y += 4) {
 		line = ""
 		for (x = 0; x < 160; x += 2) {
 			dots = 0

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Draws four views of the Stanford bunny in one image, as an SVG. The camera of each
+# Draws four views of the Utah teapot in one image, as an SVG. The camera of each
 # view is moved back until all vertices and a margin fit. Triangles are drawn from the
 # farthest to the nearest, so that nearer triangles hide those behind.
 # usage: views.sh BUILD OUTPUT.svg
@@ -16,8 +16,8 @@ PATH=$build:$PATH
 # Prints the triangles of scene $1 that face the eye: their corners go clockwise, as y
 # points down. The units are tenths of a pixel; a device unit has $2 of them.
 triangles() {
-	sed '1s/$/ "margin": 0.08,/' "$1" | projcalc fit - bunny.xyz |
-	    projcalc project - bunny.xyz |
+	sed '1s/$/ "margin": 0.08,/' "$1" | projcalc fit - teapot.xyz |
+	    projcalc project - teapot.xyz |
 	    awk '
 		/^#/ {
 			next
@@ -37,7 +37,7 @@ triangles() {
 				printf "%.9f M%d %dl%d %d %d %dz\n",
 				    z[$1] + z[$2] + z[$3],
 				    x[$1], y[$1], x1, y1, x2, y2
-		}' k="$2" - bunny.faces |
+		}' k="$2" - teapot.faces |
 	    sort -rn | sed 's/[^ ]* \(.*\)/<path d="\1"\/>/'
 }
 
@@ -46,7 +46,9 @@ triangles() {
 	echo '<rect width="640" height="480" fill="white" stroke="black"/>'
 	echo '<g transform="scale(.1)" fill="white" stroke="#1f4e79"' \
 	    'stroke-width="3" stroke-linejoin="round">'
-	triangles bunny.json 20
+	echo '<g transform="translate(0 240)">'
+	triangles demo.json 20
+	echo '</g>'
 	for view in top front side; do
 		triangles views/$view.json 10
 	done

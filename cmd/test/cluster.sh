@@ -302,7 +302,7 @@ slurm_tables() {
 exec 3>&1
 system
 for n in 1 2 3; do host $n; done
-yes testdata/bunny.xyz | head -n 300 | xargs cat |
+yes testdata/teapot.xyz | head -n 300 | xargs cat |
     awk '{ print $0, NR }' >"$tmp/shared/points"
 cp testdata/demo.json "$tmp/shared/scene.json"
 cd "$tmp/shared"

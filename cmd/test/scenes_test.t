@@ -77,7 +77,7 @@ my @bare = map { $_->{camera} } @path;
 my $box = {min => [-1, -1, -1], max => [1, 2, 3]};
 my @lens = map { {fovy => $_, aspect => 1.5, near => 1, far => 9} } 30, 60;
 
-same('project', 'project', 'bunny.xyz', @path);
+same('project', 'project', 'teapot.xyz', @path);
 same('points of their own', 'project', '', @own);
 same('points of some', 'lookat', '', @path, with(points => undef), @own);
 same('behind', 'project', "'[[0,0,-9],[0,0,0]]'", @path);
@@ -87,10 +87,10 @@ same('bare cameras', 'lookat -c gl', '', @bare);
 same('bare projections', 'persp -o json', '', @lens);
 same('trace', 'trace', "inputs/three-points.txt '[[1,2,3]]'", @path);
 same('trace, points of their own', 'trace -o json', '', @own);
-same('pick', 'pick --at 320,240 --radius 90', 'bunny.xyz', @path);
+same('pick', 'pick --at 320,240 --radius 90', 'teapot.xyz', @path);
 same('fit', 'fit', '', map { with(points => undef, bounds => $box,
     camera => $_) } @bare);
-same('fit to points', 'fit', 'bunny.xyz', map { with(points => undef,
+same('fit to points', 'fit', 'teapot.xyz', map { with(points => undef,
     viewport => {%{$scene->{viewport}}, width => $_}) } 640, 480);
 same('inspect', 'inspect', '', @path);
 same('windows', 'w2d', "'[[1,2]]'", map { {window => {center => [$_, 0],

@@ -31,14 +31,14 @@ check volume '{"half_width":1,"half_height":1,"z_near":1,"z_far":9}'
 for command in w2n n2d w2d d2w; do
 	check "$command" "$flat" '[[1,2],[3,4]]'
 done
-check project -j 2 full.json bunny.xyz
-check project --flags --digits 5 -o csv scene.json bunny.xyz
-check project -p single -o f64 scene.json bunny.xyz
-check project -o json scene.json bunny.xyz
+check project -j 2 full.json teapot.xyz
+check project --flags --digits 5 -o csv scene.json teapot.xyz
+check project -p single -o f64 scene.json teapot.xyz
+check project -o json scene.json teapot.xyz
 check project --ray scene.json '[[1,2],[3,4]]'
-check trace scene.json bunny.xyz
-check pick --at 320,240 --radius 99 scene.json bunny.xyz
-check pick --scenes --at 320,240 --radius 99 "$(cat scene.json scene.json)" bunny.xyz
-check fit scene.json bunny.xyz
+check trace scene.json teapot.xyz
+check pick --at 320,240 --radius 99 scene.json teapot.xyz
+check pick --scenes --at 320,240 --radius 99 "$(cat scene.json scene.json)" teapot.xyz
+check fit scene.json teapot.xyz
 check inspect scene.json
 check help --json
