@@ -6,20 +6,28 @@ ifeq 'GNU:' 'other'
 .error projcalc is built by GNU make, which may be called gmake here
 endif
 
+# GNU's names of directories hold, and the names in capitals that others use.
 PREFIX = /usr/local
-BINDIR = $(PREFIX)/bin
-DATADIR = $(PREFIX)/share
-MANDIR = $(DATADIR)/man
-BASHDIR = $(DATADIR)/bash-completion/completions
-ZSHDIR = $(DATADIR)/zsh/site-functions
-FISHDIR = $(DATADIR)/fish/vendor_completions.d
+prefix = $(PREFIX)
+exec_prefix = $(prefix)
+BINDIR = $(exec_prefix)/bin
+bindir = $(BINDIR)
+DATADIR = $(prefix)/share
+datarootdir = $(DATADIR)
+datadir = $(datarootdir)
+MANDIR = $(datarootdir)/man
+mandir = $(MANDIR)
+BASHDIR = $(datadir)/bash-completion/completions
+ZSHDIR = $(datadir)/zsh/site-functions
+FISHDIR = $(datadir)/fish/vendor_completions.d
 DESTDIR =
 
 # All output goes into this folder.
 BUILD = build
-CFLAGS = -O2 -g
-CXXFLAGS = $(CFLAGS)
-LDFLAGS =
+# Flags of the environment hold, too.
+CFLAGS ?= -O2 -g
+CXXFLAGS ?= $(CFLAGS)
+LDFLAGS ?=
 
 # FLAGS are needed in every build, so they are not in CFLAGS, which the command line
 # replaces. They make every compiler give the same bytes: no product and sum are fused
@@ -40,6 +48,8 @@ C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64 \
 # Debian's directory of dragonbox has the version in its name.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
 	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
+# clang's check of calls through pointers needs the C++ library, which is not linked.
+UNCHECKED = $(if $(findstring clang,$(CXX)),-fno-sanitize=function)
 # HARDENING has the flags of Debian's packages; HARDENING= leaves them out. The user's
 # flags come later and win. _FORTIFY_SOURCE is not defined without optimization, where
 # glibc warns of it; with sanitizers, which find fewer faults in fortified code; and if
@@ -111,7 +121,7 @@ $(BUILD)/%.o: %.c | $(FIRST)
 	$(CC) $(C_FLAGS) $(call HARDENING,$(CFLAGS)) $(CFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 $(BUILD)/%.o: %.cc | $(FIRST)
 	@mkdir -p $(@D)
-	$(CXX) $(CXX_FLAGS) $(call HARDENING,$(CXXFLAGS)) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
+	$(CXX) $(CXX_FLAGS) $(call HARDENING,$(CXXFLAGS)) $(CXXFLAGS) $(UNCHECKED) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # The compiler is asked for its machine once, and only when a rule needs it, as `make
 # deps` may install the compiler first.
@@ -246,7 +256,8 @@ lint: ## the manual, the style, the scripts, the C
 
 # Runs make with the flags $1 in a folder named after the target. Of the perl tests,
 # only those run that test the program of that folder.
-rebuilt = $(PARALLEL) BUILD=$(BUILD)/$@ CFLAGS='$1' LDFLAGS='$1' \
+rebuilt = $(PARALLEL) BUILD=$(BUILD)/$@ CFLAGS='$1' CXXFLAGS='$1' \
+	LDFLAGS='$1' \
 	SCRIPTS='$(patsubst %,cmd/test/%_test.t,transcripts recorded bits)'
 THREAD = -O1 -g -fno-sanitize-recover=all -fsanitize=thread
 ADDRESS = -O1 -g -fno-sanitize-recover=all -fsanitize=address,undefined
@@ -284,16 +295,16 @@ cluster: all ## GNU parallel and Slurm over hosts that are killed midway
 # MADE lists the files that are installed, and INSTALLED their places.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
 	$(SCHEMA) .debian/copyright $(COMPLETIONS)
-INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
-	$(MANDIR)/man5/projcalc-scene.5 \
-	$(DATADIR)/projcalc/projcalc.schema.json \
-	$(DATADIR)/doc/projcalc/copyright $(BASHDIR)/projcalc \
+INSTALLED = $(bindir)/projcalc $(mandir)/man1/projcalc.1 \
+	$(mandir)/man5/projcalc-scene.5 \
+	$(datadir)/projcalc/projcalc.schema.json \
+	$(datadir)/doc/projcalc/copyright $(BASHDIR)/projcalc \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
 
 # The manual names the place of the schema, so install writes that place into the pages.
-one_word = $(if $(word 2,$1),$(error no blanks in DESTDIR or PREFIX, please: $1))
-install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
-	$(call one_word,$(DESTDIR)$(PREFIX))
+one_word = $(if $(word 2,$1),$(error no blanks in DESTDIR or prefix, please: $1))
+install: $(MADE) ## to prefix=/usr/local, below DESTDIR
+	$(call one_word,$(DESTDIR)$(prefix))
 	@set -e; set -- $(addprefix $(DESTDIR),$(INSTALLED)); \
 	for file in $(MADE); do \
 		mode=644; [ $$file != $(BUILD)/projcalc ] || mode=755; \
@@ -302,25 +313,26 @@ install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 		shift; \
 	done
 	for page in man1/projcalc.1 man5/projcalc-scene.5; do \
-		page=$(DESTDIR)$(MANDIR)/$$page; \
-		sed -i.orig 's|/usr/local/share|$(DATADIR)|' $$page; \
+		page=$(DESTDIR)$(mandir)/$$page; \
+		sed -i.orig 's|/usr/local/share|$(datadir)|' $$page; \
 		rm $$page.orig; \
 	done
 
 uninstall: ## remove the installed files
-	$(call one_word,$(DESTDIR)$(PREFIX))
+	$(call one_word,$(DESTDIR)$(prefix))
 	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
-	-rmdir $(addprefix $(DESTDIR)$(DATADIR)/,projcalc doc/projcalc)
+	-rmdir $(addprefix $(DESTDIR)$(datadir)/,projcalc doc/projcalc)
 
-# The date of a release is in its heading in NEWS.md.
+# The date of a release is in the first heading of NEWS.md, behind the version.
 VERSION = $(shell sed -n 's/^\#define VERSION "\(.*\)"/\1/p' cmd/*.c)
-DATE = $(shell sed -n 's/^\#\# $(VERSION), //p' NEWS.md)
+DATE = $(shell sed -n '/^\#\# /{s/^\#\# $(VERSION), \([-0-9]*\)$$/\1/p;q;}' NEWS.md)
 DIST = projcalc-$(VERSION)
 # The tarball has the files that git tracks or, if made in an unpacked tarball, all
 # files but BUILD. The same files give a tarball of the same bytes.
-dist: ## a tarball
-	@test -n '$(DATE)' || \
-	    { echo 'NEWS.md has no date for $(VERSION)' >&2; exit 1; }
+in_step:
+	@test -n '$(DATE)' || { echo 'the first heading of NEWS.md must be' \
+	    '$(VERSION), as in cmd/main.c, with a date' >&2; exit 1; }
+dist: in_step ## a tarball
 	@mkdir -p $(BUILD)
 	@if [ -e .git ]; then git ls-files; \
 	    else find . -samefile '$(BUILD)' -prune -o -type f -print | \
@@ -331,7 +343,7 @@ dist: ## a tarball
 	    --files-from=$(BUILD)/dist.files
 distcheck: dist ## build, test, install, uninstall and pack from the tarball
 	@sh cmd/test/dist.sh $(BUILD) $(DIST)
-deb: ## a Debian package, and the manual's examples run from it
+deb: in_step ## a Debian package, and the manual's examples run from it
 	@sh .debian/build $(BUILD) $(VERSION) $(DATE)
 release: lint distcheck deb ## lint, distcheck and deb, with sums
 	cd $(BUILD) && sha256sum $(DIST).tar.gz projcalc_$(VERSION)_*.deb
@@ -346,8 +358,8 @@ help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-# The targets that have ## after their rule, and fuzzers, are no files.
-.PHONY: fuzzers $(shell sed -n 's/^\([a-z0-9-]*\):.* \#\# .*/\1/p' \
+# The targets that have ## after their rule, fuzzers and in_step are no files.
+.PHONY: fuzzers in_step $(shell sed -n 's/^\([a-z0-9-]*\):.* \#\# .*/\1/p' \
 	$(firstword $(MAKEFILE_LIST)))
 # make keeps the objects of test programs, which are intermediate files.
 .SECONDARY:

@@ -17,11 +17,14 @@ my $harness = TAP::Harness->new({
 });
 my $sum = $harness->runtests(@ARGV);
 
-# A program that crashed or stopped early has failed, even if all its cases
-# passed.
+# A program that crashed or stopped early has failed, even if all its cases passed. A
+# program that skips all its cases counts as one.
 my $failed = $sum->failed;
+my $skipped = $sum->skipped;
+my $passed = $sum->passed - $skipped;
 for my $program ($sum->parsers) {
 	$failed++ if $program->has_problems && !$program->failed;
+	$skipped++ if defined $program->skip_all;
 }
-printf "%d passed, %d failed\n", scalar $sum->passed, $failed;
+printf "%d passed, %d failed, %d skipped\n", $passed, $failed, $skipped;
 exit($failed > 0);
