@@ -428,8 +428,8 @@ SKIP: {
 		    "\"at\": [0,0,1], $notes}}");
 		$size = int((-s "$tmp/document") / 1024);
 		$peak = peak("projcalc lookat $tmp/document");
-		cmp_ok($peak, '<', $size + 5000,
-		    "$size kilobytes of notes in 5 MB more");
+		cmp_ok($peak, '<', 2 * $size + 5000,
+		    "$size kilobytes of notes in as much again and 5 MB");
 	}
 	sparse("$tmp/zeros", 504000000);
 	$peak = peak("$project -j2 -i f64 $tmp/zeros");
