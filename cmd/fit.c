@@ -3,6 +3,7 @@
 
 #include "../core/derive/fit.h"
 #include "call/input.h"
+#include "call/notes.h"
 #include "call/operands.h"
 #include "message/message.h"
 
@@ -92,6 +93,8 @@ void run_fit(const struct options *o)
 	if (!d.has_bounds && !points)
 		document_refuse(&d,
 		    "/bounds: missing; add it ('projcalc help bounds'), POINTS or -");
+	if (!d.flat)
+		notes_say(&d, notes_of(&d, 0));
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

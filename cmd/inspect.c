@@ -7,6 +7,7 @@
 #include "../core/derive/textbook.h"
 #include "json/print.h"
 #include "lines/put.h"
+#include "call/notes.h"
 #include "call/operands.h"
 #include "call/option_row.h"
 #include "message/message.h"
@@ -18,47 +19,6 @@ static const char *const kind_names[] = { "multiview", "isometric", "dimetric",
 	"trimetric", "cavalier", "cabinet", "general", "one-point", "two-point",
 	"three-point" };
 static const char *const buffer_names[] = { "unorm16", "unorm24", "float32" };
-
-/* The texts of enum note, in its order: what is wrong, and what to try. */
-static const char *const notes[NOTES] = {
-	"mirrored: the picture is a mirror image, as the determinant says; "
-	"negate x or y in the matrix, or try another \"convention\"",
-	"the projection is of the other handedness: it looks against the "
-	"convention's gaze, and mirrors; try the \"convention\" that it is "
-	"from, or negate the third row, of column vectors the third column",
-	"the projection looks away: w grows against the convention's gaze, "
-	"and the picture is of what is behind the camera; turn the camera, or "
-	"negate the first and third rows, of column vectors the first and "
-	"third columns",
-	"the projection's matrix is transposed in all likelihood, as its last "
-	"row and its last column have changed places; transpose it, or try "
-	"another \"vectors\" in \"convention\"",
-	"near is beyond far: the eye or the gaze is on the other side; swap "
-	"them, or for reversed depth say \"reverse_z\": true",
-	"depth falls along the convention's gaze: it is reversed, or the "
-	"projection is of the other handedness; if reversed depth is not "
-	"meant, try another \"convention\"",
-	"the angle of view is below 3.2 degrees; if it is in radians, say "
-	"\"angle_unit\": \"radians\"",
-	"the principal point is at the edge of the viewport or outside; "
-	"intrinsics are fx, fy, cx and cy, in pixels of the viewport",
-	"scene is null, as the camera's matrix is not a rotation to 2^-20: it "
-	"scales, shears or mirrors; take the scale out of it, try "
-	"\"orthonormalize\": true where the determinant is positive, or the "
-	"\"convention\" that the matrix is from where it is negative",
-	"near, far and scene are null, as the planes of equal depth are "
-	"tilted against the picture by more than 2^-40; give the matrix with "
-	"all 17 digits, not as floats, and if it is a product, check that its "
-	"factors stand in the order for its \"vectors\"",
-	"scene is null, as w is negative between near and far; negate every "
-	"element of the matrix",
-	"scene is null, as x depends on y or there are no near and far planes: "
-	"only \"intrinsics\" can say that, of a perspective that does not "
-	"mirror and fills the viewport; add a viewport, or give near and far, "
-	"or a matrix with all 17 digits",
-	"scene is null, as a plane lies behind the eye or a number is out of "
-	"range; look at near, far and eye",
-};
 
 /* Puts the number *v if n is 0; else an array of n numbers, or null if *v is nan. */
 static void put_vector(struct printer *p, const double *v, int n)
@@ -251,9 +211,9 @@ static void put_projection(struct printer *p, const struct document *d,
 	else
 		put_literal(p, "null");
 	put_open(put_name(p, "notes"), "[");
-	for (int i = 0; i < NOTES; i++)
-		if (r.notes >> i & 1)
-			put_string(p, notes[i]);
+	for (unsigned i = 0, all = notes_of(d, r.notes); i < NOTES; i++)
+		if (all >> i & 1)
+			put_string(p, note_rows[i].text);
 	put_close(p, "]");
 }
 

@@ -154,6 +154,7 @@ int main(int argc, char **argv)
 		unknown_refuse_command(commands, false, argv[1]);
 	if (c != NULL)
 		options_read(&o, argv + 2);
+	message_state.quiet = o.quiet;
 	if (o.version) {
 		output_printf("projcalc " VERSION "\n");
 	} else if (o.help) {

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "../core/points/kernel/little.h"
+#include "call/notes.h"
 #include "call/operands.h"
 #include "json/print.h"
 #include "message/message.h"
@@ -151,12 +152,21 @@ void run_matrix(const struct options *o)
 	bool points = !o->matrix && operands_have_points(o, &d);
 	const int to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
 
+	const bool flat = c->kind == COMMAND_MATRIX_2D;
+	const enum space from = (enum space)c->from;
+
 	matrix_check_unit_w(o, !points, (enum space)c->from, (enum space)c->to);
 	matrix_prepare(o, &d, to, &j);
+	if (!flat)
+		notes_say_of_spaces(&d, from, (enum space)c->to);
 	if (!points) {
 		matrix_print(o, &d, &j.transform);
 		return;
 	}
 	j.space = c->kind == COMMAND_MATRIX_2D ? flat_names[to] : space_names[to];
+	if (!flat)
+		notes_watch(&d, from, (enum space)to, NULL, &j);
 	operands_run_job(o, &d, &j);
+	if (!flat)
+		notes_say_behind(&d, from, &j);
 }

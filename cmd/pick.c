@@ -8,6 +8,7 @@
 #include "../core/derive/pick.h"
 #include "../core/points/points.h"
 #include "json/print.h"
+#include "call/notes.h"
 #include "call/operands.h"
 #include "message/message.h"
 
@@ -241,5 +242,8 @@ void run_pick(const struct options *o)
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE, "pick prints lines as read; only -o json differs");
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
+	notes_say_of_spaces(&d, SPACE_MODEL, SPACE_DEVICE);
+	notes_watch(&d, SPACE_MODEL, SPACE_DEVICE, &j.transform, &j);
 	operands_run_job(o, &d, &j);
+	notes_say_behind(&d, SPACE_MODEL, &j);
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "../core/points/distance.h"
+#include "call/notes.h"
 #include "call/operands.h"
 #include "matrix.h"
 #include "call/option_row.h"
@@ -91,11 +92,17 @@ void run_project(const struct options *o)
 		    "/viewport: missing; \"device\" and \"window\" are for two "
 		    "dimensions; give \"viewport\", or say --to ndc");
 	document_refuse_if(&d, project_prepare(&d.scene, o, from, to, &j));
+	notes_say_of_spaces(&d, from, to);
+	if (!o->has_from && !o->has_to && (d.scene.has_camera || d.scene.has_world) &&
+	    d.scene.projection.type == PROJECTION_NONE)
+		notes_say(&d, 1u << NOTE_NO_PROJECTION);
 	if (o->matrix) {
 		matrix_print(o, &d, &j.transform);
 		return;
 	}
+	notes_watch(&d, o->homogeneous ? SPACE_CLIP : from, to, NULL, &j);
 	j.from = from != SPACE_MODEL ? space_names[from] : NULL;
 	j.space = space_names[to];
 	operands_run_job(o, &d, &j);
+	notes_say_behind(&d, from, &j);
 }

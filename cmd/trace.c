@@ -6,6 +6,7 @@
 
 #include "../core/points/distance.h"
 #include "../core/points/points.h"
+#include "call/notes.h"
 #include "call/operands.h"
 #include "call/option_row.h"
 #include "lines/splice.h"
@@ -158,5 +159,9 @@ void run_trace(const struct options *o)
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],
 		    o->out == FORMAT_JSON ? "\"%s\":" : "%-8s", space_names[s]);
+	notes_say_of_spaces(&d, SPACE_MODEL,
+	    d.scene.has_viewport ? SPACE_DEVICE : SPACE_NDC);
+	notes_watch(&d, o->from, SPACE_NDC, &trace.to[SPACE_NDC], &j);
 	operands_run_job(o, &d, &j);
+	notes_say_behind(&d, o->from, &j);
 }

@@ -265,6 +265,8 @@ const struct option_row option_rows[] = {
 	    "N", option_read_whole_number, OFFSET(jobs), .min = 1, .max = 256 },
 	{ "progress", 0, READ_POINTS, "report on standard error how many lines are done",
 	    FLAG(progress) },
+	{ "quiet", 'q', ALL_BUT_HELP,
+	    "leave out notes, and how many points have no image", FLAG(quiet) },
 	{ "scenes", 0, ALL_BUT_HELP, "read any number of scenes from PARAMS, one after another",
 	    FLAG(scenes) },
 	{ "json", 0, COMMAND_HELP, "print all that the program knows of itself as JSON",

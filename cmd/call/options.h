@@ -41,7 +41,7 @@ struct options {
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, unit_w, textbook, ray, append, flags, visible,
-	    keep_going, progress;
+	    keep_going, progress, quiet;
 	int jobs;                          /* threads; 0: one for each processor */
 	struct number_list pick_at, plane; /* by --at, by --plane */
 	double radius;                     /* by --radius; 0: not given */

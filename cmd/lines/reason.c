@@ -417,21 +417,36 @@ void reason_comment_columns(struct layout *l, struct span text)
 	const bool separated = memchr(text.s, table.separator,
 				   (size_t)(text.end - text.s)) != NULL;
 
+	copy_names(line_cursor(blanks, text), &names);
+	const int words = names.n;
+
 	copy_names(line_cursor(separated ? table : blanks, text), &names);
-	/* a comment with other names, such as # id,foo,bar, deserves a note at most */
-	if (names.omitted || !say_guess(&names, l->reads, &numbers, reason))
+	if (names.omitted)
 		return;
+	if (!say_guess(&names, l->reads, &numbers, reason)) {
+		/* # id,foo,bar may name columns, if each name is one word */
+		if (!format_of(l->in)->header || text.s[-1] == ':' || names.n < 3 ||
+		    *l->seen.comment_reason != '\0' ||
+		    (words != names.n && words != 1) ||
+		    !lookup_is_header(l, line_cursor(table, text)))
+			return;
+		l->seen.comment_line = l->seen.first_line;
+		l->seen.comment_names = (size_t)names.n;
+		l->seen.comment_numbers = 0;
+		return;
+	}
 	const char *columns = remedy + strlen("; say --columns ");
 	const bool first = strncmp(columns, "1,2,3,4", n) == 0 &&
 	    (columns[n] == '\0' ||
 		(columns[n] == ' ' && strcasecmp(*names.name, "x") == 0));
 
+	l->seen.comment_line = 0;
 	l->seen.comment_names = first ? 0 : (size_t)names.n;
 	l->seen.comment_numbers = numbers;
 	strcpy(l->seen.comment_reason, reason);
 }
 
-bool reason_needs_header(const struct layout *l, struct span row, bool lost,
+bool reason_needs_header(struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(l->in, row);
@@ -446,6 +461,9 @@ bool reason_needs_header(const struct layout *l, struct span row, bool lost,
 		    ((l->seen.comment_numbers >> i & 1) == 0 ||
 			format_read(l->in, f.value.s, f.value.end, &v) == f.value.end);
 	if (l->header != HEADER_MAYBE || (!l->seen.reordered && (!fits || c.s != NULL)))
+		return false;
+	l->seen.note = l->seen.comment_line > 0 && !l->seen.reordered;
+	if (l->seen.note)
 		return false;
 	strcpy(reason,
 	    l->seen.reordered ?

@@ -21,8 +21,9 @@ void reason_comment_columns(struct layout *, struct span text);
 
 /* Returns whether the first row lacks a header: --columns gives names and it is a
  * LINE_LOST (`lost`), which has a reason; or, without --columns and --no-header, an
- * earlier file's header reordered columns, or comment_names fit it. Then writes why. */
-bool reason_needs_header(const struct layout *, struct span row, bool lost,
+ * earlier file's header reordered columns, or comment_names fit it. Then writes why; but
+ * if the comment names no coordinates, only sets seen.note. */
+bool reason_needs_header(struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
 /* Writes that a first line in FORMAT_TEXT looks like a header, unless it has a = or its

@@ -57,16 +57,16 @@ static void add_escaped(const char *s)
 	    strnlen(s, MESSAGE_MAX), message_state.json, "");
 }
 
-/* Adds the message to `line` as text; the place is last if p->before_place is set. */
-static void add_text(int status, const struct place *p, struct scene_place scene,
-    const char *message)
+/* Adds the message to `line` as text after its level, "" or "note: "; the place is last if p->before_place is set. */
+static void add_text(int status, const char *level, const struct place *p,
+    struct scene_place scene, const char *message)
 {
 	static const char *const colors[] = { "\033[1m", "\033[1;31m" };
 	bool colored = output_is_colored(STDERR_FILENO);
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
 
-	addf("%sprojcalc:%s ", colored ? colors[status > 0] : "",
-	    colored ? "\033[0m" : "");
+	addf("%sprojcalc:%s %s", colored ? colors[status > 0] : "",
+	    colored ? "\033[0m" : "", level);
 	if (p->before_place != NULL) {
 		add_escaped(message);
 		addf("%s", p->before_place);
@@ -108,19 +108,20 @@ static const char *cut_hint(char *message)
 
 static void add_member(const char *name, const char *s)
 {
-	addf("%s\"%s\":\"", line.n > 1 ? "," : "", name);
+	addf(",\"%s\":\"", name);
 	add_escaped(s);
 	addf("\"");
 }
 
 /* Adds the message to `line` as a JSON object without its end: status and bracket. */
-static void add_json(const struct place *p, struct scene_place scene, char *message)
+static void add_json(int status, const struct place *p, struct scene_place scene,
+    char *message)
 {
 	const char *hint = cut_hint(message);
 
-	addf("{");
+	addf("{\"level\":\"%s\"", status > 0 ? "error" : "note");
 	if (scene.number > 0)
-		addf("\"scene\":%ld,\"scene_line\":%ld", scene.number, scene.line);
+		addf(",\"scene\":%ld,\"scene_line\":%ld", scene.number, scene.line);
 	if (p->file != NULL)
 		add_member("file", p->file);
 	if (p->line > 0)
@@ -134,8 +135,8 @@ static void add_json(const struct place *p, struct scene_place scene, char *mess
 		add_member("hint", hint);
 }
 
-static void print_line(int status, const struct place *place, const char *format,
-    va_list args)
+static void print_line(int status, const char *level, const struct place *place,
+    const char *format, va_list args)
 {
 	static const struct place nowhere;
 	const struct place *p = place != NULL ? place : &nowhere;
@@ -146,9 +147,9 @@ static void print_line(int status, const struct place *place, const char *format
 	flockfile(stderr);
 	line.n = 0;
 	if (message_state.json)
-		add_json(p, scene, message);
+		add_json(status, p, scene, message);
 	else
-		add_text(status, p, scene, message);
+		add_text(status, level, p, scene, message);
 	if (message_state.json)
 		addf(",\"status\":%d}", status);
 	addf("\n");
@@ -161,8 +162,32 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	print_line(status, place, format, args);
+	print_line(status, "", place, format, args);
 	va_end(args);
+}
+
+bool note_is_new(unsigned kind)
+{
+	static unsigned said;
+	const bool is_new = (said >> kind & 1) == 0 && !message_state.quiet;
+
+	said |= 1u << kind;
+	return is_new;
+}
+
+static void __attribute__((format(printf, 2, 3)))
+say_note_as(const struct place *place, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	print_line(EXIT_OK, "note: ", place, format, args);
+	va_end(args);
+}
+
+void say_note(const struct place *place, const char *text)
+{
+	say_note_as(place, "%s", text);
 }
 
 /* Returns in the first thread that calls it, and never in another: if several threads
@@ -178,11 +203,11 @@ static void wait_unless_first(void)
 void vdie_at(int status, const struct place *place, const char *format, va_list args)
 {
 	if (place != NULL && place->of_scene && message_state.on_refusal != NULL) {
-		print_line(EXIT_INPUT, place, format, args);
+		print_line(EXIT_INPUT, "", place, format, args);
 		longjmp(*message_state.on_refusal, 1);
 	}
 	wait_unless_first();
-	print_line(status, place, format, args);
+	print_line(status, "", place, format, args);
 	exit(status);
 }
 

@@ -31,9 +31,16 @@ struct place {
 };
 
 /* Prints one line: "projcalc: ", the place, which may be NULL, and the message: what is
- * wrong and, after "; ", a hint. status is the exit status, or 0 for a note. */
+ * wrong and, after "; ", a hint. status is the exit status; 0: the level is "note". */
 void say_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+
+/* Returns whether to say a note of this kind, from 0 to 31: true at the first call for
+ * each kind, unless message_state.quiet is set. */
+bool note_is_new(unsigned kind);
+
+/* Prints a note as say_at does, with "note: " before the place. */
+void say_note(const struct place *, const char *text);
 
 /* The choices of --color: whether messages and help are coloured. */
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
@@ -41,6 +48,7 @@ enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
 extern struct message_state {
 	unsigned json;            /* 1: a message is a JSON object in one line */
 	unsigned color;           /* an enum color */
+	bool quiet;               /* notes are left out */
 	struct scene_place scene; /* the current scene of --scenes */
 	/* If set, die_at reports a place that is of_scene with status EXIT_INPUT, and
 	 * jumps here. Only the first thread jumps, while no other thread works. */

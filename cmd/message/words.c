@@ -68,7 +68,7 @@ static const struct {
 	{ VALUE, "float", "--precision single" },
 
 	{ REMARK, "stdin", ": standard input is - in place of PARAMS or POINTS" },
-	{ REMARK, "quiet", ": notes go to standard error; 2>/dev/null hides them" },
+	{ CALL, "silent", "--quiet" },
 	{ REMARK, "distortion undistort distortioncoefficients distortionmodel "
 	    "distcoeffs dist d k1 k2 k3 p1 p2",
 	    ": lenses are not modelled; undistort points first" },

@@ -161,6 +161,9 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 
 	s->camera.unit = d->unit;
 	s->projection.without_camera = !s->has_camera;
+	d->written.angle_unit = (seen & SCENE_ANGLE_UNIT) != 0;
+	d->written.scale = s->has_viewport &&
+	    value_member(&m[ROW_OF(VIEWPORT)], "scale", &given);
 	d->has_eye = s->has_camera &&
 	    (s->camera.way >= CAMERA_TRANSLATION ||
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
@@ -221,6 +224,7 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 	read_members(d, m, seen & first);
 	source.has_axes = w.convention != NULL ||
 	    given_by_convention(&m[ROW_OF(CONVENTION)]) != 0;
+	d->written.convention = source.has_axes;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
@@ -250,23 +254,40 @@ char *document_read_points(const char *name, char *text, size_t size, int coordi
 	return (char *)points.s;
 }
 
-void document_refuse(const struct document *d, const char *reason)
+enum { POINTER_ROOM = 1024 };
+
+/* Returns the place to which the first n bytes of s, a JSON pointer, lead, and writes the
+ * pointer. If the document is a camera, "/camera/up" becomes "/up". */
+static struct place document_place(const struct document *d, const char *s, size_t n,
+    char pointer[POINTER_ROOM])
 {
 	size_t lone = d->lone_member != NULL ? strlen(d->lone_member) : 0;
-	size_t n = *reason == '/' ? strcspn(reason, ":") : 0;
-	const char *what = n > 0 ? reason + n + 2 : reason;
-	char pointer[1024];
 
-	/* if the document is a camera, "/camera/up" becomes "/up" */
-	if (lone > 0 && strncmp(reason + 1, d->lone_member, lone) == 0 &&
-	    (reason[lone + 1] == '/' || reason[lone + 1] == ':')) {
-		reason += lone + 1;
+	if (lone > 0 && n > lone && strncmp(s + 1, d->lone_member, lone) == 0 &&
+	    (n == lone + 1 || s[lone + 1] == '/')) {
+		s += lone + 1;
 		n -= lone + 1;
 	}
-	snprintf(pointer, sizeof pointer, "%.*s", (int)n, reason);
-	const struct place place = json_source_place(&d->source, pointer);
+	snprintf(pointer, POINTER_ROOM, "%.*s", (int)n, s);
+	return json_source_place(&d->source, pointer);
+}
 
-	die_at(EXIT_INPUT, &place, "%s", what);
+void document_refuse(const struct document *d, const char *reason)
+{
+	const size_t n = *reason == '/' ? strcspn(reason, ":") : 0;
+	char pointer[POINTER_ROOM];
+	const struct place place = document_place(d, reason, n, pointer);
+
+	die_at(EXIT_INPUT, &place, "%s", n > 0 ? reason + n + 2 : reason);
+}
+
+void document_note(const struct document *d, const char *pointer, const char *text)
+{
+	char of_document[POINTER_ROOM];
+	const struct place place = document_place(d, pointer, strlen(pointer),
+	    of_document);
+
+	say_note(&place, text);
 }
 
 void document_refuse_if(const struct document *d, const char *reason)

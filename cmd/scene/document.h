@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "../../core/derive/fit.h"
+#include "../../core/derive/note.h"
 #include "../json/print.h"
 #include "../json/value.h"
 #include "members.h"
@@ -20,6 +21,7 @@ struct document {
 	struct scene scene;
 	bool flat;            /* the scene is 2D: see document_wants.flat_members */
 	enum angle_unit unit; /* of all angles */
+	struct written written;
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */
 	bool has_bounds, has_eye, has_pick;
@@ -74,6 +76,9 @@ char *document_read_points(const char *name, char *text, size_t size, int coordi
 _Noreturn void document_refuse(const struct document *d, const char *reason);
 
 void document_refuse_if(const struct document *d, const char *reason); /* or NULL */
+
+/* Says a note on the member to which a JSON pointer leads. */
+void document_note(const struct document *, const char *pointer, const char *text);
 
 /* Prints a document of the command fit, with a line for each member or, if compact, in
  * one line. Leaves SCENE_SPATIAL out of a flat document. If the camera has a gaze and

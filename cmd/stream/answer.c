@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "answer.h"
 
+#include "../../core/derive/note.h"
+
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -131,7 +133,7 @@ static void report_imageless(void)
 	struct place *p = &answer.first_imageless;
 
 	p->before_place = n == 1 ? ": " : ", the first in ";
-	if (n > 0)
+	if (n > 0 && !message_state.quiet)
 		say_at(EXIT_OK, p, "%zu point%s no image", n,
 		    n == 1 ? " has" : "s have");
 }
@@ -166,9 +168,38 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 	die_at(EXIT_SYSTEM, &end, "%s", strerror(c->piece.error));
 }
 
-void answer_chunk(const struct job *j, struct chunk *c)
+/* Says that a comment may name the columns. */
+static void note_comment(struct job *j, struct place p)
+{
+	p.line = (long long)j->layout.seen.comment_line;
+	j->layout.seen.note = false;
+	if (note_is_new(NOTE_COMMENT))
+		say_note(&p,
+		    "this comment may name the columns, and the first ones are "
+		    "read; leave out its # or say --columns by number, or "
+		    "--no-header");
+}
+
+/* Adds the chunk's first points to job.behind, or ends its watch. */
+static void collect_behind(struct behind *b, const struct chunk *c)
+{
+	const size_t room = POINTS_BLOCK - b->n;
+	const size_t n = c->n_behind < room ? c->n_behind : room;
+
+	if (!b->watched)
+		return;
+	b->watched = !c->imaged;
+	for (int k = 0; k < 3; k++)
+		memcpy(&b->at[k][b->n], c->behind[k], n * sizeof **b->at);
+	b->n += n;
+}
+
+void answer_chunk(struct job *j, struct chunk *c)
 {
 	c->place = answer.next_line;
+	collect_behind(&j->behind, c);
+	if (j->layout.seen.note)
+		note_comment(j, c->place);
 	if (j->collect_chunk != NULL)
 		j->collect_chunk(j, c);
 	else if (!c->refused)

@@ -12,7 +12,7 @@ void answer_begin_source(const struct job *, const struct point_source *);
 
 /* Prints the output of the next chunk; then its bad lines, unless the job keeps going,
  * and an error of its source end the program. Only one thread at a time may call it. */
-void answer_chunk(const struct job *, struct chunk *);
+void answer_chunk(struct job *, struct chunk *);
 
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */
 void answer_refused_scene(enum format);

@@ -35,6 +35,9 @@ struct chunk {
 	size_t n_complaints;
 	size_t imageless;       /* points without image */
 	size_t first_imageless; /* the line of the first such point */
+	bool imaged;            /* a point has an image, if job.behind is watched */
+	size_t n_behind;        /* if not, the first points of the chunk */
+	double behind[3][POINTS_BLOCK];
 
 	/* The block: lines that are transformed together, with columns of numbers. */
 	size_t block_lines, block_points;

@@ -216,12 +216,35 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	chunk_complain(j, c, reason);
 }
 
+/* Keeps the first points of the chunk as long as none has an image: c->image or, by
+ * behind.image, what is computed here. */
+static void watch_block(const struct job *j, struct chunk *c)
+{
+	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
+	double *const out[4] = { c->image[0], c->image[1], c->image[2], c->image[3] };
+	const size_t room = POINTS_BLOCK - c->n_behind;
+	const size_t n = c->block_points < room ? c->block_points : room;
+
+	if (j->behind.image != NULL)
+		points_map(j->behind.image, j->precision, in, out, c->block_points);
+	for (size_t p = 0; p < c->block_points && !c->imaged; p++)
+		c->imaged = isfinite(c->image[0][p]) && isfinite(c->image[1][p]);
+	for (int k = 0; k < 3 && !c->imaged; k++)
+		memcpy(&c->behind[k][c->n_behind], c->in[k], n * sizeof **c->in);
+	c->n_behind += n;
+}
+
 void job_do(struct job *j, struct chunk *c)
 {
+	const bool watched = atomic_load_explicit(&j->behind.watched,
+	    memory_order_relaxed);
+
 	bool binary = format_is_binary(j->layout.in.format);
 	bool by_blocks = binary_is_rows(j);
 
 	c->n_lines = c->size = c->n_complaints = c->imageless = 0;
+	c->imaged = false;
+	c->n_behind = 0;
 	c->refused = c->walk_planned = c->can_walk = false;
 	c->text = c->stretch.readable = c->piece.text;
 	c->end = c->text + c->piece.whole_size;
@@ -236,17 +259,24 @@ void job_do(struct job *j, struct chunk *c)
 
 		c->block_lines = c->block_points = 0;
 		/* after a point without image binary_map_floats often fails */
-		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c))
+		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c)) {
+			c->imaged = true;
 			continue;
+		}
 		if (binary)
 			binary_read_block(j, c);
 		else
 			block_read(j, c);
 		if (j->take_block != NULL) {
+			if (watched && !c->imaged)
+				watch_block(j, c);
 			j->take_block(j, c);
 			continue;
 		}
 		bool finite = block_transform(j, c);
+
+		if (watched && !c->imaged)
+			watch_block(j, c);
 
 		if (!(by_blocks && c->block_lines == c->block_points &&
 			binary_write_rows(j, c, text)))

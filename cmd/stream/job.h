@@ -3,9 +3,19 @@
  * but for its layout (layout.h). */
 #pragma once
 
+#include <stdatomic.h>
+
 #include "../../core/derive/frustum.h"
 #include "../../core/derive/ray.h"
 #include "chunk.h"
+
+/* The first points of a scene, as long as none has had an image. */
+struct behind {
+	atomic_bool watched;           /* until a point has an image */
+	const struct transform *image; /* of a point; NULL: c->image has it */
+	size_t n;
+	COLUMN_ALIGNED double at[3][POINTS_BLOCK];
+};
 
 struct job {
 	struct transform transform;
@@ -18,6 +28,7 @@ struct job {
 	bool visible;           /* print only points in the view volume */
 	bool rays;              /* print rays instead of images */
 	bool keep_going;        /* after bad lines */
+	struct behind behind;   /* changed only by answer_chunk */
 	bool count_imageless;   /* report points without image at the end */
 	int threads;            /* the most; 0: one for each processor */
 

@@ -200,14 +200,10 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-/* Returns whether c is between 1 % and 99 % of size. */
-static bool is_central(double c, double size)
-{
-	return 0.01 * size < c && c < 0.99 * size;
-}
-
+/* Returns the notes. `transposed` says whether the matrix, as it was read, makes no
+ * second scene and looks transposed. */
 static unsigned notes_of(const struct lens *l, const struct upright *u,
-    const struct picture *r)
+    const struct picture *r, bool transposed)
 {
 	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
@@ -216,10 +212,11 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0) !=
 	    l->mirrors;
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
-	bool transposed = p->type == PROJECTION_MATRIX && seems_transposed(p->matrix);
+	bool volume = projection_family(p) == FAMILY_VOLUME;
 	/* a document gives a volume an eye beyond far only on purpose */
-	bool reverse = projection_family(p) == FAMILY_VOLUME &&
-	    r->taxonomy.taxon == TAXON_REVERSE;
+	bool reverse = volume && r->taxonomy.taxon == TAXON_REVERSE;
+	/* and without a camera its z are those of a text of either handedness */
+	bool free = volume && !s->has_camera;
 
 	/* a corner is nan if it is at infinity or behind the eye */
 	for (int i = 0; i < 8; i++)
@@ -230,10 +227,10 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool looks_away = u->uses_view_axes && u->turned && (mirrored || s->has_camera);
 	const bool applies[NOTES] = {
 		[NOTE_MIRRORED] = !known && mirrored && !looks_away,
-		[NOTE_OTHER_HANDED] = !known && mirrored && looks_away,
+		[NOTE_OTHER_HANDED] = !known && mirrored && looks_away && !free,
 		[NOTE_LOOKS_AWAY] = !known && !mirrored && looks_away,
 		[NOTE_TRANSPOSED] = transposed,
-		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
+		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse && !free,
 		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
 		    u->uses_view_axes && parallel && r->reverse_z,
 		[NOTE_RADIANS] = projection_family(p) == FAMILY_PERSP &&
@@ -242,8 +239,8 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		    (p->section.way <= SECTION_VIEW_ANGLE ||
 			p->section.way == SECTION_ANGLES),
 		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) &&
-		    !(is_central(r->intrinsics[0][2], p->section.width) &&
-			is_central(r->intrinsics[1][2], p->section.height)),
+		    !(note_is_central(r->intrinsics[0][2], p->section.width) &&
+			note_is_central(r->intrinsics[1][2], p->section.height)),
 		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->clip_w[1]) < 0),
@@ -273,31 +270,58 @@ static void set_parameters(const struct lens *l, struct picture *r)
 	set_near_edges(l, &u, r);
 	if (s->has_viewport && !l->parallel)
 		set_intrinsics(l, &u, r->intrinsics);
-	r->notes = notes_of(l, &u, r);
+	r->notes = notes_of(l, &u, r, false);
 	r->scene = *s;
 	r->scene.answer = NULL;
 	r->scene.convention = *scene_answer_convention(s);
-	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
-	if (!r->has_scene)
+	r->has_scene = r->notes >> NOTES_SAID == 0;
+	if (r->has_scene) {
+		set_projection(l, &u, r);
+		set_camera(l, &u, r);
+		r->has_scene = scene_is_valid(&r->scene);
+		r->notes |= r->has_scene ? 0 : 1u << NOTE_OUT_OF_RANGE;
+	}
+	if (r->has_scene || s->projection.type != PROJECTION_MATRIX ||
+	    !seems_transposed(s->projection.matrix))
 		return;
-	set_projection(l, &u, r);
-	set_camera(l, &u, r);
-	r->has_scene = scene_is_valid(&r->scene);
-	r->notes |= r->has_scene ? 0 : 1u << NOTE_OUT_OF_RANGE;
+	const unsigned null = r->notes >> NOTES_SAID << NOTES_SAID;
+
+	r->notes = notes_of(l, &u, r, true);
+	r->notes |= r->notes >> NOTES_SAID == 0 ? null : 0;
+}
+
+/* Sets all members of the picture but error_bound. Returns NULL, or why it can't. */
+static const char *describe(const struct scene *s, struct lens *l, struct picture *p)
+{
+	const char *why = lens_of(s, l);
+
+	if (why != NULL)
+		return why;
+	/* a double whose bits are all 1 is nan */
+	memset(p, 0xff, offsetof(struct picture, notes));
+	taxonomy_of(l, &p->taxonomy);
+	set_parameters(l, p);
+	return NULL;
+}
+
+unsigned picture_notes(const struct scene *s)
+{
+	struct lens l;
+	struct picture p;
+
+	return describe(s, &l, &p) != NULL ?
+	    0 :
+	    p.notes & ~(1u << NOTE_RADIANS) & ((1u << NOTES_SAID) - 1);
 }
 
 const char *picture_of(const struct scene *s, struct picture *p)
 {
 	struct lens l;
 	struct scene known = *s;
-	const char *why = lens_of(s, &l);
+	const char *why = describe(s, &l, p);
 
 	if (why != NULL)
 		return why;
-	/* a double whose bits are all 1 is nan */
-	memset(p, 0xff, offsetof(struct picture, notes));
-	taxonomy_of(&l, &p->taxonomy);
-	set_parameters(&l, p);
 	known.known[SPACE_WORLD][false] = &l.to_view;
 	known.known[SPACE_WORLD][true] = &l.to_world;
 	known.known[SPACE_VIEW][false] = &l.volume.to_clip;

@@ -4,26 +4,8 @@
 #pragma once
 
 #include "depth.h"
+#include "note.h"
 #include "taxonomy.h"
-
-/* Faults of a scene, and reasons why it has no second scene (struct picture). */
-enum note {
-	NOTE_MIRRORED,     /* the picture is a mirror image */
-	NOTE_OTHER_HANDED, /* the projection's handedness is not the scene's */
-	NOTE_LOOKS_AWAY,   /* the projection looks against the camera's gaze */
-	NOTE_TRANSPOSED,   /* the projection's matrix looks transposed */
-	NOTE_NEAR_BEYOND,  /* the near plane is farther than the far plane */
-	NOTE_DEPTH_FALLS,  /* depth decreases along the convention's gaze */
-	NOTE_RADIANS,      /* an angle of view in degrees may be in radians */
-	NOTE_OFF_CENTER, /* the principal point is at the viewport's edge or outside */
-	/* with each of the following notes there is no second scene */
-	NOTE_NO_ROTATION,   /* the camera's matrix is not a rotation */
-	NOTE_TILTED,        /* near and far are not parallel to the image */
-	NOTE_MINUS_W,       /* w is negative between the near and far planes */
-	NOTE_NO_INTRINSICS, /* it would need intrinsics, but cannot have them */
-	NOTE_OUT_OF_RANGE,  /* numbers of the second scene are out of range */
-	NOTES,
-};
 
 /* Facts about a scene's picture. A number that does not exist is nan; the others are
  * the doubles nearest to the exact numbers, except error_bound. */
@@ -53,3 +35,7 @@ struct picture {
 
 /* Sets all members of the picture. Returns NULL, or the member at fault and why. */
 const char *picture_of(const struct scene *, struct picture *);
+
+/* Returns those notes of picture_of that are said, but not NOTE_RADIANS, of which
+ * note_of_members has the surer rule; or 0 if the scene has no picture. */
+unsigned picture_notes(const struct scene *);

@@ -1,0 +1,217 @@
+/* SPDX-License-Identifier: MIT */
+#include "note.h"
+
+#include <math.h>
+
+/* Returns whether the camera has no convention but needs one: view axes of d3d are a
+ * guess where a rotation is given. A gaze and up say what they mean in all conventions. */
+static bool has_guessed_axes(const struct scene *s)
+{
+	return s->has_camera &&
+	    (s->camera.way == CAMERA_ORIENTATION ||
+		s->camera.way == CAMERA_TRANSLATION || s->camera.way == CAMERA_POSE ||
+		s->camera.way == CAMERA_MATRIX);
+}
+
+/* Returns whether z is up: worlds with z up are right-handed, and d3d would show them
+ * mirrored. If the gaze is within a degree of the y axis, it is a plan or an elevation,
+ * whose up is z in a world with y up, too. */
+static bool has_up_z(const struct scene *s)
+{
+	const struct camera *c = &s->camera;
+	const double tan_degree = 0.017455064928217585;
+	double gaze[3];
+
+	if (!s->has_camera || c->way > CAMERA_GAZE || c->up[0] != 0 || c->up[1] != 0 ||
+	    c->up[2] == 0)
+		return false;
+	for (int i = 0; i < 3; i++)
+		gaze[i] = c->at[i] - (c->way == CAMERA_AT ? c->eye[i] : 0);
+	return hypot(gaze[0], gaze[2]) > tan_degree * fabs(gaze[1]);
+}
+
+/* Returns whether |x| is k pi / 360, k whole from 1 to 720, to the digits of its shortest
+ * form, which are five or more. As such a number is below 10, it has four decimals or
+ * more, and so is no whole number of twentieths of a degree. A quotient of a whole number
+ * by a power of ten up to 10^22 is the double of the decimal. From 16 digits on, the
+ * double itself is coarser than its last digit: k pi / 360 computed in doubles is within
+ * 2^-51 of x. */
+static bool is_radians(double x)
+{
+	double size = fabs(x), unit = 1000; /* four digits of 1 to 10 */
+	double k = rint(size * (360 / PI));
+	int digits = 4;
+
+	if (!(k >= 1 && k <= 720))
+		return false;
+	for (double least = 1; size < least; least /= 10)
+		unit *= 10;
+	if (rint(size * unit) / unit == size)
+		return false;
+	while (digits < 15 && rint(size * unit) / unit != size) {
+		unit *= 10;
+		digits++;
+	}
+	return fabs(size - k * (PI / 360)) <=
+	    0.5 / unit * (1 + 0x1p-20) + 0x1p-51 * size;
+}
+
+/* Returns whether an angle of view in degrees is likely in radians: 0.2 to 3.2 with
+ * three decimals or more. */
+static bool is_view_in_radians(double x)
+{
+	return x >= 0.2 && x <= 3.2 && rint(x * 100) / 100 != x;
+}
+
+static bool has_radians(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
+	const struct projection_section *c = &p->section;
+	bool found = false;
+
+	if (s->has_camera && s->camera.unit == ANGLE_DEGREES &&
+	    s->camera.way <= CAMERA_RVEC_TRANSLATION)
+		found = is_radians(s->camera.roll);
+	if (p->unit != ANGLE_DEGREES)
+		return found;
+	switch (projection_family(p)) {
+	case FAMILY_PERSP:
+		if (c->way <= SECTION_VIEW_ANGLE)
+			return found || is_radians(c->angle) ||
+			    is_view_in_radians(c->angle);
+		for (int i = 0; i < 4 && c->way == SECTION_ANGLES; i++)
+			found |= is_radians(c->angles[i]);
+		return found;
+	case FAMILY_PARALLEL:
+		return found ||
+		    (p->type == PROJECTION_OBLIQUE &&
+			(is_radians(p->shear.direction) ||
+			    (p->shear.kind == OBLIQUE_ANGLE &&
+				is_radians(p->shear.projector_angle))));
+	case FAMILY_VOLUME:
+		return found ||
+		    (p->volume.eye_given_by == EYE_BY_ANGLE &&
+			(is_radians(p->volume.view_angle) ||
+			    is_view_in_radians(p->volume.view_angle)));
+	case FAMILY_FIXED:
+		break;
+	}
+	return found;
+}
+
+/* Returns whether |x| is within a relative 2^-20 of |cot(k / 2)|, k whole from 4 to 179.
+ * As an angle, x is 2 atan(1 / |x|) + 2 pi n or its negative: k is the angle of one turn
+ * n that is whole to the same share of x. 2^-20 is coarser than a float's digits. The
+ * cotangents of whole degrees differ from all of these by more (note_test). */
+static bool is_cot_of_degrees(double x)
+{
+	const double size = fabs(x);
+
+	for (int k = 4; k <= 179 && size > 0; k++)
+		if (fabs(size * fabs(tan(k * 0.5)) - 1) <= 0x1p-20)
+			return true;
+	return false;
+}
+
+static bool has_matrix_of_radians(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
+	const double aspect = s->has_viewport ? s->viewport.width / s->viewport.height :
+						1;
+
+	if (p->type != PROJECTION_MATRIX)
+		return false;
+	for (int i = 0; i < 2; i++)
+		if (is_cot_of_degrees(p->matrix[i][i]) ||
+		    is_cot_of_degrees(p->matrix[i][i] * aspect))
+			return true;
+	return false;
+}
+
+/* Returns whether an aspect is given that differs from the viewport's by more than 1 %. */
+static bool has_other_aspect(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
+	const struct viewport *v = &s->viewport;
+
+	if (!s->has_viewport || v->scale != SCALE_FILL || p->aspect[1] == 0)
+		return false;
+	const double share = p->aspect[0] / p->aspect[1] * v->height / v->width;
+
+	return share > 1.01 || share < 0.99;
+}
+
+/* Returns whether the intrinsics fx, fy, cx, cy are f, cx, cy, k of COLMAP's model
+ * SIMPLE_RADIAL: k is below 1, and cx and cy are within a tenth of half the width and
+ * height from the middle. */
+static bool has_colmap_order(const struct projection *p)
+{
+	const double(*k)[4] = p->section.intrinsics;
+	const double half[2] = { p->section.width / 2, p->section.height / 2 };
+
+	return projection_has_intrinsics(p) && k[0][1] == 0 && fabs(k[1][2]) < 1 &&
+	    fabs(k[1][1] - half[0]) <= 0.1 * half[0] &&
+	    fabs(k[0][2] - half[1]) <= 0.1 * half[1];
+}
+
+bool note_is_central(double c, double size)
+{
+	return 0.01 * size < c && c < 0.99 * size;
+}
+
+unsigned note_of_members(const struct scene *s, const struct written *w)
+{
+	return (unsigned)(!w->convention && has_guessed_axes(s)) << NOTE_VIEW_AXES |
+	    (unsigned)(!w->convention && has_up_z(s)) << NOTE_UP_Z |
+	    (unsigned)(!w->angle_unit && has_radians(s)) << NOTE_RADIANS |
+	    (unsigned)has_matrix_of_radians(s) << NOTE_MATRIX_RADIANS |
+	    (unsigned)(!w->scale && has_other_aspect(s)) << NOTE_ASPECT |
+	    (unsigned)has_colmap_order(&s->projection) << NOTE_COLMAP;
+}
+
+/* Returns whether a matrix is upright, shows no mirror image, and has its gaze and its
+ * planes as the convention does. */
+static bool is_plain_matrix(const struct scene *s)
+{
+	const struct convention *c = &s->convention;
+	const double(*m)[4] = s->projection.matrix;
+	const double back = convention_looks_back(c) ? -1 : 1;
+	const double y = c->ndc_y_down != c->view_y_down ? -m[1][1] : m[1][1];
+	const double low = c->depth_minus_one ? -1 : 0;
+	const double grows = m[2][2] * back, w = m[2][3] * back;
+
+	if (m[0][1] != 0 || m[0][2] != 0 || m[0][3] != 0 || m[1][0] != 0 ||
+	    m[1][2] != 0 || m[1][3] != 0 || !(m[0][0] > 0) || !(y > 0))
+		return false;
+	if (w == 0)
+		return m[3][3] > 0 && grows > 0;
+	/* depth z is at the distance m[3][2] / (z w - grows) */
+	return w > 0 && m[3][3] == 0 && fabs(fabs(m[3][2]) - 1) > 0x1p-20 &&
+	    (m[3][2] < 0 ? low * w < grows && w <= grows :
+			   low * w >= grows && w > grows);
+}
+
+bool note_is_plain(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
+	const struct projection_section *c = &p->section;
+	const bool ordered = p->near <= p->far &&
+	    (c->way != SECTION_EDGES || (c->left < c->right && c->bottom < c->top));
+
+	switch (projection_family(p)) {
+	case FAMILY_PERSP:
+		return ordered &&
+		    (c->way != SECTION_INTRINSICS ||
+			(!projection_is_tilted(p) && c->intrinsics[0][0] > 0 &&
+			    c->intrinsics[1][1] > 0 &&
+			    note_is_central(c->intrinsics[0][2], c->width) &&
+			    note_is_central(c->intrinsics[1][2], c->height)));
+	case FAMILY_PARALLEL:
+		return ordered;
+	case FAMILY_VOLUME:
+		return !s->has_camera;
+	case FAMILY_FIXED:
+		break;
+	}
+	return p->type == PROJECTION_NONE || is_plain_matrix(s);
+}

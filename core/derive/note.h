@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT */
+/* Notes: what was guessed of a scene, as it does not say it, and what looks like a slip.
+ * Nothing here changes a number. The rules read the members alone, as doubles; only where
+ * these leave open how the picture looks is the picture computed. Each rule is chosen so
+ * that a scene that is right gets no note. */
+#pragma once
+
+#include "../scene/scene.h"
+
+enum note {
+	NOTE_MIRRORED,     /* the picture is a mirror image */
+	NOTE_OTHER_HANDED, /* the projection's handedness is not the scene's */
+	NOTE_LOOKS_AWAY,   /* the projection looks against the camera's gaze */
+	NOTE_TRANSPOSED,   /* the projection's matrix looks transposed */
+	NOTE_NEAR_BEYOND,  /* the near plane is farther than the far plane */
+	NOTE_DEPTH_FALLS,  /* depth decreases along the convention's gaze */
+	NOTE_RADIANS,      /* an angle in degrees may be in radians */
+	NOTE_OFF_CENTER, /* the principal point is at the viewport's edge or outside */
+	NOTE_VIEW_AXES,  /* a rotation to view axes that no convention names */
+	NOTE_UP_Z,       /* z is up, and no convention names the handedness */
+	NOTE_BEHIND,     /* all points are behind an eye that may look along -z */
+	NOTE_MATRIX_RADIANS, /* a matrix of an angle whose degrees were radians */
+	NOTE_ASPECT,         /* the aspect is not that of the viewport */
+	NOTE_COLMAP,         /* the intrinsics are COLMAP's f, cx, cy, k */
+	NOTE_NO_PROJECTION,  /* points are not projected, as nothing says how */
+	NOTE_COMMENT,        /* a comment may name the columns of csv */
+	NOTES_SAID, /* the notes above are said; those below describe a picture */
+	/* with each of the following notes there is no second scene */
+	NOTE_NO_ROTATION = NOTES_SAID, /* the camera's matrix is not a rotation */
+	NOTE_TILTED,                   /* near and far are not parallel to the image */
+	NOTE_MINUS_W,       /* w is negative between the near and far planes */
+	NOTE_NO_INTRINSICS, /* it would need intrinsics, but cannot have them */
+	NOTE_OUT_OF_RANGE,  /* numbers of the second scene are out of range */
+	NOTES,
+};
+
+/* What a document or the command line writes itself, so that it is no guess. */
+struct written {
+	bool convention, angle_unit, scale;
+};
+
+/* Returns, as bits 1 << enum note, the notes on the members of a scene, all but
+ * NOTE_BEHIND, NOTE_NO_PROJECTION and NOTE_COMMENT, which depend on more. */
+unsigned note_of_members(const struct scene *, const struct written *);
+
+/* Returns whether the members alone show that the picture has no note from NOTE_MIRRORED
+ * to NOTE_OFF_CENTER but NOTE_RADIANS. If not, picture_notes of picture.h finds out. */
+bool note_is_plain(const struct scene *);
+
+/* Returns whether the coordinate c of a principal point is between 1 % and 99 % of the
+ * viewport's size. */
+bool note_is_central(double c, double size);
