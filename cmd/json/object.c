@@ -96,29 +96,25 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Refuses v, a member that the table lacks, unless any document may have it. The remedy
- * is the first of these: the member that has v->name as an alias; a remark of word_hint;
+/* Offers what v, a member that the table lacks, may mean, the first of these: the member that has v->name as an alias; a remark of word_hint;
  * other objects of the scene that have a member v->name or else an alias v->name; the
  * scene, which has a member v->name; a near name in the table; all of its names. */
-static void check_unknown(const struct value *v, const struct member *table,
-    int variant)
+static void offer_members(const struct value *v, const struct member *table,
+    int variant, struct word_guess *g)
 {
 	const struct member *row = member_named(table, variant, v->name, true);
 	const struct member *scene = v->source->scene_members;
 	const struct member *of_scene = member_named(scene, 0, v->name, false);
 	const char *names[MEMBERS_MAX + 1];
 	const char *hint = word_hint(v->name, WORD_MEMBER, ':');
-	struct word_guess g = { .word = v->name };
 	char list[LIST_ROOM];
 	int n = 0;
 
-	if (of_scene != NULL && of_scene->in_any_document && v->parent->parent == NULL)
-		return;
 	if (row != NULL)
-		word_offer(&g, WORD_KNOWN, "did you mean \"%s\"%s?", row->name,
+		word_offer(g, WORD_KNOWN, "did you mean \"%s\"%s?", row->name,
 		    row->hint != NULL ? row->hint : "");
 	if (hint != NULL)
-		word_offer(&g, WORD_KNOWN, "%s", hint + 2);
+		word_offer(g, WORD_KNOWN, "%s", hint + 2);
 	for (int alias = 0; alias < 2 && n == 0; alias++)
 		for (const struct member *s = scene; s->name != NULL; s++)
 			if (s->members != table &&
@@ -127,15 +123,116 @@ static void check_unknown(const struct value *v, const struct member *table,
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
-		word_offer(&g, WORD_KNOWN, "it belongs in %s",
+		word_offer(g, WORD_KNOWN, "it belongs in %s",
 		    words_join(list, names, " or ", "\""));
 	if (v->parent->parent != NULL && of_scene != NULL)
-		word_offer(&g, WORD_KNOWN, "it stands beside \"%s\"", v->parent->name);
+		word_offer(g, WORD_KNOWN, "it stands beside \"%s\"", v->parent->name);
 	list_names(table, variant, ALL_MEMBERS, names);
-	word_offer_list(&g, names, "did you mean \"%s\"?");
-	word_offer(&g, WORD_ELSE, "there are %s",
+	word_offer_list(g, names, "did you mean \"%s\"?");
+	word_offer(g, WORD_ELSE, "there are %s",
 	    words_join(list, names, " and ", "\""));
-	value_refuse(v, "unknown member; %s", g.remedy);
+}
+
+/* Returns the row of a member v or, if v is unknown, NULL. Ignores $schema, names that
+ * begin with _ and, in the outermost object, members that any document may have: then
+ * sets *ignored. */
+static const struct member *find_row(const struct value *v, const struct member *table,
+    int variant, bool *ignored)
+{
+	const struct member *row = member_named(table, variant, v->name, false);
+
+	*ignored = *v->name == '_' || strcmp(v->name, "$schema") == 0;
+	if (row != NULL || v->parent->parent != NULL)
+		return row;
+	const struct member *of_scene = member_named(v->source->scene_members, 0,
+	    v->name, false);
+
+	*ignored |= of_scene != NULL && of_scene->in_any_document;
+	return NULL;
+}
+
+/* The unknown members of a document: told so far, and all; 0: they are counted now. */
+struct unknown {
+	const struct cJSON *found; /* the one that was found; NULL: it was met */
+	size_t told, all;
+};
+
+enum { UNKNOWN_TOLD_MAX = 10 };
+
+/* Counts the unknown member v, or tells what it may mean, ten times at most. */
+static void tell_unknown(const struct value *v, const struct member *table, int variant,
+    struct unknown *u)
+{
+	struct word_guess g = { .word = v->name };
+
+	if (u->found == v->item)
+		u->found = NULL;
+	if (u->told++ >= UNKNOWN_TOLD_MAX || u->all == 0)
+		return;
+	offer_members(v, table, variant, &g);
+	if (u->told == u->all)
+		value_refuse(v, "unknown member; %s", g.remedy);
+	value_say(v, "unknown member; %s", g.remedy);
+}
+
+/* Returns the variant of the object v by the table's first row. */
+static int find_variant(const struct value *v, const struct member *table)
+{
+	struct value type;
+	const char *word;
+
+	if (table->words == NULL || !value_member(v, table->name, &type) ||
+	    (word = value_string(&type)) == NULL)
+		return (int)v->source->implied_type - 1;
+	for (int i = 0; table->words[i] != NULL; i++)
+		if (strcmp(table->words[i], word) == 0)
+			return i;
+	return ANY_VARIANT;
+}
+
+/* Calls tell_unknown for the unknown members of v, of objects in it, and of those in
+ * arrays. The row is that of v, or of the array around it. */
+static void walk_unknown(const struct value *v, const struct member *row,
+    struct unknown *u)
+{
+	const bool object = value_is(v, JSON_OBJECT);
+	bool ignored;
+
+	if (row == NULL || row->members == NULL ||
+	    (!object && !value_is(v, JSON_ARRAY)))
+		return;
+	const int variant = object ? find_variant(v, row->members) : 0;
+
+	for (struct value m = value_child(v); m.item != NULL; value_next(&m)) {
+		const struct member *known = object ?
+		    find_row(&m, row->members, variant, &ignored) :
+		    row;
+
+		if (known != NULL)
+			walk_unknown(&m, known, u);
+		else if (!ignored)
+			tell_unknown(&m, row->members, variant, u);
+	}
+}
+
+/* Refuses the document of v, a member that `table` lacks: tells all unknown members. The
+ * walk from the document's row does not meet members of a matrix and the like. */
+static _Noreturn void refuse_unknown(const struct value *v, const struct member *table,
+    int variant)
+{
+	struct unknown u = { v->item, 0, 0 };
+	const struct value *root = v;
+
+	while (root->parent != NULL)
+		root = root->parent;
+	walk_unknown(root, root->source->row, &u);
+	const bool apart = u.found != NULL;
+
+	u = (struct unknown){ NULL, 0, u.told + apart };
+	if (apart)
+		tell_unknown(v, table, variant, &u);
+	walk_unknown(root, root->source->row, &u);
+	value_refuse(root, "%zu unknown members", u.all);
 }
 
 static void read_default(const struct member *row, void *to)
@@ -303,13 +400,13 @@ struct found object_read(const struct value *v, const struct member *row, int va
 	struct value m = value_child(v), first;
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *known = member_named(table, variant, m.name,
-		    false);
+		bool ignored;
+		const struct member *known = find_row(&m, table, variant, &ignored);
 
 		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;
-		if (known == NULL)
-			check_unknown(&m, table, variant);
+		if (known == NULL && !ignored)
+			refuse_unknown(&m, table, variant);
 		value_member(v, m.name, &first);
 		if (first.item != m.item)
 			value_refuse(&m, "repeated; give it once");

@@ -235,17 +235,36 @@ static char *write_pointer(const struct value *v, char *out)
 	return out;
 }
 
+enum { POINTER_ROOM = JSON_LEVELS_MAX * TOKEN_MAX + 1 };
+
+/* Returns the place of v, whose pointer it writes. */
+static struct place value_place(const struct value *v, char pointer[POINTER_ROOM])
+{
+	*write_pointer(v, pointer) = '\0';
+	return json_source_place(v->source, pointer);
+}
+
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char pointer[JSON_LEVELS_MAX * TOKEN_MAX + 1];
+	char pointer[POINTER_ROOM];
+	const struct place place = value_place(v, pointer);
 	va_list args;
-
-	*write_pointer(v, pointer) = '\0';
-	const struct place place = json_source_place(v->source, pointer);
 
 	va_start(args, format);
 	vdie_at(EXIT_INPUT, &place, format, args);
 	va_end(args);
+}
+
+void value_say(const struct value *v, const char *format, ...)
+{
+	char pointer[POINTER_ROOM], text[REMEDY_ROOM + 64];
+	const struct place place = value_place(v, pointer);
+	va_list args;
+
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	say_at(EXIT_INPUT, &place, "%s", text);
 }
 
 void value_refuse_type(const struct value *v, const char *wanted)

@@ -31,6 +31,7 @@ struct json_source {
 	bool is_operand;              /* is POINTS, which --keep-going never skips */
 	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	const struct member *scene_members; /* for hints in messages */
+	const struct member *row;           /* of the document: a scene or one object */
 };
 
 /* The types of values; cJSON writes a type as 1 << an enum json_type. */
@@ -111,6 +112,10 @@ struct place json_source_place(const struct json_source *, const char *pointer);
 /* Prints "projcalc: NAME: /pointer: ..." and exits with 1 or, by --keep-going, goes on
  * with the next document of --scenes. */
 _Noreturn void value_refuse(const struct value *, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Prints what value_refuse prints, and returns: the value is not the last to refuse. */
+void value_say(const struct value *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Refuses a value of the wrong type: "is a string; a number is wanted". */

@@ -80,8 +80,9 @@ static size_t write_points(const struct value *v, const struct span *array,
 
 /* Sets m[i] to the member with bit i, and returns the members of the document as bits.
  * If it has none, or only angle_unit, the document itself is w->lone_member. */
-static unsigned find_members(struct document *d, const struct value *root,
-    const struct document_wants *w, struct value m[SCENE_MEMBERS])
+static unsigned find_members(struct document *d, struct json_source *source,
+    const struct value *root, const struct document_wants *w,
+    struct value m[SCENE_MEMBERS])
 {
 	unsigned seen = 0;
 
@@ -97,6 +98,7 @@ static unsigned find_members(struct document *d, const struct value *root,
 	const int lone = __builtin_ctz(w->lone_member);
 
 	d->lone_member = scene_members[lone].name;
+	source->row = &scene_members[lone];
 	m[lone] = *root;
 	return seen | w->lone_member;
 }
@@ -201,13 +203,14 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 
 	source.name = name;
 	source.scene_members = scene_members;
+	source.row = &scene_row;
 	struct value root = value_parse_document(&source, "/points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
 	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
 	*d = (struct document){ .source = source };
-	unsigned seen = find_members(d, &root, wants, m);
+	unsigned seen = find_members(d, &source, &root, wants, m);
 
 	refuse_flat(&root, wants, seen);
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat_members) != 0;
