@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <stdio.h>
+#include <string.h>
 
 #include "header.h"
 #include "line.h"
@@ -151,7 +152,11 @@ void line_read(struct layout *l, struct span text, enum next_part *first,
 
 	if (s == text.end)
 		return;
-	if (first_line && (!json || *s == '#') &&
+	if (memchr(s, '\0', (size_t)(text.end - s)) != NULL) {
+		line->kind = LINE_LOST;
+		strcpy(reason,
+		    "is binary; if it is numbers alone, say -i f64 or -i f32");
+	} else if (first_line && (!json || *s == '#') &&
 	    format_has_only_cr(l->in, text, reason)) {
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_is_comment(l, text, first_line)) {

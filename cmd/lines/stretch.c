@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "stretch.h"
 
+#include <string.h>
+
 struct byte_set stretch_stops(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -32,6 +34,11 @@ bool stretch_open(struct stretch *s, const struct byte_set *stops, const char *t
 
 	if (size > STRETCH_MAX)
 		size = STRETCH_MAX;
+	/* a line with a NUL is wrong wherever it stands, and line_read says so */
+	const char *nul = memchr(text, '\0', size);
+
+	if (nul != NULL)
+		size = (size_t)(nul - text);
 	n = number_loops()->find(stops, text, size, s->stop);
 	while (n > 0 && text[s->stop[n - 1]] != '\n')
 		n--;

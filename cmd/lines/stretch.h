@@ -20,6 +20,7 @@ struct stretch {
 
 struct byte_set stretch_stops(struct dialect);
 
-/* Begins a stretch at text and makes its index. Returns false if it has no newline. */
+/* Begins a stretch at text and makes its index. Returns false if it has no
+ * newline before a NUL. */
 bool stretch_open(struct stretch *, const struct byte_set *stops, const char *text,
     const char *end);

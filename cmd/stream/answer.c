@@ -16,7 +16,12 @@ static struct {
 	bool bad_scene;   /* a scene was refused */
 	size_t imageless; /* points without image */
 	struct place first_imageless;
+	char *held; /* output before a first row that is not judged yet */
+	size_t held_size;
 } answer;
+
+/* The most bytes of held output, as many as a line of points may have. */
+enum { HELD_MAX = 1 << 26 };
 
 static struct {
 	bool on, asked;               /* see answer_start_progress */
@@ -52,6 +57,7 @@ void answer_begin_source(const struct job *j, const struct point_source *s)
 		.line = 1,
 		.scene = message_state.scene,
 		.of_points = format_is_binary(j->layout.in.format) };
+	answer.held_size = 0;
 	progress.bytes = 0;
 	progress.size = s->size;
 }
@@ -109,14 +115,30 @@ void answer_refused_scene(enum format out)
 	output_write("null\n", 5);
 }
 
+/* Prints the output of a chunk. Holds what stands before the first row until that row has
+ * been judged, as what is printed must not depend on how input arrives: if the row is
+ * refused, nothing of the source is printed. More than HELD_MAX bytes are not held. */
 static void print_chunk(const struct job *j, const struct chunk *c)
 {
-	if (c->size == 0)
+	const bool waits = c->first != FIRST_NONE && c->piece.state < PIECE_LAST &&
+	    answer.held_size < HELD_MAX;
+	const char *s = c->out;
+	size_t n = c->size;
+
+	if (waits || answer.held_size > 0) {
+		answer.held = xrealloc(answer.held, answer.held_size + n);
+		memcpy(answer.held + answer.held_size, s, n);
+		answer.held_size += n;
+		s = answer.held;
+		n = answer.held_size;
+	}
+	if (waits || n == 0)
 		return;
 	end_line();
 	answer.lacks_newline = !format_is_binary(j->layout.out.format) &&
-	    c->out[c->size - 1] != '\n';
-	output_write(c->out, c->size);
+	    s[n - 1] != '\n';
+	output_write(s, n);
+	answer.held_size = 0;
 }
 
 static struct place line_place(const struct chunk *c, size_t line)

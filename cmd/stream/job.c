@@ -200,16 +200,13 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	if (binary ? k < 2 && n >= 8 && (s[3 - k] | s[5 - k] | s[7 - k]) == 0 :
 		     k < count)
 		strcpy(reason, others[k][1]);
-	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
+	else if (n >= NPY_HEADER && memcmp(s, NPY_MAGIC, 6) == 0)
 		/* the header's size has two bytes in version 1, later four */
 		snprintf(reason, sizeof reason,
 		    "is a .npy file of NumPy; tail -c +%d leaves its numbers: "
 		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "
 		    "False",
 		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
-	else if (!binary && memchr(s, '\0', n < 64 ? n : 64) != NULL)
-		strcpy(reason,
-		    "is binary; if it is numbers alone, say -i f64 or -i f32");
 	else
 		return;
 	c->refused = true;

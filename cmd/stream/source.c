@@ -86,6 +86,15 @@ static void update_sizes(struct piece *p, const struct layout *l, size_t n)
 	p->size = end;
 }
 
+/* Returns whether a source of the bytes of p may go on as a .npy file, whose first
+ * NPY_HEADER bytes tell its header's size. A newline can be one of them; the beginnings
+ * of other foreign formats end before or with the first newline. */
+static bool may_be_npy(const struct piece *p)
+{
+	return p->size < NPY_HEADER &&
+	    memcmp(p->text, NPY_MAGIC, p->size < 6 ? p->size : 6) == 0;
+}
+
 /* Reads until the source ends, or p has a whole line and is full or would wait. */
 static enum piece_state fill_piece(struct point_source *s, const struct layout *l,
     struct piece *p)
@@ -108,7 +117,8 @@ static enum piece_state fill_piece(struct point_source *s, const struct layout *
 			return PIECE_LAST;
 		}
 		update_sizes(p, l, (size_t)n);
-		if (p->whole_size > 0 && p->size < full && would_wait(s))
+		if (p->whole_size > 0 && p->size < full &&
+		    !(s->bytes_read == 0 && may_be_npy(p)) && would_wait(s))
 			return PIECE_EARLY;
 	}
 	return PIECE_FULL;

@@ -16,6 +16,10 @@ enum { PIPE_ROOM = 2 * PIECE_ROOM };
  * JSON document they may also write them: a newline after a point at the very end. */
 enum { PIECE_MARGIN = LINE_MARGIN };
 
+/* A .npy file of NumPy begins with these six bytes; twelve tell its header's size. */
+#define NPY_MAGIC "\x93NUMPY"
+enum { NPY_HEADER = 12 };
+
 /* EARLY: not full, as the next read would wait. LAST: the source ends with this piece, as
  * it does after the errors TOO_LONG, a line of more than 64 MiB, and FAILED, of a read. */
 enum piece_state { PIECE_FULL, PIECE_EARLY, PIECE_LAST, PIECE_TOO_LONG, PIECE_FAILED };

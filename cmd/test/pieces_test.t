@@ -6,6 +6,8 @@ use strict;
 use warnings;
 use FindBin;
 use lib $FindBin::Bin;
+use IO::Handle;
+use IPC::Open2;
 use Projcalc;
 
 $ENV{PATH} = "$build:$ENV{PATH}";
@@ -89,6 +91,71 @@ for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
 	same('-i f64 -o text', 'as text', 2);
 	spew("$tmp/in", pack 'f<*', map { @$_ } @some);
 	same('-i f32', "$n points of floats", 1, 2, 5);
+}
+
+# Writes the parts of a text to a pipe, each when the program has read those before.
+# Returns status, output and messages.
+sub dripped {
+	my ($args, @parts) = @_;
+	open my $to, '|-', "projcalc project --keep-going $args scene.json - " .
+	    ">$tmp/out 2>$tmp/said" or die;
+	$to->autoflush;
+	for my $i (0 .. $#parts) {
+		select undef, undef, undef, 0.004 if $i > 0;
+		syswrite $to, $parts[$i];
+	}
+	close $to;
+	return ($? >> 8, slurp("$tmp/out"), slurp("$tmp/said"));
+}
+
+# What is printed does not depend on how input arrives: each text whole, cut into two at
+# each byte or before each line, and a line at a time.
+my $npy = "\x93NUMPY\1\0v\0{'descr': '<f8'}\n";
+my $at_once = "\x93NUMPY\1\0\n\0{'descr': '<f8'}\n";
+for (['-i csv', "x,y,z\n1,2,3,4\n"], ['-i csv', "# a\nx,y,z\n\n1,2,3\n"],
+    ['-i csv', "#x,y\n# a\n1,2,3\n4,5\n"], ['-i csv', "# a,b,c\n1,2,3\n"],
+    ['-i csv', "id,x,y,z\n7,1,2,3\n"], ['', "# id x y z\n7 1 2 3\n"],
+    ['', "\n# a\n"], ['', "1 2 3\n# a\0\n4 5 6\0\n7 8 9\n"],
+    ['-i json', "# a\n\n[1,2,3]\n{}\n"], ['', $npy], ['', $at_once],
+    ['', "\x93NUM\n1 2 3\n"], ['', "PK\n1 2 3\n"],
+    ['-i csv', "\xef\xbb\xbfx,y,z\n1,2,3\n"], ['', "OFF\n1 2 3\n"]) {
+	my ($args, $text) = @$_;
+	my @want = dripped($args, $text);
+	my $bad = '';
+	my @lines = $text =~ /.*\n/g;
+	my @cuts = map { [substr($text, 0, $_), substr($text, $_)] }
+	    1 .. length($text) - 1;
+	for my $parts (@cuts, \@lines) {
+		my @got = dripped($args, @$parts);
+		$bad .= ' ' . length $parts->[0] if "@got" ne "@want";
+	}
+	is($bad, '', "$args: arrives in parts: " . substr $lines[0], 0, -1);
+}
+
+# 100,000 bytes of comments before a header that does not fit its row: nothing is printed.
+my $comments = "# a comment\n" x 9000;
+my @refused = dripped('-i csv', $comments . "x,y,z\n", "1,2,3,4\n");
+is("@refused[0, 1]", '1 ', 'comments above a header that is refused');
+is((dripped('', $comments, "1 2 x\n"))[1], "${comments}nan nan x\n",
+    'comments above a bad row');
+
+# A complete line is answered before the next one arrives.
+{
+	my $pid = open2(my $from, my $to,
+	    'projcalc project -i csv scene.json -');
+	syswrite $to, "# a\nx,y,z\n";
+	my $bits = '';
+	vec($bits, fileno $from, 1) = 1;
+	is(select(my $is = $bits, undef, undef, 0.05), 0, 'no row, no header');
+	for my $i (1 .. 3) {
+		syswrite $to, "0,0,$i\n";
+		is(select($is = $bits, undef, undef, 20), 1, "row $i");
+		sysread $from, my $line, 1000;
+		like($line, $i == 1 ? qr/\A# a\nx,y,z\n320,240,/ :
+		    qr/\A320,240,/, 'is answered at once');
+	}
+	close $to;
+	waitpid $pid, 0;
 }
 
 # The offset of a file before and after it is read.
