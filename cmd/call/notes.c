@@ -16,18 +16,22 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_OTHER_HANDED] = { "/projection",
 	    "the projection is of the other handedness: it looks against the "
 	    "convention's gaze, and mirrors; try the \"convention\" that it is "
-	    "from, or negate the third row, of column vectors the third column" },
+	    "from, or negate the third row, of column vectors the third "
+	    "column" },
 	[NOTE_LOOKS_AWAY] = { "/projection",
 	    "the projection looks away: w grows against the convention's gaze, "
-	    "and the picture is of what is behind the camera; turn the camera, or "
+	    "and the picture is of what is behind the camera; turn the camera, "
+	    "or "
 	    "negate the first and third rows, of column vectors the first and "
 	    "third columns" },
 	[NOTE_TRANSPOSED] = { "/projection",
-	    "the projection's matrix is transposed in all likelihood, as its last "
+	    "the projection's matrix is transposed in all likelihood, as its "
+	    "last "
 	    "row and its last column have changed places; transpose it, or try "
 	    "another \"vectors\" in \"convention\"" },
 	[NOTE_NEAR_BEYOND] = { "/projection",
-	    "near is beyond far: the eye or the gaze is on the other side; swap "
+	    "near is beyond far: the eye or the gaze is on the other side; "
+	    "swap "
 	    "them, or for reversed depth say \"reverse_z\": true" },
 	[NOTE_DEPTH_FALLS] = { "/projection",
 	    "depth falls along the convention's gaze: it is reversed, or the "
@@ -68,25 +72,33 @@ const struct note_row note_rows[NOTES] = {
 	    "there is none, so that points of view space are printed as "
 	    "ndc; add one, or say --to view or --to world" },
 	[NOTE_NO_ROTATION] = { "",
-	    "scene is null, as the camera's matrix is not a rotation to 2^-20: it "
+	    "scene is null, as the camera's matrix is not a rotation to 2^-20: "
+	    "it "
 	    "scales, shears or mirrors; take the scale out of it, try "
-	    "\"orthonormalize\": true where the determinant is positive, or the "
+	    "\"orthonormalize\": true where the determinant is positive, or "
+	    "the "
 	    "\"convention\" that the matrix is from where it is negative" },
 	[NOTE_TILTED] = { "",
 	    "near, far and scene are null, as the planes of equal depth are "
-	    "tilted against the picture by more than 2^-40; give the matrix with "
-	    "all 17 digits, not as floats, and if it is a product, check that its "
+	    "tilted against the picture by more than 2^-40; give the matrix "
+	    "with "
+	    "all 17 digits, not as floats, and if it is a product, check that "
+	    "its "
 	    "factors stand in the order for its \"vectors\"" },
 	[NOTE_MINUS_W] = { "",
-	    "scene is null, as w is negative between near and far; negate every "
+	    "scene is null, as w is negative between near and far; negate "
+	    "every "
 	    "element of the matrix" },
 	[NOTE_NO_INTRINSICS] = { "",
-	    "scene is null, as x depends on y or there are no near and far planes: "
+	    "scene is null, as x depends on y or there are no near and far "
+	    "planes: "
 	    "only \"intrinsics\" can say that, of a perspective that does not "
-	    "mirror and fills the viewport; add a viewport, or give near and far, "
+	    "mirror and fills the viewport; add a viewport, or give near and "
+	    "far, "
 	    "or a matrix with all 17 digits" },
 	[NOTE_OUT_OF_RANGE] = { "",
-	    "scene is null, as a plane lies behind the eye or a number is out of "
+	    "scene is null, as a plane lies behind the eye or a number is out "
+	    "of "
 	    "range; look at near, far and eye" },
 };
 
@@ -116,6 +128,7 @@ void notes_say_of_spaces(const struct document *d, enum space from, enum space t
 	struct document used = *d;
 	struct scene *s = &used.scene;
 
+	s->has_world = s->has_world && least == SPACE_MODEL && most > SPACE_MODEL;
 	if (least > SPACE_WORLD || most <= SPACE_WORLD)
 		s->has_camera = false;
 	if (least > SPACE_VIEW || most <= SPACE_VIEW)

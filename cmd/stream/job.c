@@ -187,7 +187,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
 	};
 	const unsigned char *s = (const unsigned char *)c->text;
-	const size_t n = (size_t)(c->end - c->text);
+	const size_t n = c->piece.size; /* also after the last whole line */
 	const bool binary = format_is_binary(j->layout.in.format);
 	const size_t count = sizeof others / sizeof *others;
 	char reason[REASON_MAX];

@@ -40,7 +40,6 @@ static bool is_radians(double x)
 {
 	double size = fabs(x), unit = 1000; /* four digits of 1 to 10 */
 	double k = rint(size * (360 / PI));
-	int digits = 4;
 
 	if (!(k >= 1 && k <= 720))
 		return false;
@@ -48,10 +47,8 @@ static bool is_radians(double x)
 		unit *= 10;
 	if (rint(size * unit) / unit == size)
 		return false;
-	while (digits < 15 && rint(size * unit) / unit != size) {
+	for (int n = 4; n < 15 && rint(size * unit) / unit != size; n++)
 		unit *= 10;
-		digits++;
-	}
 	return fabs(size - k * (PI / 360)) <=
 	    0.5 / unit * (1 + 0x1p-20) + 0x1p-51 * size;
 }
@@ -63,15 +60,26 @@ static bool is_view_in_radians(double x)
 	return x >= 0.2 && x <= 3.2 && rint(x * 100) / 100 != x;
 }
 
+/* Returns whether a list of steps, if there is one, has an angle as of radians. */
+static bool steps_have_radians(const struct steps *l)
+{
+	for (int i = 0; l->step != NULL && i < l->n; i++)
+		if (l->unit == ANGLE_DEGREES && l->step[i].kind >= STEP_ROTATE_X &&
+		    l->step[i].kind <= STEP_ROTATE && is_radians(l->step[i].angle))
+			return true;
+	return false;
+}
+
 static bool has_radians(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
 	const struct projection_section *c = &p->section;
-	bool found = false;
+	bool found = (s->has_world && steps_have_radians(&s->world_steps)) ||
+	    (s->has_camera && steps_have_radians(&s->camera.steps));
 
 	if (s->has_camera && s->camera.unit == ANGLE_DEGREES &&
 	    s->camera.way <= CAMERA_RVEC_TRANSLATION)
-		found = is_radians(s->camera.roll);
+		found |= is_radians(s->camera.roll);
 	if (p->unit != ANGLE_DEGREES)
 		return found;
 	switch (projection_family(p)) {
@@ -99,17 +107,27 @@ static bool has_radians(const struct scene *s)
 	return found;
 }
 
-/* Returns whether |x| is within a relative 2^-20 of |cot(k / 2)|, k whole from 4 to 179.
- * As an angle, x is 2 atan(1 / |x|) + 2 pi n or its negative: k is the angle of one turn
- * n that is whole to the same share of x. 2^-20 is coarser than a float's digits. The
- * cotangents of whole degrees differ from all of these by more (note_test). */
-static bool is_cot_of_degrees(double x)
+/* Returns whether |x| or |y| is within a relative 2^-20 of |cot(k / 2)|, k whole from 4 to
+ * 179, k / 2 in radians. The cosine c and sine s of k / 2 come from those of k / 2 - 1/2
+ * by the sine and cosine of 1/2. Each step adds less than 2^-51 to their errors, and no
+ * |c| is below 2^-8, so that cot has a relative error below 2^-35. 2^-20 is coarser than
+ * a float's digits, and the cotangents of half of whole and half degrees differ by more
+ * (note_test). */
+static bool is_cot_of_degrees(double x, double y)
 {
-	const double size = fabs(x);
+	const double cos_half = 0.87758256189037271612,
+		     sin_half = 0.47942553860420300027;
+	double c = -0.41614683654714238700, s = 0.90929742682568169540;
 
-	for (int k = 4; k <= 179 && size > 0; k++)
-		if (fabs(size * fabs(tan(k * 0.5)) - 1) <= 0x1p-20)
+	for (int k = 4; k <= 179; k++) {
+		const double next = c * cos_half - s * sin_half;
+
+		if (fabs(fabs(x * s) - fabs(c)) <= 0x1p-20 * fabs(c) ||
+		    fabs(fabs(y * s) - fabs(c)) <= 0x1p-20 * fabs(c))
 			return true;
+		s = s * cos_half + c * sin_half;
+		c = next;
+	}
 	return false;
 }
 
@@ -118,14 +136,11 @@ static bool has_matrix_of_radians(const struct scene *s)
 	const struct projection *p = &s->projection;
 	const double aspect = s->has_viewport ? s->viewport.width / s->viewport.height :
 						1;
+	const double xs = p->matrix[0][0], ys = p->matrix[1][1];
 
-	if (p->type != PROJECTION_MATRIX)
-		return false;
-	for (int i = 0; i < 2; i++)
-		if (is_cot_of_degrees(p->matrix[i][i]) ||
-		    is_cot_of_degrees(p->matrix[i][i] * aspect))
-			return true;
-	return false;
+	return p->type == PROJECTION_MATRIX &&
+	    (is_cot_of_degrees(xs, ys) ||
+		(aspect != 1 && is_cot_of_degrees(xs * aspect, ys * aspect)));
 }
 
 /* Returns whether an aspect is given that differs from the viewport's by more than 1 %. */
@@ -169,8 +184,47 @@ unsigned note_of_members(const struct scene *s, const struct written *w)
 	    (unsigned)has_colmap_order(&s->projection) << NOTE_COLMAP;
 }
 
-/* Returns whether a matrix is upright, shows no mirror image, and has its gaze and its
- * planes as the convention does. */
+/* A transposed perspective matrix has the gaze, a unit vector, in its last row and the
+ * image of the origin in its last column. A transposed parallel projection has the last
+ * row 0 0 0 1. */
+bool note_seems_transposed(const double m[4][4])
+{
+	double row = 0, column = 0; /* squares of lengths */
+
+	for (int i = 0; i < 3; i++) {
+		row += m[3][i] * m[3][i];
+		column += m[i][3] * m[i][3];
+	}
+	bool unit = fabs(row - 1) < 0x1p-20 && fabs(column - 1) > 0x1p-20;
+
+	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
+}
+
+/* Returns whether a matrix that is not upright in view axes shows no mirror image: right,
+ * up and gaze, the gradients of x, y and w (if w is constant, of z), have the convention's
+ * handedness. A determinant in doubles has an error below 2^-48 of the lengths' product,
+ * and 2^-30 decides. */
+static bool is_plain_product(const struct convention *c, const double m[4][4], int gaze)
+{
+	double length = 1, det = 0;
+
+	for (int i = 0; i < 3; i++) {
+		const double *a = m[i], *b = m[(i + 1) % 3], *d = m[(i + 2) % 3];
+
+		det += a[0] * (b[1] * d[gaze] - b[gaze] * d[1]);
+	}
+	for (int j = 0; j < 3; j++) {
+		const int k = j < 2 ? j : gaze;
+
+		length *= hypot(hypot(m[0][k], m[1][k]), m[2][k]);
+	}
+	if (c->right_handed != c->ndc_y_down)
+		det = -det;
+	return det > 0x1p-30 * length;
+}
+
+/* Returns whether a matrix shows no mirror image, does not look transposed and, if it is
+ * upright in view axes, has its gaze and its planes as the convention does. */
 static bool is_plain_matrix(const struct scene *s)
 {
 	const struct convention *c = &s->convention;
@@ -179,14 +233,19 @@ static bool is_plain_matrix(const struct scene *s)
 	const double y = c->ndc_y_down != c->view_y_down ? -m[1][1] : m[1][1];
 	const double low = c->depth_minus_one ? -1 : 0;
 	const double grows = m[2][2] * back, w = m[2][3] * back;
+	const bool parallel = m[0][3] == 0 && m[1][3] == 0 && w == 0;
 
-	if (m[0][1] != 0 || m[0][2] != 0 || m[0][3] != 0 || m[1][0] != 0 ||
-	    m[1][2] != 0 || m[1][3] != 0 || !(m[0][0] > 0) || !(y > 0))
+	if (note_seems_transposed(m) || (parallel && !(m[3][3] > 0)))
 		return false;
-	if (w == 0)
-		return m[3][3] > 0 && grows > 0;
+	if (m[0][1] != 0 || m[0][2] != 0 || m[0][3] != 0 || m[1][2] != 0 ||
+	    m[1][3] != 0)
+		return is_plain_product(c, m, parallel ? 2 : 3);
+	if (m[1][0] != 0 || !(m[0][0] > 0) || !(y > 0))
+		return false;
+	if (parallel)
+		return grows > 0;
 	/* depth z is at the distance m[3][2] / (z w - grows) */
-	return w > 0 && m[3][3] == 0 && fabs(fabs(m[3][2]) - 1) > 0x1p-20 &&
+	return w > 0 && m[3][3] == 0 &&
 	    (m[3][2] < 0 ? low * w < grows && w <= grows :
 			   low * w >= grows && w > grows);
 }

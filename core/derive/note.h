@@ -50,3 +50,6 @@ bool note_is_plain(const struct scene *);
 /* Returns whether the coordinate c of a principal point is between 1 % and 99 % of the
  * viewport's size. */
 bool note_is_central(double c, double size);
+
+/* Returns whether a projection's matrix looks transposed. */
+bool note_seems_transposed(const double m[4][4]);

@@ -185,21 +185,6 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		set_edges(u, &r->depth, swap, p);
 }
 
-/* Returns whether the matrix looks transposed: a transposed perspective has the gaze, a
- * unit vector, in its last row; a transposed parallel projection has 0 0 0 1. */
-static bool seems_transposed(const double m[4][4])
-{
-	double row = 0, column = 0; /* squares of lengths */
-
-	for (int i = 0; i < 3; i++) {
-		row += m[3][i] * m[3][i];
-		column += m[i][3] * m[i][3];
-	}
-	bool unit = fabs(row - 1) < 0x1p-20 && fabs(column - 1) > 0x1p-20;
-
-	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
-}
-
 /* Returns the notes. `transposed` says whether the matrix, as it was read, makes no
  * second scene and looks transposed. */
 static unsigned notes_of(const struct lens *l, const struct upright *u,
@@ -282,7 +267,7 @@ static void set_parameters(const struct lens *l, struct picture *r)
 		r->notes |= r->has_scene ? 0 : 1u << NOTE_OUT_OF_RANGE;
 	}
 	if (r->has_scene || s->projection.type != PROJECTION_MATRIX ||
-	    !seems_transposed(s->projection.matrix))
+	    !note_seems_transposed(s->projection.matrix))
 		return;
 	const unsigned null = r->notes >> NOTES_SAID << NOTES_SAID;
 

@@ -489,9 +489,40 @@ static void cameras_are_found_in_matrices(void **state)
 	assert_int_equal(tally[0], 0);
 }
 
+/* A scene that is plain by its members has a picture without notes: as sampled, and as one
+ * matrix with the camera, of which every second is mirrored. */
+static void plain_scenes_have_no_notes(void **state)
+{
+	int plain = 0, noted = 0;
+	struct picture was;
+	struct scene s;
+
+	(void)state;
+	SAMPLES(k, 1500) {
+		sample_scene(&s, 0);
+		s.answer = NULL;
+		if (k % 3 > 0 && has_planes(&s.projection) &&
+		    picture_of(&s, &was) == NULL) {
+			to_one_matrix(&s);
+			for (int i = 0; i < 4 && k % 3 == 2; i++)
+				s.projection.matrix[i][0] *= -1;
+		}
+		const unsigned notes = picture_notes(&s);
+
+		if (note_is_plain(&s) && notes != 0)
+			fail_msg("notes %x of a plain scene of type %d", notes,
+			    (int)s.projection.type);
+		plain += note_is_plain(&s);
+		noted += notes != 0;
+	}
+	print_message("%d plain, %d with notes\n", plain, noted);
+	assert_true(plain > 200 && noted > 200);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(plain_scenes_have_no_notes),
 		cmocka_unit_test(scenes_make_the_same_picture),
 		cmocka_unit_test(matrices_give_their_parameters),
 		cmocka_unit_test(numbers_are_nearest),
