@@ -108,7 +108,8 @@ static void run_help(const struct options *o)
 	const struct command *c = command_find(commands, what);
 
 	if (o->n_points > 0 || (o->json && !input_is_stdin(what)))
-		die(EXIT_USAGE, "help: '%s' is one word too many",
+		die(EXIT_USAGE,
+		    "help: '%s' is one word too many; give one command or member",
 		    o->n_points > 0 ? o->points[0] : what);
 	if (o->json)
 		help_json(commands, VERSION);

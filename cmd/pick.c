@@ -240,7 +240,8 @@ void run_pick(const struct options *o)
 	document_refuse_if(&d, picker_of(&d.scene, &j.transform, &hits.picker));
 	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))
-		die(EXIT_USAGE, "pick prints lines as read; only -o json differs");
+		die(EXIT_USAGE,
+		    "pick prints the lines that it read; leave -o out, or say -o json");
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	notes_say_of_spaces(&d, SPACE_MODEL, SPACE_DEVICE);
 	notes_watch(&d, SPACE_MODEL, SPACE_DEVICE, &j.transform, &j);

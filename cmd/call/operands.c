@@ -117,7 +117,8 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 		    "--header and --no-header exclude each other" },
 		{ l->output.append &&
 			(format_is_binary(o->in) || (o->has_out && o->out != o->in)),
-		    "--append keeps lines as read: no binary points, and no -o" },
+		    "--append keeps the lines that it read; leave -o out, and read no "
+		    "binary points" },
 		{ o->flags && (binary || (printed && record)),
 		    "--flags: binary points and records have no room for "
 		    "words; use -o text, and convert records before" },
@@ -146,7 +147,10 @@ static void choose_kernels(void)
 	const char *cpu = getenv("PROJCALC_CPU");
 
 	if (!kernels_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
-		die(EXIT_USAGE, "PROJCALC_CPU=%s: is no kind of this processor", cpu);
+		die(EXIT_USAGE,
+		    "PROJCALC_CPU=%s: is none of avx512, avx2, neon and baseline that "
+		    "runs here",
+		    cpu);
 }
 
 /* With --append the names of coordinates begin with the space of images: device_x. */

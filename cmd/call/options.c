@@ -178,7 +178,8 @@ enum format options_out_format(const struct options *o)
 struct number_style options_matrix_style(const struct options *o)
 {
 	if (o->styles.n > 1)
-		die(EXIT_USAGE, "--decimals or --digits: %d numbers for one",
+		die(EXIT_USAGE,
+		    "--decimals or --digits: one number is wanted here, not %d",
 		    o->styles.n);
 	return o->styles.style[0];
 }

@@ -152,14 +152,12 @@ void line_read(struct layout *l, struct span text, enum next_part *first,
 
 	if (s == text.end)
 		return;
-	if (memchr(s, '\0', (size_t)(text.end - s)) != NULL) {
-		line->kind = LINE_LOST;
-		strcpy(reason,
-		    "is binary; if it is numbers alone, say -i f64 or -i f32");
-	} else if (first_line && (!json || *s == '#') &&
+	const bool binary = memchr(s, '\0', (size_t)(text.end - s)) != NULL;
+
+	if (first_line && (!json || *s == '#') &&
 	    format_has_only_cr(l->in, text, reason)) {
 		line->kind = LINE_LOST;
-	} else if (*s == '#' && header_is_comment(l, text, first_line)) {
+	} else if (*s == '#' && !binary && header_is_comment(l, text, first_line)) {
 		if (first_line)
 			reason_comment_columns(l, text);
 		return;
@@ -171,6 +169,12 @@ void line_read(struct layout *l, struct span text, enum next_part *first,
 		    reason);
 	} else if (!first_line || !in->header || !header_read(l, text, line, reason)) {
 		read_fields(l, text, *first, line, v, reason);
+	}
+	if (binary) {
+		strcpy(reason,
+		    "is binary; if it is numbers alone, say -i f64 or -i f32");
+		if (!line_is_bad(line))
+			line->kind = line->kind == LINE_POINT ? LINE_BAD : LINE_LOST;
 	}
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_NONE;
 	if (first_line && !json && *first != FIRST_ROW && line->kind != LINE_REFUSED &&

@@ -39,7 +39,7 @@ bool stretch_open(struct stretch *s, const struct byte_set *stops, const char *t
 
 	if (nul != NULL)
 		size = (size_t)(nul - text);
-	n = number_loops()->find(stops, text, size, s->stop);
+	n = number_loops_chosen()->find(stops, text, size, s->stop);
 	while (n > 0 && text[s->stop[n - 1]] != '\n')
 		n--;
 	s->text = text;

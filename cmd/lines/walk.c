@@ -385,7 +385,7 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines, size_t 
 	uint64_t unread[4], any = 0;
 
 	for (int k = 0; k < walk->n; k++)
-		any |= unread[k] = number_loops()->read(&at[k], n, v[k]);
+		any |= unread[k] = number_loops_chosen()->read(&at[k], n, v[k]);
 	for (any &= ~left; any != 0; any &= any - 1) {
 		int i = __builtin_ctzll(any);
 

@@ -82,7 +82,7 @@ static void block_read(struct job *j, struct chunk *c)
 		/* walk_plan needs the header's columns, which line_read sets */
 		if (!c->walk_planned && !c->first) {
 			c->walk_planned = true;
-			c->can_walk = number_loops() != NULL &&
+			c->can_walk = number_loops_chosen() != NULL &&
 			    walk_plan(&j->layout, &c->walk);
 		}
 		if (c->can_walk &&

@@ -160,13 +160,13 @@ static void reads_as_strtod(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!kernels_choose(copies[c]) || number_loops() == NULL)
+		if (!kernels_choose(copies[c]) || number_loops_chosen() == NULL)
 			continue;
 		for (int sort = 0; sort < SORTS; sort++) {
 			int left = 0;
 
 			for (int i = 0; i < ROUNDS; i++)
-				left += check_batch(number_loops(), sort, guard);
+				left += check_batch(number_loops_chosen(), sort, guard);
 			if (sort < ALL_READ)
 				assert_in_range(left, 0, 10);
 		}
@@ -198,7 +198,7 @@ static void finds_what_is_in_the_set(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!kernels_choose(copies[c]) || number_loops() == NULL)
+		if (!kernels_choose(copies[c]) || number_loops_chosen() == NULL)
 			continue;
 		for (int round = 0; round < 2000; round++) {
 			size_t size = (size_t)random_below(round % 2 ? 200 : 4096);
@@ -212,7 +212,7 @@ static void finds_what_is_in_the_set(void **unused)
 			}
 			for (size_t i = 0; i < size; i++)
 				s[i] = (char)next_random();
-			check_places(number_loops(), &set, s, size);
+			check_places(number_loops_chosen(), &set, s, size);
 		}
 	}
 }

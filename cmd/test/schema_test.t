@@ -41,7 +41,7 @@ my $beyond = qr{
 	less\ than\ min | no\ extent | parallel\ to | does\ not\ run | does\ not\ begin |
 	that\ fit\ computes | all\ of\ the\ bounds | takes\ z\ to\ w | about\ the\ depth\ of | no\ points$ | not\ in\ order | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
-	singular | determinant | last\ column | rows\ are\ for | transposed | of\ -c; | pi\S*\ radians |
+	singular | determinant | last\ column | rows\ are\ for | transposed | leave\ -c\ out | needs\ a\ "convention" | pi\S*\ radians |
 	too\ far\ from |
 	beyond\ the\ range\ of\ doubles | --distances
 	    (?!;\ numbers) |
@@ -113,7 +113,7 @@ for my $line (split /^/, slurp('testdata/recorded/sources.tsv')) {
 # The values of the manual page, in lines .It Cm NAME : No VALUE.
 my ($section, %where) = ('', projection => '#/$defs/ortho',
 	'projection of type matrix' => '#/$defs/any',
-	convention => '#/$defs/convention/then');
+	convention => '#/$defs/convention/then', 'lists of steps' => '#/$defs/step');
 for my $line (split /^/, slurp('man/projcalc-scene.5')) {
 	$section = $1 if $line =~ /^\.Ss (.*)/;
 	my ($name, $value) = $line =~ /^\.It Cm (\w+) : No (.*)/ or next;

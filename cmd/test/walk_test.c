@@ -220,7 +220,7 @@ static void numbers_are_found(void **state)
 	struct layout l = { .in = { FORMAT_TEXT, 0 }, .reads = 3 };
 
 	(void)state;
-	if (!kernels_choose(NULL) || number_loops() == NULL)
+	if (!kernels_choose(NULL) || number_loops_chosen() == NULL)
 		skip();
 	check_examples(&l, text, "11 12 13");
 	l.reads = 2;
@@ -255,7 +255,7 @@ static void numbers_with_exponents_are_read(void **state)
 	uint64_t left;
 
 	(void)state;
-	if (!kernels_choose(NULL) || number_loops() == NULL)
+	if (!kernels_choose(NULL) || number_loops_chosen() == NULL)
 		skip();
 	assert_true(walk_plan(&l, &walk));
 	s.readable = all;

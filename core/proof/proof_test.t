@@ -78,8 +78,7 @@ my @mutations = (
 	[$doubled, 'a w that may be 0',
 	    'MIN(w_sum - w_bound, sure)', 'MIN(w_sum, sure)', @toy],
 	[$doubled, 'elements that underflow',
-	    'fmax(fabs(m->hi[i][j]),
-				    1 / MODERATE)', 'fabs(m->hi[i][j])', @toy],
+	    'fmax(fabs(m->hi[i][j]), 1 / MODERATE)', 'fabs(m->hi[i][j])', @toy],
 	[$doubled, 'differences that underflow',
 	    'MAX(size, ALL(1 / MODERATE))', 'size', @toy],
 );

@@ -3,7 +3,7 @@
 
 #include "../../../core/points/kernel/kernel.h"
 
-const struct number_loops *number_loops(void)
+const struct number_loops *number_loops_chosen(void)
 {
 	static const struct number_loops *const copies[PROCESSORS] = {
 #ifdef __x86_64__
@@ -21,7 +21,7 @@ const struct number_loops *number_loops(void)
 void number_texts(const double *v, size_t n, bool single, struct number_style style,
     struct number_text *t)
 {
-	const struct number_loops *loops = number_loops();
+	const struct number_loops *loops = number_loops_chosen();
 
 	if (loops != NULL)
 		loops->write(v, n, single, style, t);

@@ -61,7 +61,7 @@ extern const struct number_loops number_loops_avx512, number_loops_avx2,
     number_loops_neon;
 
 /* Returns the loops for the processor of kernels_chosen, or NULL if it has none. */
-const struct number_loops *number_loops(void);
+const struct number_loops *number_loops_chosen(void);
 
 /* Makes the texts of n numbers, or floats (single). t and v have room for n rounded up
  * to a multiple of NUMBER_BATCH. Without number_loops all layouts become 0. */
