@@ -76,6 +76,7 @@ sub document {
 
 # The recipes by the file that they read: the command without its points.
 my %recipe;
+my @whole = map { $_->{command} } examples('man/projcalc-scene.5');
 for my $case (examples('man/projcalc-scene.5')) {
 	my ($jq, $file) = $case->{command} =~
 	    m{\A(jq .*? cameras/(\w+\.\w+)(?: cameras/\w+\.txt)?)\s*\|\s+projcalc}s or next;
@@ -156,6 +157,20 @@ for my $at (grep { $lines[$_] =~ / (frame\d+\.jpg)$/ } 0 .. $#lines) {
 	cmp_ok($far[@far / 2], '<', 1, "half of what COLMAP saw in $name is as near");
 }
 
+# COLMAP: each model that the recipe reads has its numbers, and any other stops it.
+for my $case (['PINHOLE 4000 2250 3000 2900 2000 1125', 3000, 2900, 2000, 1125],
+    ['SIMPLE_PINHOLE 4000 2250 3000 2001 1126', 3000, 3000, 2001, 1126], ['OPENCV ' .
+    '4000 2250 3000 2900 2000 1125 0.1 0.2 0 0']) {
+	my ($camera, @k) = @$case;
+	my ($model) = $camera =~ /(\w+)/;
+	spew("$tmp/cameras.txt", "1 $camera\n");
+	my $recipe = $recipe{'cameras.txt'}[0] =~ s{cameras/cameras.txt}{$tmp/cameras.txt}r;
+	my (undef, $out) = run($recipe, 'testdata');
+	my $scene = $out ne '' && decode_json($out);
+	ok(@k ? "@{$scene->{projection}{intrinsics}}" eq "@k" : $out eq '', "COLMAP's $model")
+	    or diag($out);
+}
+
 # NeRF: the pose's inverse; x right, y up, z backward.
 my $nerf = document('transforms.json');
 for my $i (0 .. $#{$nerf->{frames}}) {
@@ -221,8 +236,75 @@ compare('OpenCV, rvec', [printed($recipe{'pnp.json'}[0], \@board)], map {
 	divided(through(\@c, rows(3, @$k9)))
 } @board);
 
+# Returns the numbers that a whole recipe prints, in which words are replaced.
+sub whole {
+	my ($what, @swaps) = @_;
+	my ($command) = grep { /$what/ } @whole;
+	while (my ($from, $to) = splice @swaps, 0, 2) {
+		$command =~ s/$from/$to/g;
+	}
+	my ($status, $out, $err) = run($command, 'testdata');
+	die "$command\n$err" if $status != 0;
+	return map { [split] } split /\n/, $out;
+}
+
+# Compares numbers that were computed in doubles, to 14 digits of the largest.
+sub near {
+	my ($name, $said, @true) = @_;
+	my @wrong = grep { my $i = $_; grep { abs($said->[$i][$_] - $true[$i][$_]) >
+	    1e-14 * ($said->[$i][0] ** 2 + $said->[$i][1] ** 2) ** 0.5 } 0 .. $#{$true[$i]} }
+	    0 .. $#true;
+	my $i = $wrong[0] // 0;
+	ok(@$said == @true && !@wrong, $name) or diag("@{$said->[$i]}; @{$true[$i]}");
+}
+
+# The lens of OpenCV's projectPoints, with 5 and with 8 coefficients.
+for my $lens ([map { "$_" } @{$pnp->{distortion_coefficients}{data}}],
+    [0.25, -0.5, 0.003, -0.002, 0.125, 0.5, -0.25, 0.0625]) {
+	my ($k1, $k2, $p1, $p2, $k3, @rational) = numbers(@$lens);
+	my ($k4, $k5, $k6) = @rational ? @rational : numbers(0, 0, 0);
+	my $list = join ', ', @$lens;
+	my $json = '[' . join(', ', map { '[' . join(', ', @$_) . ']' } @board) . ']';
+	my @said = whole('distortion_coefficients', qr/\Q.distortion_coefficients.data[]\E/ =>
+	    $list, qr/%\.3f/ => '%.17g', qr/\[\[0, 0, 0\].*?\]\]/ => $json);
+	near(@$lens . ' coefficients of a lens', \@said, map {
+		my @p = numbers(@$_);
+		my $along = dot(\@axis, \@p) * (1 - $angle->copy->bcos);
+		my @c = map {
+			my ($i, $j) = (($_ + 1) % 3, ($_ + 2) % 3);
+			$p[$_] * $angle->copy->bcos + $axis[$_] * $along + $tvec->[$_] +
+			    ($axis[$i] * $p[$j] - $axis[$j] * $p[$i]) * $angle->copy->bsin
+		} 0 .. 2;
+		my ($x, $y) = ($c[0] / $c[2], $c[1] / $c[2]);
+		my $r = $x * $x + $y * $y;
+		my $d = (1 + $k1 * $r + $k2 * $r ** 2 + $k3 * $r ** 3) /
+		    (1 + $k4 * $r + $k5 * $r ** 2 + $k6 * $r ** 3);
+		[$k9->[2] + $k9->[0] * ($x * $d + 2 * $p1 * $x * $y + $p2 * ($r + 2 * $x * $x)),
+		    $k9->[5] + $k9->[4] * ($y * $d + $p1 * ($r + 2 * $y * $y) + 2 * $p2 * $x * $y)]
+	} @board);
+}
+
+# A disparity: z is f b / d.
+my @right = @{document('camera_info.json')->{p}};
+near('disparity', [whole('fb=', qr/-d 3/ => '')], map {
+	my ($u, $v, $d) = numbers(@$_);
+	my $z = -number($right[3]) / $d;
+	[($u - number($right[2])) * $z / number($right[0]),
+	    ($v - number($right[6])) * $z / number($right[5]), $z]
+} [340, 240, 20], [400, 200, 8.5]);
+
+SKIP: {
+	skip 'no gnuplot', 1 if missing('gnuplot');
+	my ($lines) = grep { /function put/ } @whole;
+	chomp $lines;
+	my (undef, $out, $err) = run("$lines | gnuplot -e 'set terminal dumb; " .
+	    "set yrange [480:0]; plot \"<cat\" with lines'", 'testdata');
+	ok($out =~ /\*/ && $err eq '', 'gnuplot draws a wireframe') or diag($err);
+}
+
 # ROS and DTU: the matrix P.
-my @p12 = ([camera_info => 'json', numbers(@{document('camera_info.json')->{p}})],
+my @p12 = ((map { [camera_info => $_, numbers(@{document('camera_info.json')->{p}})] }
+    qw(json yaml)),
     [pos_001 => 'txt', numbers(map { split } lines('pos_001.txt'))]);
 for my $p (@p12) {
 	my ($name, $kind, @p) = @$p;
