@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <fenv.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "call/input.h"
 #include "call/operands.h"
@@ -144,8 +145,12 @@ int main(int argc, char **argv)
 	/* undoes the startup code of -ffast-math, which flushes subnormals */
 	fesetenv(FE_DFL_ENV);
 	options_read_first(argv + 1);
-	if (argc < 2)
-		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
+	if (argc < 2) {
+		dup2(STDERR_FILENO, STDOUT_FILENO);
+		help_all(commands);
+		output_close();
+		return EXIT_USAGE;
+	}
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
 	const struct command *c = o.command = command_find(commands, argv[1]);

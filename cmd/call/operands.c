@@ -2,12 +2,14 @@
 #include "operands.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "../message/message.h"
+#include "../number/number.h"
 #include "input.h"
 #include "option_row.h"
 
@@ -20,15 +22,69 @@ static void check_file(const char *name, const char *hint)
 		    strerror(errno), hint);
 }
 
+/* Writes the numbers of n_words words, from the first to one that is a file, as a JSON
+ * array. Returns false if they are not as many as a point has coordinates. */
+static bool join_numbers(const struct options *o, char *const *words, int n_words,
+    char out[7 * NUMBER_MAX])
+{
+	int left = options_coordinates(o);
+
+	*out++ = '[';
+	for (int i = 0; i < n_words && access(words[i], F_OK) != 0; i++) {
+		const char *s = words[i], *end = s + strlen(s);
+		double v;
+
+		while ((s += strspn(s, " ,")) < end) {
+			s = number_read(s, end, &v);
+			if (s == NULL || !isfinite(v) || left-- == 0 ||
+			    (s < end && strchr(" ,", *s) == NULL))
+				return false;
+			out = number_write(out, v,
+			    (struct number_style){ NUMBER_SHORTEST, 0 });
+			*out++ = left > 0 ? ',' : ']';
+		}
+	}
+	*out = '\0';
+	return left == 0;
+}
+
+/* Refuses PARAMS that are an array or numbers, and no file: they are points, or a scene
+ * that is to be an object. */
+static void check_is_scene(const struct options *o)
+{
+	const struct command *c = o->command;
+	const struct place place = { .file = o->params };
+	char list[7 * NUMBER_MAX], *words[] = { (char *)o->params };
+	const char *scene = o->n_points > 0 ? o->points[0] : "scene.json";
+	const bool array = input_first_char(o->params) == '[';
+	const bool object = input_first_char(scene) == '{';
+
+	if (!array && !join_numbers(o, words, 1, list))
+		return;
+	if (command_reads_points(c) &&
+	    (object ||
+		(o->n_points == 0 ? o->ray || o->plane.n > 0 :
+				    access(scene, R_OK) == 0)))
+		die_at(EXIT_USAGE, &place,
+		    "points come after PARAMS: projcalc %s%s %s '%.200s'", c->name,
+		    o->ray ? " --ray" : "", object ? "'{...}'" : scene,
+		    array ? o->params : list);
+	die_at(EXIT_USAGE, &place, "PARAMS is an object%s, as in: projcalc %s %s",
+	    command_reads_points(c) ? ", and points come after it" : "", c->name,
+	    c->example);
+}
+
 void operands_check(const struct options *o)
 {
 	const struct command *c = o->command;
 	bool from_stdin = input_is_stdin(o->params);
-	char hint[160];
+	char hint[160], list[7 * NUMBER_MAX];
 
 	snprintf(hint, sizeof hint,
 	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' shows",
 	    c->name);
+	if (o->columns.n != 1)
+		check_is_scene(o);
 	/* the shell splits an object without quotes: the first operand lacks } */
 	if (input_first_char(o->params) != '{')
 		check_file(o->params, hint);
@@ -48,6 +104,9 @@ void operands_check(const struct options *o)
 		if (input_is_stdin(name) && from_stdin)
 			die(EXIT_USAGE, "standard input is named twice; name a file");
 		from_stdin |= input_is_stdin(name);
+		if (join_numbers(o, o->points + i, o->n_points - i, list))
+			die_at(EXIT_USAGE, &(struct place){ .file = name },
+			    "numbers of POINTS are in brackets: '%s'", list);
 		if (input_first_char(name) != '[')
 			check_file(name, hint);
 	}

@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "../message/message.h"
 #include "../message/words.h"
@@ -98,6 +99,31 @@ static bool is_operand(const char *word)
 	    isdigit((unsigned char)word[1]);
 }
 
+/* Sets the format of the input by the ends of the names of files of points. */
+static void choose_input(struct options *o)
+{
+	static const char *const ends[] = { [FORMAT_CSV] = "csv",
+		[FORMAT_TSV] = "tsv",
+		[FORMAT_JSON] = "json jsonl ndjson" };
+	const char *first = NULL;
+
+	for (int i = 0; i < o->n_points; i++) {
+		const char *name = o->points[i], *dot = strrchr(name, '.');
+		enum format f = dot != NULL ? FORMAT_JSON : FORMAT_TEXT;
+
+		if (access(name, F_OK) != 0)
+			continue;
+		while (f > FORMAT_TEXT && !word_is_one_of(dot + 1, ends[f]))
+			f--;
+		if (first != NULL && f != o->in && o->columns.n != 1)
+			die(EXIT_USAGE,
+			    "%s and %s have different formats by their names; say -i", first,
+			    name);
+		o->in = f;
+		first = name;
+	}
+}
+
 /* The default is JSON if trace reads points in JSON, else text. */
 static void choose_output(struct options *o)
 {
@@ -132,11 +158,13 @@ void options_read(struct options *o, char **words)
 		if (o->help || o->version)
 			return;
 	}
-	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
-		choose_output(o);
 	if (operand > o->points)
 		o->params = *o->points++;
 	o->n_points = (int)(operand - o->points);
+	if (!o->has_in && command_reads_points(o->command))
+		choose_input(o);
+	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
+		choose_output(o);
 	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
 		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
 	if (o->out_record > 0 &&

@@ -30,6 +30,7 @@ struct options {
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers in a binary record, or 0 */
+	bool has_in;               /* -i was given; if not, names of files tell `in` */
 	bool has_out;              /* -o was given; if not, out is text */
 	char separator;            /* of csv, a comma by default */
 	bool header, no_header;    /* neither: the first line's fields decide */

@@ -122,8 +122,14 @@ static void offer_known(struct word_guess *g, const struct command *c)
 	/* searches the members of persp if the command implies no type of projection */
 	const int type = (int)w->source.implied_type, variant = type - (type > 0);
 
+	const char *remark = word_hint(g->word, place, ':');
+	const struct member *s;
+
 	if (option_is_for(r, c))
 		offer_hint(g, c, "--*");
+	/* of members only a name is likelier than a remark */
+	if (remark != NULL && find_member(reads, ANY_VARIANT, g->word, "n", &s) == NULL)
+		offer_hint(g, c, remark);
 	if (option != NULL && option_is_for(option_find(option + 2), c))
 		offer_hint(g, c, option);
 	offer_member(g, w->lone_member, variant, passes, reads);
@@ -168,7 +174,7 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 	const bool option = *word == '-' &&
 	    (word[1] != '-' || option_find(word + 2) != NULL);
 	/* `word` looks like an option or operand, which has to follow a command */
-	const bool early = !topic &&
+	const bool early = !topic && word_hint(word, WORD_COMMAND, '\0') == NULL &&
 	    (option || first == '{' || first == '[' || strpbrk(word, "./") != NULL ||
 		access(word, R_OK) == 0);
 	const char *const help = topic ? "help " : "";

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../message/utf8.h"
 #include "../message/escape.h"
+#include "../message/words.h"
 #include "text.h"
 
 /* Each function check_PART below checks a part of JSON that begins at s->at. If the
@@ -62,7 +64,7 @@ static bool after_comma(const struct json_check *s)
 /* Returns a hint about the wrong character at s->at, or `fallback` if none is known. */
 static const char *hint_of(const struct json_check *s, const char *fallback)
 {
-	const char *p = s->at;
+	const char *p = s->at, *end = token_end(s);
 	char next = s->end - p > 1 ? p[1] : '\0';
 	unsigned code;
 
@@ -70,7 +72,9 @@ static const char *hint_of(const struct json_check *s, const char *fallback)
 		return "comments are not JSON; use a member \"_comment\"";
 	if (*p == '\'')
 		return "JSON has \"double quotes\" alone";
-	if (s->level == 0 && (*p == '%' || *p == '<'))
+	if (s->level == 0 &&
+	    (*p == '%' || *p == '<' ||
+		(isalpha((unsigned char)*p) && end < s->end && *end == ':')))
 		return "YAML and XML are to be converted to JSON";
 	if (*p == '\0' || utf8_read(p, s->end, &code) == 0)
 		return "JSON is UTF-8 text";
@@ -87,8 +91,10 @@ static bool refuse(struct json_check *s, const char *wanted, const char *hint)
 	char what[ESCAPED_MAX] = "";
 
 	if (!ends) {
-		hint = hint_of(s, hint);
 		escape_short(what, s->at, (size_t)(token_end(s) - s->at));
+		const char *said = word_hint(what, WORD_JSON, ':');
+
+		hint = said != NULL ? said + 2 : hint_of(s, hint);
 	}
 	snprintf(s->reason, sizeof s->reason, "expected %s,%s%s%s%s%s", wanted,
 	    ends ? " but the text ends" : " not '", what, ends ? "" : "'",

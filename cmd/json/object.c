@@ -96,8 +96,8 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Offers what v, a member that the table lacks, may mean, the first of these: the member that has v->name as an alias; a remark of word_hint;
- * other objects of the scene that have a member v->name or else an alias v->name; the
+/* Offers what v, a member that the table lacks, may mean, the first of these: the member
+ * that has v->name as an alias; a remark of word_hint about v->name or its text; other objects of the scene that have a member v->name or else an alias v->name; the
  * scene, which has a member v->name; a near name in the table; all of its names. */
 static void offer_members(const struct value *v, const struct member *table,
     int variant, struct word_guess *g)
@@ -106,7 +106,10 @@ static void offer_members(const struct value *v, const struct member *table,
 	const struct member *scene = v->source->scene_members;
 	const struct member *of_scene = member_named(scene, 0, v->name, false);
 	const char *names[MEMBERS_MAX + 1];
-	const char *hint = word_hint(v->name, WORD_MEMBER, ':');
+	/* the "type" of GeoJSON tells more than its name */
+	const char *text = value_string(v),
+		   *said = text != NULL ? word_hint(text, WORD_MEMBER, ':') : NULL;
+	const char *hint = said != NULL ? said : word_hint(v->name, WORD_MEMBER, ':');
 	char list[LIST_ROOM];
 	int n = 0;
 
@@ -122,6 +125,12 @@ static void offer_members(const struct value *v, const struct member *table,
 				NULL)
 				names[n++] = s->name;
 	names[n] = NULL;
+	row = n == 1 && v->parent->parent == NULL ?
+	    member_named(member_named(scene, 0, *names, false)->members, ANY_VARIANT,
+		v->name, true) :
+	    NULL;
+	if (row != NULL && strcmp(row->name, v->name) != 0)
+		word_offer(g, WORD_KNOWN, "it is \"%s\" in \"%s\"", row->name, *names);
 	if (n > 0)
 		word_offer(g, WORD_KNOWN, "it belongs in %s",
 		    words_join(list, names, " or ", "\""));
@@ -331,7 +340,8 @@ static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *
 			others &= ~b->way[i].all;
 	list_names(b->table, b->variant, others != 0 ? others : way, names);
 	value_refuse(m, "does not go with %s; %s",
-	    words_join(rivals, names, " and ", "\""), ways);
+	    words_join(rivals, names, " and ", "\""),
+	    b->rule->hint != NULL ? b->rule->hint : ways);
 }
 
 /* Returns the index of the way that the members `given` of v are. */
@@ -390,9 +400,14 @@ struct found object_read(const struct value *v, const struct member *row, int va
 {
 	const struct member *table = row->members;
 	struct found found = { 0, 0 };
+	char wanted[LIST_ROOM];
 
-	if (!value_is(v, JSON_OBJECT))
-		value_refuse_type(v, "an object");
+	if (!value_is(v, JSON_OBJECT)) {
+		snprintf(wanted, sizeof wanted, "an object%s%s",
+		    row->example != NULL ? " such as " : "",
+		    row->example != NULL ? row->example : "");
+		value_refuse_type(v, wanted);
+	}
 	for (const struct member *m = table; m->name != NULL; m++)
 		if (base != NULL && m->fallback != NULL && m->type->number_size > 0 &&
 		    has_variant(m->variants, variant))

@@ -32,6 +32,7 @@ enum header { HEADER_MAYBE, HEADER_YES, HEADER_NONE };
 struct seen {
 	size_t header_fields; /* fields of the header; 0: no header */
 	size_t max_fields;    /* of the header or a longer first row; 0: not known */
+	long long size;       /* bytes of the source; 0: unknown */
 	bool reordered;       /* layout_in_order was false for the last header */
 	size_t first_line;    /* the line number of FIRST_LINE, from 1 */
 	/* A # comment above names columns. A first row of comment_names fields, with

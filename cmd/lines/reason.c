@@ -2,6 +2,7 @@
 #include "reason.h"
 
 #include <math.h>
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <strings.h>
@@ -70,6 +71,19 @@ static bool say_mend(const struct layout *l, struct span f, const char *separato
 	return true;
 }
 
+/* Returns whether a field begins like a geometry in WKT, such as POINT Z (1 2 3). */
+static bool is_wkt(struct span f)
+{
+	char word[16];
+	size_t n = 0;
+
+	for (; n < sizeof word - 1 && f.s + n < f.end && isupper((unsigned char)f.s[n]);
+	     n++)
+		word[n] = f.s[n];
+	word[n] = '\0';
+	return word_is_one_of(word, "POINT LINESTRING POLYGON MULTIPOINT MULTIPOLYGON");
+}
+
 /* Adds how to mend f, a field of text or csv. Returns false if it adds nothing. */
 static bool say_remedy(const struct layout *l, struct span f, char reason[REASON_MAX])
 {
@@ -81,7 +95,12 @@ static bool say_remedy(const struct layout *l, struct span f, char reason[REASON
 
 	if (comma == NULL && l->in.separator == ';')
 		comma = find_byte(f, ' ');
-	if (after != NULL && comma != NULL &&
+	if (is_wkt(f))
+		say_more(reason,
+		    "; is it WKT? tr ',' '\\n' | sed 's/.*(//; s/).*//' makes it text");
+	else if (f.end - f.s == 2 && memcmp(f.s, "\\N", 2) == 0)
+		say_more(reason, "; write NA for it: sed 's/\\\\N/NA/g'");
+	else if (after != NULL && comma != NULL &&
 	    number_read(comma + 1, f.end, &v) == f.end)
 		say_more(reason, "; write 1.5 for 1,5, and 1000 for 1,000 or 1 000");
 	else if (open != NULL && f.end[-1] != ')')
@@ -259,13 +278,15 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 {
 	const size_t was = strlen(reason);
 	int k = 0, found[4];
-	bool all = true;
+	bool all = true, degrees = false;
 
 	while (guess_columns(names, reads, &k, found)) {
 		if (numbers != NULL &&
 		    (found[reads - 1] < 0 || (reads > 3 && found[2] < 0)))
 			continue;
 		say_more(reason, reason[was] == '\0' ? "; say --columns " : " or ");
+		/* the pairs of axes[] with a latitude */
+		degrees |= k > names->n && k <= 5 * names->n;
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, i > 0 ? "," : "");
 			all &= found[i] >= 0;
@@ -280,6 +301,8 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 	}
 	if (!all)
 		say_more(reason, ", where NAME is another column");
+	if (degrees)
+		say_more(reason, "; degrees are no lengths: cs2cs makes metres first");
 	if (strlen(reason) == REASON_MAX - 1)
 		reason[was] = '\0';
 	return reason[was] != '\0';
@@ -328,6 +351,13 @@ static void say_names(const struct layout *l, struct cursor c, const char *typed
 	int i = 0;
 
 	copy_names(c, &names);
+	if (c.members &&
+	    (find_name(&names, "", 0, "features") >= 0 ||
+		find_name(&names, "", 0, "geometry") >= 0 ||
+		find_name(&names, "", 0, "coordinates") >= 0)) {
+		say_more(reason, "; %s", word_hint("geometry", WORD_MEMBER, ':') + 2);
+		return;
+	}
 	if (typed != NULL) {
 		say_near(l, c, &names, typed, reason);
 	} else if (!say_guess(&names, l->reads, NULL, reason)) {
@@ -335,7 +365,11 @@ static void say_names(const struct layout *l, struct cursor c, const char *typed
 			return;
 		const bool blank = names.n == 1 && say_mend(l, header, " ", reason);
 
-		if (!blank)
+		if (find_byte(header, '[') != NULL || find_byte(header, '(') != NULL)
+			say_more(reason,
+			    "; leave out units: sed '%zus/ *[[(][^])]*[])]//g'",
+			    l->seen.first_line);
+		else if (!blank)
 			say_more(reason,
 			    "; say with --columns which the coordinates are");
 		if (names.n < l->reads || *names.name[names.n - 1] == '\0')
@@ -444,6 +478,30 @@ void reason_comment_columns(struct layout *l, struct span text)
 	l->seen.comment_names = first ? 0 : (size_t)names.n;
 	l->seen.comment_numbers = numbers;
 	strcpy(l->seen.comment_reason, reason);
+}
+
+bool reason_binary(const struct layout *l, struct span text, char reason[REASON_MAX])
+{
+	enum { LOOK = 4096 };
+	const long long sizes[] = { 16, 4LL * l->reads, 8LL * l->reads };
+	const char *const names[] = { "f32x4", "f32", "f64" };
+	const char *before = "is binary; if it is numbers alone, say -i ";
+	const char *s = text.s, *end = text.end - s > LOOK ? s + LOOK : text.end;
+
+	while (s < end &&
+	    ((unsigned char)*s >= ' ' || strchr("\t\n\r\33", *s) != NULL) && *s != '\0')
+		s++;
+	if (s == end)
+		return false;
+	*reason = '\0';
+	/* first what the size of the file divides by */
+	for (int no = 0; no < 2; no++)
+		for (int k = 0; k < 3; k++)
+			if ((l->seen.size == 0 || l->seen.size % sizes[k] != 0) == no) {
+				say_more(reason, "%s%s", before, names[k]);
+				before = " or ";
+			}
+	return true;
 }
 
 bool reason_needs_header(struct layout *l, struct span row, bool lost,

@@ -40,12 +40,23 @@ static const struct {
 	{ CALL, "orthographic", "ortho" },
 	{ CALL, "cavalier cabinet", "oblique" },
 	{ CALL, "window", "w2n" },
+	{ CALL, "w2v window2viewport windowtoviewport", "w2d" },
 	{ CALL, "device", "n2d" },
 	{ CALL, "bounds zoom extent", "fit" },
-	{ CALL, "info", "inspect" },
+	{ CALL, "info decompose frustumplanes rq", "inspect" },
 	{ CALL, "click", "pick" },
 	{ CALL, "explain", "trace" },
 	{ CALL, "usage man", "help" },
+	{ CALL, "homography", "project -m -c opencv --plane 0,0,1,0" },
+	{ CALL, "vanishing vanishingpoint vanishingpoints", "inspect" },
+	{ CALL, "triangulate", "project --ray" },
+	{ CALL, "rectify",
+	    ": give the rectified P as \"intrinsics\"; 'man projcalc-scene' reads it of ROS" },
+	{ CALL, "solvepnp pnp calibrate",
+	    ": poses are not estimated; solvePnP's rvec and tvec are \"rvec\" and "
+	    "\"translation\" of \"camera\"" },
+	{ CALL, "render draw plot",
+	    ": 'A wireframe' in 'man projcalc-scene' makes lines for gnuplot" },
 
 	{ CALL, "format", "--output" },
 	{ VALUE, "json", "--output json" },
@@ -58,28 +69,91 @@ static const struct {
 	{ CALL, "epsilon", "--tolerance" },
 	{ CALL, "cull", "--visible" },
 	{ CALL, "verbose", "--progress" },
+	{ CALL, "silent", "--quiet" },
 	{ VALUE, "convert opengl", "--convention gl" },
 	{ VALUE, "directx direct3d", "--convention d3d" },
-	{ VALUE, "ros", "--convention opencv" },
 	{ CALL, "d3d gl vulkan webgpu opencv", "--convention *" },
 	{ VALUE, "pixel pixels screen image", "--to device" },
-	{ CALL, "world view clip ndc device", "--to *" },
-	{ CALL, "depth", "--plane" },
+	{ CALL, "world view ndc device", "--to *" },
+	{ CALL, "depth", "--to view" },
 	{ VALUE, "float", "--precision single" },
 
 	{ REMARK, "stdin", ": standard input is - in place of PARAMS or POINTS" },
-	{ CALL, "silent", "--quiet" },
-	{ REMARK, "distortion undistort distortioncoefficients distortionmodel "
-	    "distcoeffs dist d k1 k2 k3 p1 p2",
-	    ": lenses are not modelled; undistort points first" },
-	{ REMARK, "lens sensorwidth sensorheight sensorsize",
-	    ": \"fovx\" is 2 atan(sensor width / 2 / focal length)" },
+	{ REMARK, "clip", ": project --visible leaves out points that are outside; project "
+	    "--to clip prints x y z w" },
+	{ REMARK, "jitter",
+	    ": 'A jitter of half a pixel' in 'man projcalc-scene' moves the edges" },
+	{ REMARK, "infinite infinitefar", ": write \"far\": \"infinity\"" },
+	{ CALL, "na skip ignoreerrors",
+	    ": NA and nan print nan, and --keep-going passes bad lines" },
+	{ CALL, "ground", ": project --plane 0,1,0,0 is the ground y = 0, --plane 0,0,1,0 z = 0" },
+	{ REMARK, "crs epsg srs proj",
+	    ": coordinates are lengths; of degrees cs2cs makes metres first" },
+	{ REMARK, "P0 P1 P2 P3 prect00 prect01 prect02 prect03",
+	    ": P is \"intrinsics\" of \"projection\", as 3 rows of 4 numbers" },
+	{ REMARK, "r0rect rrect rrect00 tr trvelotocam trvelocam",
+	    ": steps chain them: \"world\": [{\"matrix\": Tr}, {\"matrix\": [R0|0]}]; "
+	    "'The lidar of KITTI' in 'man projcalc-scene'" },
+	{ REMARK, "cameraintrinsic",
+	    ": it is \"intrinsics\" of \"projection\"; \"world\" takes the frames as steps, "
+	    "[{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": [0,0,0]}, ...]" },
+	{ REMARK, "distortion undistort distort distortioncoefficients distortioncoeffs "
+	    "distortionmodel distortionparams radialdistortion tangentialdistortion "
+	    "distcoeffs distcoef distcoeff dist fisheye d k1 k2 k3 k4 k5 k6 p1 p2",
+	    ": lenses are not modelled; 'Points through a lens' in 'man projcalc-scene' "
+	    "bends points by awk" },
+	{ REMARK, "focal focallength focallengthmm lens sensorwidth sensorheight sensorsize "
+	    "filmgauge",
+	    ": in mm give the sensor's \"width\" and \"height\", and \"edges_at\", the "
+	    "focal length; in pixels \"intrinsics\": [fx, fy, cx, cy]" },
 	{ REMARK, "size imagesize windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
-	{ REMARK, "euler rotationeuler",
-	    ": give the quaternion of these angles as \"orientation\"" },
-	{ REMARK, "zoom", ": only a window has it; in 3D give a smaller \"fovy\"" },
-	{ REMARK, "scale", ": only a viewport has it; \"world\" can scale points" },
+	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
+	    ": turn by steps: \"pose\" of \"camera\", or \"world\": [{\"rotate_x\": 10}, "
+	    "{\"rotate_y\": 30}]" },
+	{ REMARK, "zoom",
+	    ": only a window has it; in 3D divide \"width\" and \"height\" of \"ortho\", or "
+	    "give a smaller \"fovy\"" },
+	{ REMARK, "scale",
+	    ": only a viewport has it; in 3D \"world\": [{\"scale\": 2}] scales points" },
+	{ REMARK, "vrp prp",
+	    ": \"eye\" is the centre of projection; where PRP is 0,0,d of VRP's axes, it is "
+	    "VRP + d VPN for a VPN of length 1" },
+	{ REMARK, "vpn", ": VPN points to the eye; \"gaze\" is its opposite" },
+	{ REMARK, "dop",
+	    ": \"gaze\" is DOP in \"ortho\"; a DOP askew to the picture is \"oblique\", with "
+	    "\"angle\" and \"direction\"" },
+	{ REMARK, "features geometry geometries coordinates featurecollection feature",
+	    ": is it GeoJSON? jq -c '..|.coordinates?|arrays|..|arrays|"
+	    "select(.[0]|numbers)' makes lines of points for -i json" },
+
+	{ WORD_JSON, "nan none undefined", ": for it JSON has null" },
+	{ WORD_JSON, "infinity inf",
+	    ": JSON has no infinities; write \"infinity\" for far, else null" },
+	{ WORD_JSON, "True False", ": JSON has true and false" },
+
+	{ VALUE, "threejs three.js glm directxmath",
+	    ": elements of three.js and GLM are \"gl\", of DirectXMath \"d3d\"; 'Matrices of "
+	    "GLM, DirectXMath and three.js' in 'man projcalc-scene'" },
+	{ VALUE, "unity unity3d",
+	    ": it is \"gl\"; 'A camera of Unity' in 'man projcalc-scene' reads its matrices" },
+	{ VALUE, "unreal ue4 ue5 hlsl metal",
+	    ": it is \"d3d\" if view space is left-handed, as Unreal's, else \"webgpu\"; "
+	    "'projcalc help convention' has their axes" },
+	{ VALUE, "glsl", ": it is \"gl\", or \"vulkan\" if Vulkan draws" },
+	{ VALUE, "blender bpy",
+	    ": it is \"webgpu\"; 'A camera of Blender' in 'man projcalc-scene' reads one" },
+	{ VALUE, "openxr",
+	    ": it is \"vulkan\"; 'A field of view of OpenXR' in 'man projcalc-scene'" },
+	{ VALUE, "colmap",
+	    ": it is \"opencv\"; 'A model of COLMAP' in 'man projcalc-scene' reads one" },
+	{ VALUE, "nerf nerfstudio instantngp",
+	    ": it is \"webgpu\"; 'A frame of NeRF' in 'man projcalc-scene' reads one" },
+	{ VALUE, "ros ros2",
+	    ": it is \"opencv\"; 'A CameraInfo of ROS' in 'man projcalc-scene' reads one" },
+	{ VALUE, "bin binary float32 double <f8 <f4 <f8x3 <f4x3 kitti npy raw numpy",
+	    ": -i f32x4 reads four floats a point (KITTI's .bin), -i f32 three, -i f64 three "
+	    "doubles; of a .npy it tells what to cut off" },
 };
 /* clang-format on */
 
@@ -154,7 +228,8 @@ bool word_is_one_of(const char *word, const char *words)
 		const char *s = word + strspn(word, "_-");
 
 		while (*words > ' ' &&
-		    (*words == '_' || tolower((unsigned char)*s) == *words)) {
+		    (*words == '_' || *s == *words ||
+			tolower((unsigned char)*s) == *words)) {
 			s += *words++ != '_';
 			s += strspn(s, "_-");
 		}

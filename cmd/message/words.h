@@ -36,8 +36,9 @@ void word_offer_list(struct word_guess *, const char *const *words, const char *
  * eight two, a longer one three. Case does not count. */
 int word_closeness(const char *word, const char *name);
 
-/* Returns whether `word` is in `words`: lower-case words with blanks between them, or
- * NULL for no words. Ignores case, _ and -: LookAt, look_at and look-at are lookat. */
+/* Returns whether `word` is in `words`: words with blanks between them, or NULL for no
+ * words. Ignores _ and -, and case but of capitals in `words`: LookAt, look_at and look-at
+ * are lookat, and p2 is not P2. */
 bool word_is_one_of(const char *word, const char *words);
 
 /* A word of other programs may stand in these places, as bits. */
@@ -46,6 +47,7 @@ enum word_place {
 	WORD_OPTION = 2,
 	WORD_VALUE = 4,  /* the argument of an option, the string of a member */
 	WORD_MEMBER = 8, /* the name of a member */
+	WORD_JSON = 16,  /* a value of JSON without quotes */
 };
 
 /* Returns the hint for a word of other programs in a place, or NULL. The hint is an

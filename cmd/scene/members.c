@@ -14,8 +14,8 @@ static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,
-	    .aliases = "position pos from origin location", .unit = "world units",
-	    .about = "position of the camera in world space"),
+	    .aliases = "position pos from origin location cop eyepoint viewpoint",
+	    .unit = "world units", .about = "position of the camera in world space"),
 	ROW(camera, "at", type_numbers, at, .n = 3,
 	    .aliases = "target center centre lookat", .unit = "world units",
 	    .about = "point in world space at which the camera looks"),
@@ -47,7 +47,8 @@ static const struct member camera_members[] = {
 	    .hint = " (world to view, [R|t])",
 	    .about = "map from world to view space, such as [R|t] or steps"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
-	    .shown = true, .about = "direction that points up in the image"),
+	    .aliases = "vup viewup upvector", .shown = true,
+	    .about = "direction that points up in the image"),
 	ROW(camera, "roll", type_numbers, roll, .range = &range_any, .unit = "degrees",
 	    .fallback = "0",
 	    .about = "angle by which the image is turned counterclockwise"),
@@ -296,9 +297,9 @@ const struct member scene_members[] = {
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
-	    .flag = FIELD(document, has_bounds), .aliases = "extent",
-	    .members = bounds_members, .rules = bounds_rules, .example = BOUNDS_EXAMPLE,
-	    .unit = "model units",
+	    .flag = FIELD(document, has_bounds),
+	    .aliases = "extent bbox boundingbox aabb", .members = bounds_members,
+	    .rules = bounds_rules, .example = BOUNDS_EXAMPLE, .unit = "model units",
 	    .about = "volume that fit puts into the picture, and inspect finds there",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),

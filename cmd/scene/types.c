@@ -233,9 +233,12 @@ static void read_intrinsics(const struct value *v, const struct member *row, voi
 		return;
 	}
 	if (nested ? n != 3 : n != 9 && n != 12)
-		value_refuse(v,
-		    "is none of " INTRINSICS_FORMS
-		    "; a 4x4 from view to clip is of type \"matrix\"");
+		value_refuse(v, "is none of " INTRINSICS_FORMS "; %s",
+		    n == 16 || nested || n < 5 ?
+			"a 4x4 from view to clip is of type \"matrix\"" :
+			"what follows fx, fy, cx, cy bends a lens: 'Points through a "
+		        "lens' in "
+			"'man projcalc-scene'");
 	read_rows(v, 3, columns, e);
 	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 && e[5] == 0 &&
 	    e[8] == 1 && !v->unused)

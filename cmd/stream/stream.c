@@ -214,7 +214,8 @@ void stream_points(struct job *j, struct point_source s)
 	pool.source = &s;
 	pool.can_read = true;
 	pool.first = FIRST_BYTE;
-	j->layout.seen = (struct seen){ .reordered = j->layout.seen.reordered };
+	j->layout.seen = (struct seen){ .reordered = j->layout.seen.reordered,
+		.size = s.size };
 	if (j->layout.columns.by_default)
 		j->layout.columns.n = 0;
 	run_chunks(false);

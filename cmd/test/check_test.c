@@ -66,26 +66,26 @@ static const struct text refused[] = {
 	    "1: expected a value, not '6\xc2\xb0'; a value is like -1.5e-3, true, null "
 	    "or \"text\""),
 	TEXT("[NaN]",
-	    "1: expected a value, not 'NaN'; a value is like -1.5e-3, true, null or "
-	    "\"text\""),
+	    "1: expected a value, not 'NaN'; "
+	    "for it JSON has null"),
 	TEXT("[-nan]",
-	    "1: expected a value, not '-nan'; a value is like -1.5e-3, true, null or "
-	    "\"text\""),
+	    "1: expected a value, not '-nan'; "
+	    "for it JSON has null"),
 	TEXT("[Infinity]",
-	    "1: expected a value, not 'Infinity'; a value is like -1.5e-3, true, null "
-	    "or \"text\""),
+	    "1: expected a value, not 'Infinity'; "
+	    "JSON has no infinities; write \"infinity\" for far, else null"),
 	TEXT("[-Infinity]",
-	    "1: expected a value, not '-Infinity'; a value is like -1.5e-3, true, null "
-	    "or \"text\""),
+	    "1: expected a value, not '-Infinity'; "
+	    "JSON has no infinities; write \"infinity\" for far, else null"),
 	TEXT("[inf]",
-	    "1: expected a value, not 'inf'; a value is like -1.5e-3, true, null or "
-	    "\"text\""),
+	    "1: expected a value, not 'inf'; "
+	    "JSON has no infinities; write \"infinity\" for far, else null"),
 	TEXT("[True]",
-	    "1: expected a value, not 'True'; a value is like -1.5e-3, true, null or "
-	    "\"text\""),
+	    "1: expected a value, not 'True'; "
+	    "JSON has true and false"),
 	TEXT("[None]",
-	    "1: expected a value, not 'None'; a value is like -1.5e-3, true, null or "
-	    "\"text\""),
+	    "1: expected a value, not 'None'; "
+	    "for it JSON has null"),
 	TEXT("[gl]",
 	    "1: expected a value, not 'gl'; a value is like -1.5e-3, true, null or "
 	    "\"text\""),

@@ -33,8 +33,12 @@ static const struct refusal scenes[] = {
 	{ &w2d, "{\"window\":{}}",
 	    "/device: missing; add \"device\": {\"width\": 640, \"height\": "
 	    "480}" },
-	{ &project, "{\"bounds\":1}", "/bounds: is a number; an object is wanted" },
-	{ &project, "{\"pick\":[]}", "/pick: is an array; an object is wanted" },
+	{ &project, "{\"bounds\":1}",
+	    "/bounds: is a number; an object such as {\"min\": [-1,-1,-1], \"max\": "
+	    "[1,1,1]} is wanted" },
+	{ &project, "{\"pick\":[]}",
+	    "/pick: is an array; an object such as {\"at\": [320,240], \"radius\": 3} "
+	    "is wanted" },
 	{ &project, "{\"points\":{}}",
 	    "/points: is an object; an array of points is wanted" },
 	{ &project, "{\"points\":[[0,0,0],[0,0]]}",

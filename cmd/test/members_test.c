@@ -160,7 +160,9 @@ static const struct refusal cameras[] = {
 	    "/eye/0: is beyond the range of doubles; numbers go up to 1e150" },
 	{ &lookat, "{\"orthonormalize\":1}",
 	    "/orthonormalize: is a number; true or false is wanted" },
-	{ &lookat, "{\"camera\":[]}", "/camera: is an array; an object is wanted" },
+	{ &lookat, "{\"camera\":[]}",
+	    "/camera: is an array; an object such as {\"eye\": [0,0,-5], \"at\": "
+	    "[0,0,0]} is wanted" },
 	{ &lookat, "{\"convention\":\"gl\"}",
 	    "/camera: missing; add \"camera\": {\"eye\": [0,0,-5], \"at\": [0,"
 	    "0,0]}" },

@@ -96,7 +96,7 @@ static const struct refusal names[] = {
 	    "/eye: unknown member; it belongs in \"camera\" or "
 	    "\"projection\"" },
 	{ &project, "{\"target\":1}",
-	    "/target: unknown member; it belongs in \"camera\"" },
+	    "/target: unknown member; it is \"at\" in \"camera\"" },
 	{ &project, "{\"half_width\":1}",
 	    "/half_width: unknown member; it belongs in \"projection\"" },
 	{ &w2d, "{\"width\":1}",

@@ -106,9 +106,11 @@ static const struct refusal projections[] = {
 	{ &ortho, "{" PLANES ",\"height\":1}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
 #define OBLIQUE(rest) "{\"projection\":{\"type\":\"oblique\"," PLANES "," SIZE rest "}}"
-#define OBLIQUE_HINT "give \"kind\", or \"angle\""
-	{ &project, OBLIQUE(),
-	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
+#define OBLIQUE_HINT                                                                \
+	"give \"kind\", or \"angle\" of the projectors; lines along the gaze have " \
+	"the "                                                                      \
+	"\"direction\" in the picture"
+	{ &project, OBLIQUE(), "/projection/kind: missing; " OBLIQUE_HINT },
 	{ &project, OBLIQUE(",\"kind\":\"cabinet\",\"angle\":45"),
 	    "/projection/angle: does not go with \"kind\"; " OBLIQUE_HINT },
 	{ &project, OBLIQUE(",\"kind\":\"military\""),
@@ -236,8 +238,6 @@ static const struct refusal projections[] = {
 #define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")?"
 	MEANT("K", PIXELS),
 	MEANT("fx", PIXELS),
-	MEANT("focal", PIXELS),
-	MEANT("focal_length", PIXELS),
 	MEANT("fl_x", PIXELS),
 	MEANT("camera_matrix", PIXELS),
 	MEANT("projectionMatrix", PIXELS),
@@ -252,9 +252,9 @@ static const struct refusal projections[] = {
 	    "angles\" ([left, right, bottom, top] from the gaze; for OpenXR "
 	    "with \"angle_unit\": \"radians\")?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
-	    "/K: unknown member; it belongs in \"projection\"" },
+	    "/K: unknown member; it is \"intrinsics\" in \"projection\"" },
 	{ &project, "{\"transform_matrix\":1}",
-	    "/transform_matrix: unknown member; it belongs in \"camera\"" },
+	    "/transform_matrix: unknown member; it is \"pose\" in \"camera\"" },
 };
 
 REFUSES(projections)
