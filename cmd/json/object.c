@@ -97,8 +97,9 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 }
 
 /* Offers what v, a member that the table lacks, may mean, the first of these: the member
- * that has v->name as an alias; a remark of word_hint about v->name or its text; other objects of the scene that have a member v->name or else an alias v->name; the
- * scene, which has a member v->name; a near name in the table; all of its names. */
+ * that has v->name as an alias; a remark of word_hint about v->name or its text; other
+ * objects of the scene that have a member v->name or else an alias v->name; the scene,
+ * which has a member v->name; a near name in the table; all of its names. */
 static void offer_members(const struct value *v, const struct member *table,
     int variant, struct word_guess *g)
 {
