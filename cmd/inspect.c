@@ -94,8 +94,8 @@ static void check_distances(const struct document *d, const struct options *o,
 		if ((at >= near && at <= far) || (at >= far && at <= near))
 			continue;
 		snprintf(why, sizeof why,
-		    "/projection: --distances: %.15g is not from near, %.15g, "
-		    "to far, %.15g",
+		    "/projection: --distances: %.15g is not from near, %.15g, to far, "
+		    "%.15g",
 		    at, near, far);
 		document_refuse(d, why);
 	}
@@ -229,9 +229,8 @@ void run_inspect(const struct options *o)
 	params_read_document(o, &d);
 	if (d.flat && (o->tolerance > 0 || o->distances.n > 0 || o->textbook))
 		document_refuse(&d,
-		    "/projection: missing; -t, --distances and --textbook are "
-		    "about the errors and the depth of a projection, not of a "
-		    "window");
+		    "/projection: missing; -t, --distances and --textbook are about "
+		    "the errors and the depth of a projection, not of a window");
 	put_open(&p, "{");
 	if (d.flat)
 		put_window(&p, &d);

@@ -11,94 +11,78 @@
 /* A note's member, and its text: what is guessed or wrong, and what to try. */
 const struct note_row note_rows[NOTES] = {
 	[NOTE_MIRRORED] = { "/projection",
-	    "mirrored: the picture is a mirror image, as the determinant says; "
-	    "negate x or y in the matrix, or try another \"convention\"" },
+	    "mirrored: the picture is a mirror image, as the determinant says; negate "
+	    "x or y in the matrix, or try another \"convention\"" },
 	[NOTE_OTHER_HANDED] = { "/projection",
 	    "the projection is of the other handedness: it looks against the "
-	    "convention's gaze, and mirrors; try the \"convention\" that it is "
-	    "from, or negate the third row, of column vectors the third "
-	    "column" },
+	    "convention's gaze, and mirrors; try the \"convention\" that it is from, "
+	    "or negate the third row, of column vectors the third column" },
 	[NOTE_LOOKS_AWAY] = { "/projection",
-	    "the projection looks away: w grows against the convention's gaze, "
-	    "and the picture is of what is behind the camera; turn the camera, "
-	    "or "
-	    "negate the first and third rows, of column vectors the first and "
-	    "third columns" },
+	    "the projection looks away: w grows against the convention's gaze, and the "
+	    "picture is of what is behind the camera; turn the camera, or negate the "
+	    "first and third rows, of column vectors the first and third columns" },
 	[NOTE_TRANSPOSED] = { "/projection",
-	    "the projection's matrix is transposed in all likelihood, as its "
-	    "last "
-	    "row and its last column have changed places; transpose it, or try "
-	    "another \"vectors\" in \"convention\"" },
+	    "the projection's matrix is transposed in all likelihood, as its last row "
+	    "and its last column have changed places; transpose it, or try another "
+	    "\"vectors\" in \"convention\"" },
 	[NOTE_NEAR_BEYOND] = { "/projection",
-	    "near is beyond far: the eye or the gaze is on the other side; "
-	    "swap "
-	    "them, or for reversed depth say \"reverse_z\": true" },
+	    "near is beyond far: the eye or the gaze is on the other side; swap them, "
+	    "or for reversed depth say \"reverse_z\": true" },
 	[NOTE_DEPTH_FALLS] = { "/projection",
 	    "depth falls along the convention's gaze: it is reversed, or the "
-	    "projection is of the other handedness; if reversed depth is not "
-	    "meant, try another \"convention\"" },
+	    "projection is of the other handedness; if reversed depth is not meant, "
+	    "try another \"convention\"" },
 	[NOTE_RADIANS] = { "",
-	    "an angle may be in radians, as it is a part of pi or an angle of "
-	    "view below 3.2; say \"angle_unit\": \"radians\", or "
-	    "\"degrees\"" },
+	    "an angle may be in radians, as it is a part of pi or an angle of view "
+	    "below 3.2; say \"angle_unit\": \"radians\", or \"degrees\"" },
 	[NOTE_OFF_CENTER] = { "/projection/intrinsics",
-	    "the principal point is at the edge of the viewport or outside; "
-	    "intrinsics are fx, fy, cx and cy, in pixels of the viewport" },
+	    "the principal point is at the edge of the viewport or outside; intrinsics "
+	    "are fx, fy, cx and cy, in pixels of the viewport" },
 	[NOTE_VIEW_AXES] = { "/camera",
-	    "no convention is named, and the rotation is read for d3d, "
-	    "whose view space has x right, y up, z forward; say "
-	    "\"convention\": \"gl\" for z backward, \"opencv\" for y "
-	    "down, or \"d3d\"" },
+	    "no convention is named, and the rotation is read for d3d, whose view "
+	    "space has x right, y up, z forward; say \"convention\": \"gl\" for z "
+	    "backward, \"opencv\" for y down, or \"d3d\"" },
 	[NOTE_UP_Z] = { "/camera/up",
-	    "no convention is named, and z is up: d3d is left-handed, "
-	    "and mirrors a right-handed world; say \"convention\": "
-	    "\"gl\", or \"d3d\" if the world is left-handed" },
+	    "no convention is named, and z is up: d3d is left-handed, and mirrors a "
+	    "right-handed world; say \"convention\": \"gl\", or \"d3d\" if the world "
+	    "is left-handed" },
 	[NOTE_BEHIND] = { "/convention",
-	    "none is named, and no point has an image, but points would "
-	    "have one if the camera looked along -z of view space; say "
-	    "\"convention\": \"gl\", or \"d3d\"" },
+	    "none is named, and no point has an image, but points would have one if "
+	    "the camera looked along -z of view space; say \"convention\": \"gl\", or "
+	    "\"d3d\"" },
 	[NOTE_MATRIX_RADIANS] = { "/projection/matrix",
-	    "the matrix is that of an angle of view whose degrees were "
-	    "taken for radians; make it of angle * pi / 180" },
+	    "the matrix is that of an angle of view whose degrees were taken for "
+	    "radians; make it of angle * pi / 180" },
 	[NOTE_ASPECT] = { "/projection/aspect",
-	    "the aspect differs from the viewport's width / height by "
-	    "more than 1 %, which stretches the picture; leave "
-	    "\"aspect\" out, or give the viewport a \"scale\"" },
+	    "the aspect differs from the viewport's width / height by more than 1 %, "
+	    "which stretches the picture; leave \"aspect\" out, or give the viewport a "
+	    "\"scale\"" },
 	[NOTE_COLMAP] = { "/projection/intrinsics",
-	    "the intrinsics look like f, cx, cy, k of COLMAP; fx, fy, "
-	    "cx, cy are wanted: give f twice, and undistort points "
-	    "first" },
+	    "the intrinsics look like f, cx, cy, k of COLMAP; fx, fy, cx, cy are "
+	    "wanted: give f twice, and undistort points first" },
 	[NOTE_NO_PROJECTION] = { "/projection",
-	    "there is none, so that points of view space are printed as "
-	    "ndc; add one, or say --to view or --to world" },
+	    "there is none, so that points of view space are printed as ndc; add one, "
+	    "or say --to view or --to world" },
 	[NOTE_NO_ROTATION] = { "",
-	    "scene is null, as the camera's matrix is not a rotation to 2^-20: "
-	    "it "
+	    "scene is null, as the camera's matrix is not a rotation to 2^-20: it "
 	    "scales, shears or mirrors; take the scale out of it, try "
-	    "\"orthonormalize\": true where the determinant is positive, or "
-	    "the "
+	    "\"orthonormalize\": true where the determinant is positive, or the "
 	    "\"convention\" that the matrix is from where it is negative" },
 	[NOTE_TILTED] = { "",
-	    "near, far and scene are null, as the planes of equal depth are "
-	    "tilted against the picture by more than 2^-40; give the matrix "
-	    "with "
-	    "all 17 digits, not as floats, and if it is a product, check that "
-	    "its "
-	    "factors stand in the order for its \"vectors\"" },
+	    "near, far and scene are null, as the planes of equal depth are tilted "
+	    "against the picture by more than 2^-40; give the matrix with all 17 "
+	    "digits, not as floats, and if it is a product, check that its factors "
+	    "stand in the order for its \"vectors\"" },
 	[NOTE_MINUS_W] = { "",
-	    "scene is null, as w is negative between near and far; negate "
-	    "every "
+	    "scene is null, as w is negative between near and far; negate every "
 	    "element of the matrix" },
 	[NOTE_NO_INTRINSICS] = { "",
-	    "scene is null, as x depends on y or there are no near and far "
-	    "planes: "
-	    "only \"intrinsics\" can say that, of a perspective that does not "
-	    "mirror and fills the viewport; add a viewport, or give near and "
-	    "far, "
-	    "or a matrix with all 17 digits" },
+	    "scene is null, as x depends on y or there are no near and far planes: "
+	    "only \"intrinsics\" can say that, of a perspective that does not mirror "
+	    "and fills the viewport; add a viewport, or give near and far, or a matrix "
+	    "with all 17 digits" },
 	[NOTE_OUT_OF_RANGE] = { "",
-	    "scene is null, as a plane lies behind the eye or a number is out "
-	    "of "
+	    "scene is null, as a plane lies behind the eye or a number is out of "
 	    "range; look at near, far and eye" },
 };
 

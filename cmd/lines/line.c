@@ -67,17 +67,16 @@ static bool is_legal(const struct layout *l, struct cursor c,
 	if (l->output.append && l->seen.header_fields > 0 &&
 	    cursor_count(c) != l->seen.header_fields)
 		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the header %zu; --append would put the "
-		    "image below other names",
+		    "has %zu fields and the header %zu; --append would put the image "
+		    "below other names",
 		    cursor_count(c), l->seen.header_fields);
 	else if (c.bracket != NULL && lookup_find_overlap(l, found) > 0)
 		strcpy(reason,
-		    "has a coordinate in another; --columns names values "
-		    "apart");
+		    "has a coordinate in another; --columns names values apart");
 	else if (found->mixed_commas)
 		strcpy(reason,
-		    "has commas between some numbers and not between others; "
-		    "is the comma a decimal point? write 1.5 for 1,5");
+		    "has commas between some numbers and not between others; is the "
+		    "comma a decimal point? write 1.5 for 1,5");
 	else
 		return true;
 	return false;
@@ -117,8 +116,8 @@ static void read_fields(struct layout *l, struct span text, enum next_part first
 	if (line->kind == LINE_POINT && first == FIRST_ROW && l->seen.reordered &&
 	    layout_has_names(l) && cursor_count(c) < l->seen.header_fields) {
 		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the header %zu, so that its names may "
-		    "be those of other columns; say --columns by number",
+		    "has %zu fields and the header %zu, so that its names may be those "
+		    "of other columns; say --columns by number",
 		    cursor_count(c), l->seen.header_fields);
 		line->kind = LINE_REFUSED;
 		return;

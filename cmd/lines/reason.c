@@ -113,8 +113,8 @@ static bool say_remedy(const struct layout *l, struct span f, char reason[REASON
 		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
 	else if (after != NULL && !field_is_name(f))
 		say_more(reason,
-		    "; a number is wanted, and nothing else in the field; "
-		    "--columns chooses other fields");
+		    "; a number is wanted, and nothing else in the field; --columns "
+		    "chooses other fields");
 	else
 		return false;
 	return true;
@@ -327,8 +327,7 @@ static void say_near(const struct layout *l, struct cursor c, const struct names
 	} else if (c.names && l->header == HEADER_MAYBE &&
 	    !field_is_name((struct span){ c.s, c.end })) {
 		say_more(reason,
-		    "; if there is no header, say --columns by "
-		    "number, such as 3,4,5");
+		    "; if there is no header, say --columns by number, such as 3,4,5");
 	} else {
 		for (int i = 0; i < names->n; i++)
 			word_offer(&g, word_closeness(typed, names->name[i]),
@@ -415,8 +414,7 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 		    c.names ? "the header has no column" : "has no member", shown,
 		    c.names || l->columns.n > 0 ?
 			"" :
-			"; --columns names the coordinates, such as lon "
-			"or /pos/x");
+			"; --columns names the coordinates, such as lon or /pos/x");
 		if (c.names && i == 2 && l->z_hint != NULL)
 			say_more(reason, "%s", l->z_hint);
 		else
@@ -424,8 +422,8 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 			    reason);
 	} else if (c.names) {
 		say_more(reason,
-		    "the header has two columns for %s, %ld and %ld; say "
-		    "--columns by number",
+		    "the header has two columns for %s, %ld and %ld; say --columns by "
+		    "number",
 		    name, found->index[i] + 1, found->second_index[i] + 1);
 	} else {
 		say_more(reason, "has two members '%s'", shown);

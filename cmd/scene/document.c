@@ -178,8 +178,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	    (value_member(&m[ROW_OF(VIEWPORT)], "min_z", &given) ||
 		value_member(&m[ROW_OF(VIEWPORT)], "max_z", &given)))
 		value_refuse(&given,
-		    "not together with \"depth\": \"distance\"; it is for "
-		    "\"buffer\"");
+		    "not together with \"depth\": \"distance\"; it is for \"buffer\"");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);

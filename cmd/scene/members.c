@@ -24,8 +24,8 @@ static const struct member camera_members[] = {
 	    .about = "direction in which the camera looks, of any length"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation rotationquaternion quaternion quat qvec q qw",
-	    .hint = " (x, y, z, w, view to world; if world to view, negate "
-		    "x, y, z; a 3x3 R is in \"matrix\")",
+	    .hint = " (x, y, z, w, view to world; if world to view, negate x, y, z; a "
+		    "3x3 R is in \"matrix\")",
 	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
@@ -36,14 +36,13 @@ static const struct member camera_members[] = {
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_steps, matrix,
-	    .aliases = "transformmatrix transform matrixworld cameratoworld "
-		       "camtoworld c2w twc localtoworldmatrix",
+	    .aliases = "transformmatrix transform matrixworld cameratoworld camtoworld "
+		       "c2w twc localtoworldmatrix",
 	    .hint = " (view to world)",
 	    .about = "map from view to world space: a matrix or steps"),
 	ROW(camera, "matrix", type_steps, matrix,
-	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
-		       "rotationmatrix worldtocamera worldtocameramatrix "
-		       "worldtocam w2c tcw",
+	    .aliases = "view viewmatrix extrinsic extrinsics r rt rotationmatrix "
+		       "worldtocamera worldtocameramatrix worldtocam w2c tcw",
 	    .hint = " (world to view, [R|t])",
 	    .about = "map from world to view space, such as [R|t] or steps"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
@@ -71,9 +70,8 @@ static const struct rule camera_rules[] = {
 	ROW(object, label, type_numbers, field, .range = &range_positive, __VA_ARGS__)
 
 static const struct value_range height_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
-	.wanted = "a number from 1e-150 to 1e150 is wanted; for a flipped "
-		  "viewport of Vulkan write \"webgpu\", y + height for y, and "
-		  "-height for height" };
+	.wanted = "a number from 1e-150 to 1e150 is wanted; for a flipped viewport of "
+		  "Vulkan write \"webgpu\", y + height for y, and -height for height" };
 
 #define RECTANGLE(object)                                                            \
 	ROW(object, "x", type_numbers, x, .aliases = "left", .unit = "device units", \
@@ -255,20 +253,20 @@ const struct member scene_members[] = {
 	    .aliases = "d3d gl vulkan webgpu opencv", .words = convention_names,
 	    .fallback = "\"d3d\"", .shown = true, .default_from = "-c's",
 	    .about = "convention of the scene's axes, depths and matrices",
-	    .command = "lookat '{\"convention\": \"gl\", "
-		       "\"camera\": " CAMERA_EXAMPLE "}'"),
+	    .command = "lookat '{\"convention\": \"gl\", \"camera\": " CAMERA_EXAMPLE
+		       "}'"),
 	ROW(document, "angle_unit", type_word, unit,
 	    .aliases = "angleunits unit units angles radians degrees",
 	    .words = angle_unit_names, .in_any_document = true,
 	    .fallback = "\"degrees\"", .about = "unit of all angles of the scene",
-	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
-		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
+	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, \"aspect\": "
+		       "1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_steps, scene.world, .aliases = "model",
 	    .flag = FIELD(document, scene.has_world), .members = step_members,
 	    .rules = step_rules, .example = WORLD_EXAMPLE, .fallback = WORLD_EXAMPLE,
 	    .about = "map from model to world space: a matrix or steps",
-	    .command = "project --to world '{\"world\": "
-		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' '[1,2,3]'"),
+	    .command = "project --to world '{\"world\": [1,0,0,0, 0,1,0,0, 0,0,1,0, "
+		       "10,20,30,1]}' '[1,2,3]'"),
 	SCENE_OBJECT("camera", camera, camera_members, CAMERA_EXAMPLE,
 	    .rules = camera_rules, .aliases = "view",
 	    .about = "where the camera stands (map from world to view space)",

@@ -73,8 +73,8 @@ const struct member projection_members[] = {
 	    .about = "type; commands persp, ortho, oblique, volume imply it"),
 	MEMBER(OBLIQUE, "kind", type_word, shear.kind, .words = oblique_kinds,
 	    .word_0 = OBLIQUE_CAVALIER,
-	    .about = "cavalier keeps the length of lines along the gaze, "
-		     "cabinet halves it"),
+	    .about =
+		"cavalier keeps the length of lines along the gaze, cabinet halves it"),
 	ANGLE(OBLIQUE, "angle", shear.projector_angle, .range = &projector_angle_range,
 	    .about = "angle between projectors and picture, in place of kind"),
 	ANGLE(OBLIQUE, "direction", shear.direction, .range = &range_any,
@@ -118,15 +118,14 @@ const struct member projection_members[] = {
 	    .about = "top edge of the view volume, other than bottom"),
 	ANGLE(PERSP, "angles", section.angles, .n = 4, .range = &edge_angle_range,
 	    .aliases = "angleleft angleright angleup angledown",
-	    .hint = " ([left, right, bottom, top] from the gaze; for OpenXR "
-		    "with \"angle_unit\": \"radians\")",
+	    .hint = " ([left, right, bottom, top] from the gaze; for OpenXR with "
+		    "\"angle_unit\": \"radians\")",
 	    .about = "angles from the gaze: left, right, bottom, top plane"),
 	MEMBER(PERSP, "intrinsics", type_intrinsics, section.intrinsics,
-	    .aliases = "k fx fy cx cy flx fly "
-		       "cameramatrix projectionmatrix matrix intrinsic p "
-		       "principalpoint skew",
-	    .hint = " ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from "
-		    "view to clip is \"matrix\" of type \"matrix\")",
+	    .aliases = "k fx fy cx cy flx fly cameramatrix projectionmatrix matrix "
+		       "intrinsic p principalpoint skew",
+	    .hint = " ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from view to "
+		    "clip is \"matrix\" of type \"matrix\")",
 	    .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
 	SIZE(PERSP, "edges_at", section.edges_at, .aliases = "distance d",
@@ -184,9 +183,8 @@ const struct rule projection_rules[] = {
 	      "height~ aspect~|viewport", "left right bottom top"),
 	    .field = FIELD(projection, section.way), .way_0 = SECTION_SIZE },
 	{ RULE(OBLIQUE, "kind", "angle"),
-	    .hint =
-		"give \"kind\", or \"angle\" of the projectors; lines along the gaze "
-		"have the \"direction\" in the picture" },
+	    .hint = "give \"kind\", or \"angle\" of the projectors; lines along the "
+		    "gaze have the \"direction\" in the picture" },
 	{ RULE(PERSP | PARALLEL, "near far"), .tasks = TASK(WHOLE),
 	    .with = "intrinsics!" },
 	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(WHOLE) | TASK(PLANE),
@@ -195,8 +193,8 @@ const struct rule projection_rules[] = {
 	    .with = "fovy fovx view_angle field angles edges_at" },
 	{ RULE(PERSP, "near"), .tasks = TASK(FIT) | TASK(PLANE),
 	    .with = "width height left edges_at!",
-	    .hint = "the section is on the near plane, unless \"edges_at\" "
-		    "says where" },
+	    .hint =
+		"the section is on the near plane, unless \"edges_at\" says where" },
 	{ RULE(VOLUME, "half_width half_height", "size aspect|viewport") },
 	{ RULE(VOLUME, "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?"),
 	    .field = FIELD(projection, volume.eye_given_by) },

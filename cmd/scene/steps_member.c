@@ -94,9 +94,9 @@ const struct member step_members[] = {
 	ROW(step, "matrix", type_affine, matrix, .about = "affine matrix"),
 	ROW(step, "node", type_object, kind, .members = node_members,
 	    .rules = node_rules, .aliases = "translation rotation trs",
-	    .hint = ", an object with translation, rotation x, y, z, w and "
-		    "scale as in glTF; if w is first, as in nuScenes, "
-		    "\"quaternion_wxyz\" and then \"translate\"",
+	    .hint = ", an object with translation, rotation x, y, z, w and scale as in "
+		    "glTF; if w is first, as in nuScenes, \"quaternion_wxyz\" and then "
+		    "\"translate\"",
 	    .about = "\"scale\", \"rotation\" and \"translation\" of glTF"),
 	ROW(step, "inverse", type_inverse, inner,
 	    .about = "list of steps, inverted as a whole"),
@@ -109,10 +109,10 @@ const struct rule step_rules[] = {
 	{ .ways = WAYS("translate", "scale", "rotate_x", "rotate_y", "rotate_z",
 	      "rotate", "quaternion", "quaternion_wxyz", "rvec", "matrix vectors?",
 	      "node", "inverse"),
-	    .hint = "a step has one operation: \"translate\", \"scale\", "
-		    "\"rotate_x\", \"rotate_y\", \"rotate_z\", \"rotate\", "
-		    "\"quaternion\", \"quaternion_wxyz\", \"rvec\", \"matrix\", "
-		    "\"node\" or \"inverse\"" },
+	    .hint =
+		"a step has one operation: \"translate\", \"scale\", \"rotate_x\", "
+		"\"rotate_y\", \"rotate_z\", \"rotate\", \"quaternion\", "
+		"\"quaternion_wxyz\", \"rvec\", \"matrix\", \"node\" or \"inverse\"" },
 	{ .ways = NULL },
 };
 
@@ -134,8 +134,8 @@ static void read_step(const struct value *v, struct step *s)
 
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v,
-		    "a step, an object of one operation such as "
-		    "{\"translate\": [0, 0, 1]},");
+		    "a step, an object of one operation such as {\"translate\": [0, 0, "
+		    "1]},");
 	s->kind = (unsigned)__builtin_ctzll(object_read(v, &step_row, 0, NULL).given);
 	row = &step_members[s->kind];
 	if (s->kind == STEP_MATRIX) {
@@ -153,8 +153,8 @@ static void read_list(const struct value *v)
 	for (; e.item != NULL; value_next(&e)) {
 		if (reading->n == STEPS_MAX)
 			value_refuse(&e,
-			    "is one too many; a list has at most 64 steps, "
-			    "with those inside of inverses");
+			    "is one too many; a list has at most 64 steps, with those "
+			    "inside of inverses");
 		struct step *s = &reading->step[reading->n++];
 
 		*s = (struct step){ .rotation = { [3] = 1 }, .scale = { 1, 1, 1 } };
@@ -204,8 +204,7 @@ static void check_lone_step(const struct value *v)
 		if (row != NULL && row->offset != offsetof(struct step, matrix) &&
 		    row->type != &type_flag)
 			value_refuse(v,
-			    "is no list; write a list of steps, [{\"%s\": "
-			    "...}]%s",
+			    "is no list; write a list of steps, [{\"%s\": ...}]%s",
 			    row->name, row->hint != NULL ? row->hint : "");
 	}
 }

@@ -237,8 +237,7 @@ static void read_intrinsics(const struct value *v, const struct member *row, voi
 		    n == 16 || nested || n < 5 ?
 			"a 4x4 from view to clip is of type \"matrix\"" :
 			"what follows fx, fy, cx, cy bends a lens: 'Points through a "
-		        "lens' in "
-			"'man projcalc-scene'");
+			"lens' in 'man projcalc-scene'");
 	read_rows(v, 3, columns, e);
 	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 && e[5] == 0 &&
 	    e[8] == 1 && !v->unused)
@@ -249,8 +248,8 @@ static void read_intrinsics(const struct value *v, const struct member *row, voi
 		check_k(v, k);
 	if (columns == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 && !v->unused)
 		value_refuse(v,
-		    "the last row of P begins 0, 0, 0; a perspective divides "
-		    "by more than one number");
+		    "the last row of P begins 0, 0, 0; a perspective divides by more "
+		    "than one number");
 }
 
 /* Prints the 3x4 matrix P by the fewest numbers: as fx, fy, cx, cy, as K, or as P. */

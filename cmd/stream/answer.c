@@ -197,9 +197,8 @@ static void note_comment(struct job *j, struct place p)
 	j->layout.seen.note = false;
 	if (note_is_new(NOTE_COMMENT))
 		say_note(&p,
-		    "this comment may name the columns, and the first ones are "
-		    "read; leave out its # or say --columns by number, or "
-		    "--no-header");
+		    "this comment may name the columns, and the first ones are read; "
+		    "leave out its # or say --columns by number, or --no-header");
 }
 
 /* Adds the chunk's first points to job.behind, or ends its watch. */

@@ -31,13 +31,13 @@ static const char *axes_of_gaze(const struct camera *c,
 		up[i] = sum_of_double(c->up[i]);
 	}
 	if (vec3_is_zero(z))
-		return at ? "/camera/at: equal to the eye; "
-			    "choose another point to look at" :
-			    "/camera/gaze: has no direction; "
-			    "at least one element must not be 0";
+		return at ?
+		    "/camera/at: equal to the eye; choose another point to look at" :
+		    "/camera/gaze: has no direction; at least one element must not be "
+		    "0";
 	if (vec3_is_zero(up))
-		return "/camera/up: has no direction; "
-		       "at least one element must not be 0";
+		return "/camera/up: has no direction; at least one element must not be "
+		       "0";
 	vec3_cross(up, z, x);
 	vec3_cross(z, x, y);
 	struct sum xx = vec3_dot(x, x), zz = vec3_dot(z, z);
@@ -45,8 +45,7 @@ static const char *axes_of_gaze(const struct camera *c,
 
 	/* up and z count as parallel if the sine |x| / (|up| |z|) is below 2^-50 */
 	if (sum_compare(xx, sum_scale(product, 0x1p-100)) < 0)
-		return "/camera/up: parallel to the gaze; "
-		       "choose another up vector";
+		return "/camera/up: parallel to the gaze; choose another up vector";
 	struct sum x_length = sum_sqrt(xx), z_length = sum_sqrt(zz);
 
 	a->length[0] = x_length;
@@ -83,8 +82,8 @@ static const char *axes_of_orientation(const struct camera *c, struct axes *a)
 static const char *axes_of_rvec(const struct camera *c, struct axes *a)
 {
 	if (!rotation_about(c->rvec, a->v))
-		return "/camera/rvec: is longer than 2 pi; its length is the "
-		       "angle in radians";
+		return "/camera/rvec: is longer than 2 pi; its length is the angle in "
+		       "radians";
 	for (int i = 0; i < 3; i++)
 		a->length[i] = sum_of_double(1);
 	return NULL;
@@ -173,12 +172,10 @@ static const char *orthonormalize(struct map *r, bool inverts, bool pose)
 
 	if (found == ROTATION_NONE)
 		return REFUSAL(pose,
-		    "its determinant is not positive; a "
-		    "rotation's is 1");
+		    "its determinant is not positive; a rotation's is 1");
 	if (found == ROTATION_MANY)
 		return REFUSAL(pose,
-		    "two directions have all but vanished; "
-		    "no rotation is the nearest");
+		    "two directions have all but vanished; no rotation is the nearest");
 	rotation_of_quaternion(q, v, &d);
 	map_identity(&move);
 	for (int k = 0; k < 3; k++) {

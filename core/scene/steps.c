@@ -103,8 +103,7 @@ static const char *rotation_of(const struct step *s, enum angle_unit unit,
 	if (s->kind == STEP_RVEC)
 		return rotation_about(s->rotation, v) ?
 		    NULL :
-		    "its rvec is longer than 2 pi; the length is the angle in "
-		    "radians";
+		    "its rvec is longer than 2 pi; the length is the angle in radians";
 	if (s->kind <= STEP_ROTATE_Z) {
 		rotate_about((int)s->kind - STEP_ROTATE_X, s->angle, unit, v);
 		return NULL;
