@@ -9,7 +9,7 @@
 #include "help.h"
 #include "message/message.h"
 
-#define VERSION "0.3.0"
+#define VERSION "1.0.0"
 
 /* clang-format off */
 
