@@ -72,20 +72,17 @@ static void divide_by_w(const struct document *d, struct map *m)
 		    "doubles; leave --unit-w out");
 }
 
-/* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
- * to double. If `unit_w` is true, divides by w first. If `floats` is true, rounds to float, and refuses those out of range. */
+/* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements to
+ * double or, if `floats` is true, to float, and refuses those out of range. */
 static struct elements elements_of(const struct document *d, const struct transform *t,
-    bool unit_w, bool floats, bool column)
+    bool floats, bool column)
 {
 	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
 	struct elements m = { .rows = n[column], .columns = n[!column] };
-	struct map map = t->map;
 
-	if (unit_w)
-		divide_by_w(d, &map);
 	for (int i = 0; i < n[0]; i++)
 		for (int j = 0; j < n[1]; j++) {
-			double v = map_element_nearest(&map, kept_axes[n[0] - 3][i],
+			double v = map_element_nearest(&t->map, kept_axes[n[0] - 3][i],
 			    kept_axes[n[1] - 3][j], floats);
 
 			if (floats && !isfinite((float)v))
@@ -98,7 +95,7 @@ static struct elements elements_of(const struct document *d, const struct transf
 }
 
 void matrix_print(const struct options *o, const struct document *d,
-    const struct transform *t)
+    struct transform *t)
 {
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	bool single = o->precision == PRECISION_SINGLE;
@@ -109,7 +106,10 @@ void matrix_print(const struct options *o, const struct document *d,
 		.floats = single,
 		.compact = true,
 		.separator = "" };
-	struct elements m = elements_of(d, t, o->unit_w, floats,
+
+	if (o->unit_w)
+		divide_by_w(d, &t->map);
+	struct elements m = elements_of(d, t, floats,
 	    column && !format_is_binary(o->out));
 
 	if (o->out == FORMAT_JSON)
@@ -123,18 +123,18 @@ void matrix_print(const struct options *o, const struct document *d,
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
 static void matrix_prepare(const struct options *o, const struct document *d, int to,
-    struct job *j)
+    bool points, struct job *j)
 {
 	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
-	bool planes = o->flags || o->visible;
+	const bool planes = o->flags || o->visible, flat = c->kind == COMMAND_MATRIX_2D;
 
 	document_refuse_if(d,
-	    c->kind == COMMAND_MATRIX_2D ?
-		transform_of_window(s, (enum flat_space)c->from, (enum flat_space)to,
-		    &j->transform) :
-		transform_of_scene(s, (enum space)c->from, (enum space)to, false,
-		    &j->transform));
+	    !points  ? transform_of_matrix(s, flat, c->from, to, &j->transform) :
+		flat ? transform_of_window(s, (enum flat_space)c->from,
+			   (enum flat_space)to, &j->transform) :
+		       transform_of_scene(s, (enum space)c->from, (enum space)to, false,
+			   &j->transform));
 	if (planes)
 		document_refuse_if(d,
 		    frustum_of_window(s, (enum flat_space)c->from, &j->frustum));
@@ -156,7 +156,7 @@ void run_matrix(const struct options *o)
 	const enum space from = (enum space)c->from;
 
 	matrix_check_unit_w(o, !points, (enum space)c->from, (enum space)c->to);
-	matrix_prepare(o, &d, to, &j);
+	matrix_prepare(o, &d, to, points, &j);
 	if (!flat)
 		notes_say_of_spaces(&d, from, (enum space)c->to);
 	if (!points) {

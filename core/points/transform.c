@@ -167,15 +167,41 @@ const char *transform_by_view(const struct scene *s, enum space from, enum space
 	return NULL;
 }
 
+/* Computes the member map, or the factors map and from_view of a map by view space. */
+static const char *set_maps(const struct scene *s, enum space from, enum space to,
+    bool by_view, struct transform *t)
+{
+	const char *why = by_view ? scene_map_factor(s, from, SPACE_VIEW, &t->map) :
+				    scene_map(s, from, to, &t->map);
+
+	return why == NULL && by_view ?
+	    scene_map_factor(s, SPACE_VIEW, to, &t->from_view) :
+	    why;
+}
+
+const char *transform_of_matrix(const struct scene *s, bool flat, int from, int to,
+    struct transform *t)
+{
+	bool by_view = !flat && from <= SPACE_VIEW && to > SPACE_VIEW;
+	const char *why = flat ?
+	    scene_flat_map(s, (enum flat_space)from, (enum flat_space)to, &t->map) :
+	    set_maps(s, (enum space)from, (enum space)to, by_view, t);
+
+	t->in = t->out = flat ? 2 : 3;
+	t->kernel = flat ? KERNEL_FLAT : KERNEL_NONE;
+	if (why == NULL && by_view) {
+		map_multiply(&t->map, &t->from_view, false);
+		why = scene_map_refuse_range(s, &t->map);
+	}
+	return why != NULL ? why : transform_check(s, t);
+}
+
 const char *transform_of_scene(const struct scene *s, enum space from, enum space to,
     bool homogeneous, struct transform *t)
 {
 	bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
-	const char *why = by_view ? scene_map_factor(s, from, SPACE_VIEW, &t->map) :
-				    scene_map(s, from, to, &t->map);
+	const char *why = set_maps(s, from, to, by_view, t);
 
-	if (why == NULL && by_view)
-		why = scene_map_factor(s, SPACE_VIEW, to, &t->from_view);
 	if (why == NULL && by_view)
 		why = transform_by_view(s, from, to, homogeneous, t);
 	if (why != NULL)

@@ -41,6 +41,11 @@ const char *transform_of_scene(const struct scene *, enum space from, enum space
 const char *transform_of_window(const struct scene *, enum flat_space from,
     enum flat_space to, struct transform *);
 
+/* Computes the members map, in and out, as a printed matrix needs no others. The spaces
+ * are two of enum flat_space if `flat`, or else of enum space. */
+const char *transform_of_matrix(const struct scene *, bool flat, int from, int to,
+    struct transform *);
+
 /* Sets all members of the transform except map, which the caller has set. But if `from`
  * is SPACE_CLIP, also sets the origin of map to 0. */
 void transform_init(struct transform *, enum space from, enum space to,
