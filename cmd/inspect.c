@@ -143,8 +143,7 @@ static void put_bounds(struct printer *p, const struct document *d)
 
 	if (!d->has_bounds)
 		return;
-	document_refuse_if(d,
-	    d->flat ? flat_box_of(s, &d->bounds, &r) : box_of(s, &d->bounds, &r));
+	document_refuse_if(d, box_of(s, &d->bounds, d->flat, &r));
 	put_open(put_name(p, "bounds"), "{");
 	if (!d->flat)
 		put_vector(put_name(p, "distance"), r.distance, 2);

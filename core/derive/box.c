@@ -7,23 +7,6 @@
 #include "../points/distance.h"
 #include "frustum.h"
 
-/* Writes corner k of bounds, homogeneous. */
-static void corner_of(const struct bounds *b, int dimensions, int k, struct sum p[4])
-{
-	for (int i = 0; i < 3; i++) {
-		const bool high = k >> i & 1;
-
-		if (i >= dimensions)
-			sum_set(&p[i], 0);
-		else if (b->sphere)
-			p[i] = sum_difference(b->center[i],
-			    high ? -b->radius : b->radius);
-		else
-			sum_set(&p[i], high ? b->max[i] : b->min[i]);
-	}
-	sum_set(&p[3], 1);
-}
-
 /* Widens the rectangle `edge`, of quotients, to hold x / w and y / w. */
 static void widen(struct sum edge[4], const struct box_point *p, bool first)
 {
@@ -117,23 +100,25 @@ static void set_planes(bool flat, struct box *r)
 	r->outside = some & ~(unsigned)OUT_BEHIND;
 }
 
-/* Sets the corners in the window or, by the map to view space, in view space. */
+/* Sets the corners' images under the map m. */
 static const char *set_corners(const struct bounds *b, int dimensions,
-    const struct map *to_view, struct box *r)
+    const struct map *m, struct box *r)
 {
 	struct hull h;
 	const char *why = hull_of(b, dimensions, &h);
 
 	r->n = 1 << dimensions;
 	for (int k = 0; k < r->n && why == NULL; k++) {
-		struct sum p[4];
+		struct sum p[4] = { [3] = sum_of_double(1) };
 
-		corner_of(b, dimensions, k, p);
+		for (int i = 0; i < 3; i++) {
+			const double radius = i < dimensions ? h.radius : 0;
+
+			p[i] = sum_difference(h.point[k % h.n][i],
+			    k >> i & 1 ? -radius : radius);
+		}
 		for (int j = 0; j < 4; j++)
-			if (to_view != NULL)
-				map_image(to_view, j, p, &r->at[k][j]);
-			else
-				sum_copy(&r->at[k][j], &p[j]);
+			map_image(m, j, p, &r->at[k][j]);
 	}
 	return why;
 }
@@ -159,41 +144,31 @@ static const char *set_distances(const struct scene *s, struct box *r)
 	return NULL;
 }
 
-const char *box_of(const struct scene *s, const struct bounds *b, struct box *r)
+const char *box_of(const struct scene *s, const struct bounds *b, bool flat,
+    struct box *r)
 {
 	struct map *m = &r->sides;
-	const char *why = scene_map_factor(s, SPACE_MODEL, SPACE_VIEW, m);
+	const char *why = NULL;
 
+	map_identity(m);
+	if (!flat)
+		why = scene_map_factor(s, SPACE_MODEL, SPACE_VIEW, m);
 	if (why == NULL)
-		why = set_corners(b, 3, m, r);
-	if (why == NULL)
+		why = set_corners(b, flat ? 2 : 3, m, r);
+	if (why == NULL && !flat)
 		why = set_distances(s, r);
 	if (why == NULL)
-		why = scene_map_factor(s, SPACE_VIEW,
-		    s->has_viewport ? SPACE_DEVICE : SPACE_NDC, m);
+		why = flat ? scene_flat_map(s, FLAT_WINDOW,
+				 s->has_device ? FLAT_DEVICE : FLAT_NDC, m) :
+			     scene_map_factor(s, SPACE_VIEW,
+				 s->has_viewport ? SPACE_DEVICE : SPACE_NDC, m);
 	if (why != NULL)
 		return why;
 	set_images(m, r);
-	why = frustum_planes(s, SPACE_VIEW, &r->sides, &r->ends);
+	why = flat ? frustum_window_planes(s, FLAT_WINDOW, m) :
+		     frustum_planes(s, SPACE_VIEW, m, &r->ends);
 	if (why != NULL)
 		return why;
-	set_planes(false, r);
-	return find_rectangle(r);
-}
-
-const char *flat_box_of(const struct scene *s, const struct bounds *b, struct box *r)
-{
-	const char *why = set_corners(b, 2, NULL, r);
-
-	if (why == NULL)
-		why = scene_flat_map(s, FLAT_WINDOW,
-		    s->has_device ? FLAT_DEVICE : FLAT_NDC, &r->sides);
-	if (why != NULL)
-		return why;
-	set_images(&r->sides, r);
-	why = frustum_window_planes(s, FLAT_WINDOW, &r->sides);
-	if (why != NULL)
-		return why;
-	set_planes(true, r);
+	set_planes(flat, r);
 	return find_rectangle(r);
 }

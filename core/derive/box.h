@@ -27,7 +27,7 @@ struct box {
 	struct map sides, ends;
 };
 
-/* box_of describes bounds of three dimensions, and flat_box_of those of two, of which
- * there is no distance. Both return NULL, or the member at fault and why. */
-const char *box_of(const struct scene *, const struct bounds *, struct box *);
-const char *flat_box_of(const struct scene *, const struct bounds *, struct box *);
+/* Describes bounds of three dimensions or, if flat, of two, of which there is no distance.
+ * Returns NULL, or the member at fault and why. */
+const char *box_of(const struct scene *, const struct bounds *, bool flat,
+    struct box *);

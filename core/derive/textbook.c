@@ -33,7 +33,7 @@ static double dot(const struct program *g, int n, const double *a, const double 
 }
 
 /* Multiplies the program's matrix by that of the next map, rounded. */
-static void take_map(struct program *g, const struct map *next, bool first)
+static void take_map(struct program *g, const struct map *next)
 {
 	double a[4][4], b[4][4];
 
@@ -42,8 +42,7 @@ static void take_map(struct program *g, const struct map *next, bool first)
 		b[i / 4][i % 4] = map_element_nearest(next, i / 4, i % 4, g->single);
 	}
 	for (int i = 0; i < 16; i++)
-		g->m[i / 4][i % 4] = first ? b[i / 4][i % 4] :
-					     dot(g, 4, a[i / 4], &b[0][i % 4]);
+		g->m[i / 4][i % 4] = dot(g, 4, a[i / 4], &b[0][i % 4]);
 }
 
 /* Makes the program of a scene; a scene's absent members have no matrix in it. */
@@ -51,11 +50,10 @@ static const char *program_of(const struct scene *s, struct program *g)
 {
 	const bool has[3] = { s->has_world, s->has_camera,
 		s->projection.type != PROJECTION_NONE };
-	bool first = true;
 	struct map m;
 
-	map_identity(&m);
-	take_map(g, &m, true);
+	for (int k = 0; k < 4; k++)
+		g->m[k][k] = 1;
 	for (int k = 0; k < 3; k++) {
 		const char *why = has[k] ?
 		    scene_map_factor(s, (enum space)k, (enum space)(k + 1), &m) :
@@ -64,8 +62,7 @@ static const char *program_of(const struct scene *s, struct program *g)
 		if (why != NULL)
 			return why;
 		if (has[k])
-			take_map(g, &m, first);
-		first &= !has[k];
+			take_map(g, &m);
 	}
 	map_identity(&m);
 	const char *why = s->has_viewport ?

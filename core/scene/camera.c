@@ -62,31 +62,24 @@ static const char *axes_of_gaze(const struct camera *c,
 	return NULL;
 }
 
-static const char *axes_of_orientation(const struct camera *c, struct axes *a)
+/* The conjugate of the orientation turns from world to view space, as the rvec does. */
+static const char *axes_of_rotation(const struct camera *c, bool by_rvec,
+    struct axes *a)
 {
-	struct sum q[4], columns[3][3], norm;
+	struct sum q[4], length = sum_of_double(1);
 
 	for (int i = 0; i < 4; i++)
-		q[i] = sum_of_double(c->orientation[i]);
-	if (vec3_is_zero(q) && sum_sign(q[3]) == 0)
-		return "/camera/orientation: is 0; the identity is 0, 0, 0, 1";
-	rotation_of_quaternion(q, columns, &norm);
-	for (int i = 0; i < 3; i++) {
-		a->length[i] = norm;
-		for (int k = 0; k < 3; k++)
-			a->v[i][k] = columns[k][i];
-	}
-	return NULL;
-}
-
-static const char *axes_of_rvec(const struct camera *c, struct axes *a)
-{
-	if (!rotation_about(c->rvec, a->v))
+		sum_set(&q[i], i < 3 ? -c->orientation[i] : c->orientation[i]);
+	if (!by_rvec)
+		rotation_of_quaternion(q, a->v, &length);
+	else if (!rotation_about(c->rvec, a->v))
 		return "/camera/rvec: is longer than 2 pi; its length is the angle in "
 		       "radians";
 	for (int i = 0; i < 3; i++)
-		a->length[i] = sum_of_double(1);
-	return NULL;
+		sum_copy(&a->length[i], &length);
+	return sum_is_exact_zero(&length) ?
+	    "/camera/orientation: is 0; the identity is 0, 0, 0, 1" :
+	    NULL;
 }
 
 /* Sets the origin of a map to `eye`, or to 0 if `eye` is NULL. An element of its image
@@ -218,8 +211,7 @@ const char *camera_map(const struct camera *c, const struct convention *conventi
 	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
 		return camera_matrix_map(c, inverse, r);
 	const char *why = c->way <= CAMERA_GAZE ? axes_of_gaze(c, convention, &axes) :
-	    by_rvec                             ? axes_of_rvec(c, &axes) :
-						  axes_of_orientation(c, &axes);
+						  axes_of_rotation(c, by_rvec, &axes);
 
 	if (why != NULL)
 		return why;
