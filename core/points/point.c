@@ -76,17 +76,21 @@ static bool find_divisor(const struct transform *t, const double in[4],
 	return t->front ? sign > 0 : sign != 0;
 }
 
-/* Sets n and d to numerator and divisor of the distance of the image of p, with w as *d.
- * Returns false if a point of clip or ndc space is beyond infinity. */
-static bool find_distance(const struct transform *t, const struct sum p[4],
+/* Sets n and d to numerator and divisor of coordinate j of the image of p, with the
+ * divisor of find_divisor as *d. Returns false if coordinate j is a distance and the
+ * point, of clip or ndc space, is beyond infinity. */
+static bool find_quotient(const struct transform *t, int j, const struct sum p[4],
     struct sum *n, struct sum *d)
 {
-	struct sum scale;
+	column_of(t, j, p, n);
+	if (j != 2 || t->distance != DISTANCE_OUT)
+		return true;
+	const bool finite = sum_sign(*n) > 0;
+	struct sum scale = sum_mul(*n, t->length);
 
-	column_of(t, 2, p, &scale);
 	*n = sum_mul(*d, t->unit);
-	*d = sum_mul(scale, t->length);
-	return sum_sign(scale) > 0;
+	sum_copy(d, &scale);
+	return finite;
 }
 
 void point_exact(const struct transform *t, const double in[4], double out[4])
@@ -103,10 +107,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	for (int j = 0; j < t->out; j++) {
 		double v = (double)NAN;
 
-		if (has_image && j == 2 && t->distance == DISTANCE_OUT)
-			has_image = find_distance(t, p, &q, &d);
-		else if (has_image)
-			column_of(t, j, p, &q);
+		has_image = has_image && find_quotient(t, j, p, &q, &d);
 		if (has_image)
 			v = sum_ratio_nearest(&q, &d, false);
 		out[j] = isfinite(v) ? v : (double)NAN;
@@ -126,6 +127,6 @@ float point_exact_float(const struct transform *t, const double in[4], int j,
 		return (float)image;
 	set_point(t, in, p);
 	find_divisor(t, in, p, &d);
-	column_of(t, j, p, &q);
+	find_quotient(t, j, p, &q, &d);
 	return (float)sum_ratio_nearest(&q, &d, true);
 }
