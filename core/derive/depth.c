@@ -39,7 +39,7 @@ void depth_of(const struct lens *l, struct depth *d)
 		w[i] = m.m[i][3];
 	}
 	if (!l->parallel) {
-		w[3] = sum_of_double(0);
+		sum_set(&w[3], 0);
 		z[3] = sum_quotient(sum_mul(eye_z[0], to_range.m[2][2]), eye_z[1]);
 	} else if (s->projection.type == PROJECTION_MATRIX) {
 		against_n = l->reversed != negative_w;
@@ -62,7 +62,7 @@ void depth_of(const struct lens *l, struct depth *d)
 static void depth_of_plane(const struct depth *d, bool far, struct sum z[2])
 {
 	z[0] = sum_of_double(far != d->reversed ? d->high : d->low);
-	z[1] = sum_of_double(1);
+	sum_set(&z[1], 1);
 }
 
 void depth_quotient(const struct depth *d, bool far, struct sum *num, struct sum *den)
@@ -98,9 +98,9 @@ static bool next_float(const struct sum z[2], int up, struct sum next[2])
 	float f = (float)sum_ratio_nearest(&z[0], &z[1], true),
 	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
 
-	next[1] = sum_of_double(1);
+	sum_set(&next[1], 1);
 	if (isfinite(f))
-		next[0] = sum_of_double((double)f);
+		sum_set(&next[0], (double)f);
 	if (!isfinite(f) || compare_depths(next, z) * up <= 0)
 		next[0] = sum_of_double((double)(f = nextafterf(f, to)));
 	return isfinite(f) != 0;

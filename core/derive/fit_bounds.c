@@ -60,7 +60,7 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j, bool mi
 	struct sum at, p[4] = { [3] = sum_of_double(1) };
 
 	for (int i = 0; i < 3; i++)
-		p[i] = sum_of_double(h->point[0][i]);
+		sum_set(&p[i], h->point[0][i]);
 	map_image(m, j, p, &at);
 	at = sum_add(sum_negated_if(minus, at), lowest_offset(h, m, j, minus));
 	return sum_snap_zero(sum_quotient(at, m->divisor));

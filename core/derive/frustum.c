@@ -15,7 +15,7 @@ void frustum_limits(const struct scene *s, struct sum half[2], struct sum scale[
 		viewport_limits(&s->viewport, h, pixels);
 	for (int k = 0; k < 2; k++) {
 		half[k] = sum_scale(sum_difference(1, 2 * s->margin), h[k]);
-		scale[k] = sum_of_double(pixels[k]);
+		sum_set(&scale[k], pixels[k]);
 	}
 }
 
@@ -223,9 +223,9 @@ static void intersect_planes(const struct volume *v, int a, int b,
 	struct sum plane[4][4], w;
 
 	for (int i = 0; i < 4; i++) {
-		plane[0][i] = v->sides.m[i][a];
-		plane[1][i] = v->sides.m[i][b];
-		plane[2][i] = other->m[i][c];
+		sum_copy(&plane[0][i], &v->sides.m[i][a]);
+		sum_copy(&plane[1][i], &v->sides.m[i][b]);
+		sum_copy(&plane[2][i], &other->m[i][c]);
 	}
 	for (int i = 0; i < 4; i++) {
 		h[i] = map_minor(3, plane, 8, 1u << i);

@@ -73,7 +73,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 		why = set_direction_map(s, depth_falls, &r->direction.map);
 	if (why != NULL)
 		return why;
-	r->direction.map.divisor = sum_of_double(1);
+	sum_set(&r->direction.map.divisor, 1);
 	map_set_origin(&r->direction.map,
 	    (double[3]){ r->to_world.map.origin[0], r->to_world.map.origin[1] });
 	if (projection_is_open(&s->projection))
@@ -204,14 +204,14 @@ const char *ray_plane_transform(const struct scene *s, enum space from, enum spa
 	if (why != NULL)
 		return why;
 	for (int k = 0; k < 4; k++)
-		p[k] = sum_of_double(plane[k]);
+		sum_set(&p[k], plane[k]);
 	sum_dot(4, m.m[2], p, 1, &m2_p);
 	if (sum_sign(m2_p) == 0)
 		return sum_sign(m.m[2][3]) == 0 ?
 		    "the plane is parallel to all rays; choose another" :
 		    "the plane goes through the eye; choose another";
 	memset(r, 0, sizeof *r);
-	r->divisor = sum_of_double(1);
+	sum_set(&r->divisor, 1);
 	memcpy(r->origin, m.origin, 2 * sizeof *m.origin);
 	for (int i = 0; i < 5; i++)
 		if (i != 2)

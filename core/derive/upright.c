@@ -106,5 +106,5 @@ void upright_of(const struct lens *l, struct upright *u)
 	for (int i = 0; i < 2; i++)
 		for (int j = i + 1; j < (l->parallel ? 3 : 2); j++)
 			if (is_negligible(u->clip_xy[i][j], u->clip_xy[i][i]))
-				u->clip_xy[i][j] = sum_of_double(0);
+				sum_set(&u->clip_xy[i][j], 0);
 }

@@ -72,7 +72,7 @@ void map_set_origin(struct map *r, const double origin[3])
 
 	for (int k = 0; k < 3; k++) {
 		r->origin[k] = origin != NULL ? origin[k] : 0;
-		p[k] = sum_of_double(r->origin[k]);
+		sum_set(&p[k], r->origin[k]);
 	}
 	for (int j = 0; j < 4; j++)
 		sum_dot(4, p, &r->m[0][j], 4, &r->m[4][j]);
@@ -126,15 +126,15 @@ static void divide_element(struct sum *a, const struct sum *d)
  * becomes a power of two, divides the elements by it, and sets the divisor to 1. */
 void map_divide(struct map *r, struct sum d)
 {
-	struct sum power = sum_of_double(d.value.sign);
+	struct sum factor = sum_of_double(d.value.sign);
 
 	r->divisor = sum_mul(r->divisor, sum_abs(d));
 	if (sum_is_power_of_two(&r->divisor)) {
-		power = sum_mul(power, r->divisor);
-		r->divisor = sum_of_double(1);
+		factor = sum_quotient(factor, r->divisor);
+		sum_set(&r->divisor, 1);
 	}
-	for (int i = 0; i < 20 && !sum_is_one(&power); i++)
-		divide_element(&r->m[i / 4][i % 4], &power);
+	for (int i = 0; i < 20 && !sum_is_one(&factor); i++)
+		sum_dot(1, &r->m[i / 4][i % 4], &factor, 1, &r->m[i / 4][i % 4]);
 }
 
 void map_divide_column(struct map *r, int j, struct sum d)
@@ -276,7 +276,7 @@ bool map_invert(const struct map *a, struct map *inverse)
 		for (int j = 0; j < 4; j++)
 			inverse->m[i][j] = sum_negated_if((i + j) % 2,
 			    map_minor(3, a->m, 1u << j, 1u << i));
-	inverse->divisor = sum_of_double(1);
+	sum_set(&inverse->divisor, 1);
 	memset(inverse->m[4], 0, sizeof inverse->m[4]);
 	map_divide(inverse, det);
 	for (int i = 0; i < 16 && !sum_is_one(&a->divisor); i++)

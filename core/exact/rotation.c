@@ -34,7 +34,7 @@ static bool largest_root(struct sum s, struct sum d, struct sum k, double least,
 {
 	double step, slope, x1;
 
-	*x = sum_of_double(sqrt(3 * sum_double(s)));
+	sum_set(x, sqrt(3 * sum_double(s)));
 	do {
 		struct sum x2 = sum_mul(*x, *x);
 		struct sum p = sum_mul(sum_sub(x2, sum_scale(s, 2)), *x);
@@ -166,7 +166,7 @@ bool rotation_about(const double vector[3], struct sum r[3][3])
 	struct sum v[3], sine, versine;
 
 	for (int i = 0; i < 3; i++)
-		v[i] = sum_of_double(vector[i]);
+		sum_set(&v[i], vector[i]);
 	if (!trig_rodrigues(vec3_dot(v, v), &sine, &versine))
 		return false;
 	rodrigues(v, sine, versine, sum_of_double(1), r);
@@ -185,7 +185,7 @@ bool rotation_by_angle(const double axis[3], double angle, enum angle_unit unit,
 	struct sum versine = sum_sub(one, cosine);
 
 	for (int i = 0; i < 3; i++)
-		v[i] = sum_of_double(axis[i]);
+		sum_set(&v[i], axis[i]);
 	*d = vec3_dot(v, v);
 	if (!sum_is_exact(&cosine) && sum_sign(cosine) > 0)
 		versine = sum_quotient(sum_mul(sine, sine), sum_add(one, cosine));

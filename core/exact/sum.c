@@ -209,7 +209,8 @@ struct sum(sum_quotient)(const struct sum *a, const struct sum *b)
 	if (sum_is_power_of_two(b)) {
 		r = sum_of_power(-d);
 		r.value.sign = b->value.sign;
-		return sum_mul(*a, r);
+		sum_dot(1, a, &r, 1, &r);
+		return r;
 	}
 	d -= b->error - EX_RANGE > d - 40;
 	bool exact = ex_divide(&a->value, &b->value, EX_QUOTIENT_WORDS, &r.value);

@@ -12,7 +12,7 @@ const char *distance_of(const struct scene *s, struct distance *d)
 
 	for (int i = 0; i < 4 && why == NULL; i++)
 		d->column[i] = m.m[i][3];
-	d->length = sum_of_double(1);
+	sum_set(&d->length, 1);
 	if (why != NULL)
 		return why;
 	d->parallel = vec3_is_zero(d->column);
@@ -21,7 +21,7 @@ const char *distance_of(const struct scene *s, struct distance *d)
 		bool against = reversed != (sum_sign(m.m[3][3]) < 0);
 
 		memset(d->column, 0, sizeof d->column);
-		d->column[2] = sum_of_double(back ? -1 : 1);
+		sum_set(&d->column[2], back ? -1 : 1);
 		for (int i = 0; i < 3 && p->type == PROJECTION_MATRIX; i++)
 			d->column[i] = sum_negated_if(against, m.m[i][2]);
 	}

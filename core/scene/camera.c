@@ -28,7 +28,7 @@ static const char *axes_of_gaze(const struct camera *c,
 	for (int i = 0; i < 3; i++) {
 		z[i] = sum_negated_if(convention->right_handed,
 		    sum_difference(c->at[i], at ? c->eye[i] : 0));
-		up[i] = sum_of_double(c->up[i]);
+		sum_set(&up[i], c->up[i]);
 	}
 	if (vec3_is_zero(z))
 		return at ?
@@ -102,25 +102,23 @@ static void set_map_eye(struct map *r, const double eye[3])
 static void map_of_axes(const struct axes *a, const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {
-	const struct sum one = sum_of_double(1);
 	bool exact = sum_is_exact(&a->length[1]);
-	struct sum d = exact ? a->length[1] : one, minus[3], found;
+	struct sum d = exact ? a->length[1] : sum_one, minus[3], found;
 	double origin[3] = { 0 };
 
 	for (int i = 0; i < 3; i++)
-		minus[i] = sum_of_double(-given[i]);
+		sum_set(&minus[i], -given[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		struct sum scale = exact ? one : sum_quotient(one, a->length[i]);
+		struct sum scale = exact ? sum_one :
+					   sum_quotient(sum_one, a->length[i]);
 
 		for (int k = 0; k < 3; k++)
-			r->m[inverse ? i : k][inverse ? k : i] = sum_mul(a->v[i][k],
-			    scale);
-		if (is_translation)
-			sum_dot(3, minus, &a->v[0][i], 3, &found);
-		else
-			found = vec3_dot(a->v[i], minus);
-		found = sum_mul(found, scale);
+			sum_dot(1, &a->v[i][k], &scale, 1,
+			    &r->m[inverse ? i : k][inverse ? k : i]);
+		sum_dot(3, minus, is_translation ? &a->v[0][i] : a->v[i],
+		    is_translation ? 3 : 1, &found);
+		sum_dot(1, &found, &scale, 1, &found);
 		r->m[3][i] = is_translation == inverse ? found : sum_scale(d, given[i]);
 		if (!inverse)
 			origin[i] = is_translation ? sum_ratio(found, d) : given[i];

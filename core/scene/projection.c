@@ -21,7 +21,8 @@ static void set_scales(const double aspect[2], bool sets_x, struct sum scale,
 {
 	struct sum w = sum_of_double(aspect[0]), h = sum_of_double(aspect[1]);
 
-	f->dx = f->dy = sum_of_double(divisor);
+	sum_set(&f->dx, divisor);
+	sum_set(&f->dy, divisor);
 	f->x = f->y = scale;
 	if (sets_x) {
 		f->y = sum_mul(scale, w);
@@ -56,10 +57,12 @@ static const char *cross_section(const struct projection *p, double d,
 	const struct projection_section *s = &p->section;
 	bool wide = p->aspect[0] >= p->aspect[1], sets_x = false;
 
-	sums[0] = sums[1] = sum_of_double(0);
-	f->x = f->y = sum_of_double(2 * d);
-	f->dx = sum_of_double(s->width);
-	f->dy = sum_of_double(s->height);
+	sum_set(&sums[0], 0);
+	sum_set(&sums[1], 0);
+	sum_set(&f->x, 2 * d);
+	sum_set(&f->y, 2 * d);
+	sum_set(&f->dx, s->width);
+	sum_set(&f->dy, s->height);
 	switch (s->way) {
 	case SECTION_FOVY:
 	case SECTION_FOVX:
@@ -110,15 +113,15 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
 	double n = projection_is_open(p) ? 1 : p->near;
 
 	if (isinf(p->far)) {
-		f->dz = sum_of_double(1);
-		f->zz = sum_of_double(p->reverse_z ? 0 : 1);
-		f->tz = sum_of_double(p->reverse_z ? n : -n);
+		sum_set(&f->dz, 1);
+		sum_set(&f->zz, p->reverse_z ? 0 : 1);
+		sum_set(&f->tz, p->reverse_z ? n : -n);
 	} else {
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
 
 		f->dz = sum_difference(b, a);
-		f->zz = sum_of_double(b);
+		sum_set(&f->zz, b);
 		f->tz = sum_scale(sum_of_double(-a), b);
 	}
 }
@@ -140,11 +143,11 @@ static const char *persp_matrix(const struct projection *p, const struct convent
 	if (!(p->near < p->far))
 		return "/projection/near: not less than far; near is the plane "
 		       "nearer to the eye, also with \"reverse_z\": true";
-	f->d = sum_of_double(1);
+	sum_set(&f->d, 1);
 	depth_column(p, f);
 	f->zx = sum_neg(sums[0]);
 	f->zy = sum_negated_if(!down, sums[1]);
-	f->zw = sum_of_double(1);
+	sum_set(&f->zw, 1);
 	return NULL;
 }
 
@@ -157,15 +160,15 @@ static const char *ortho_matrix(const struct projection *p, struct scaled_matrix
 
 	if (why != NULL)
 		return why;
-	f->d = sum_of_double(1);
+	sum_set(&f->d, 1);
 	f->dz = sum_difference(b, a);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/far: equal to near; the planes must differ";
-	f->zz = sum_of_double(1);
-	f->tz = sum_of_double(-a);
+	sum_set(&f->zz, 1);
+	sum_set(&f->tz, -a);
 	f->tx = sum_neg(sums[0]);
 	f->ty = sum_neg(sums[1]);
-	f->tw = sum_of_double(1);
+	sum_set(&f->tw, 1);
 	return NULL;
 }
 
@@ -195,8 +198,8 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 	bool wide = p->aspect[0] >= p->aspect[1];
 
 	f->x = f->y = sum_of_double(1);
-	f->dx = sum_of_double(p->volume.half_width);
-	f->dy = sum_of_double(p->volume.half_height);
+	sum_set(&f->dx, p->volume.half_width);
+	sum_set(&f->dy, p->volume.half_height);
 	if (p->aspect[1] != 0)
 		set_scales(p->aspect, !wide, f->x, p->volume.half_width, f);
 }
@@ -217,7 +220,7 @@ static void inverse_eye_z_of_angle(const struct projection *p, struct sum *numer
 	*denominator = sum_mul(tall ? f.dx : f.dy, cot);
 	if (!sum_is_exact(denominator)) {
 		*numerator = sum_quotient(*numerator, *denominator);
-		*denominator = sum_of_double(1);
+		sum_set(denominator, 1);
 	}
 }
 
@@ -226,17 +229,17 @@ void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
 {
 	const struct projection_volume *v = &p->volume;
 
-	*denominator = sum_of_double(1);
+	sum_set(denominator, 1);
 	switch (v->eye_given_by) {
 	case EYE_BY_INVERSE_Z:
-		*numerator = sum_of_double(v->inverse_eye_z);
+		sum_set(numerator, v->inverse_eye_z);
 		break;
 	case EYE_BY_POINT:
-		*numerator = sum_of_double(1);
-		*denominator = sum_of_double(v->eye[2]);
+		sum_set(numerator, 1);
+		sum_set(denominator, v->eye[2]);
 		break;
 	case EYE_BY_ANGLE:
-		*numerator = sum_of_double(0);
+		sum_set(numerator, 0);
 		if (v->view_angle > 0)
 			inverse_eye_z_of_angle(p, numerator, denominator);
 		break;
@@ -293,11 +296,17 @@ static const char *volume_matrix(const struct projection *p, struct scaled_matri
 
 static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 {
-	*r = (struct map){
-		.m = { { f->x }, { [1] = f->y }, { f->zx, f->zy, f->zz, f->zw },
-		    { f->tx, f->ty, f->tz, f->tw }, { f->tx, f->ty, f->tz, f->tw } },
-		.divisor = sum_of_double(1)
-	};
+	const struct sum *z[] = { &f->zx, &f->zy, &f->zz, &f->zw },
+			 *t[] = { &f->tx, &f->ty, &f->tz, &f->tw };
+
+	map_identity(r);
+	sum_copy(&r->m[0][0], &f->x);
+	sum_copy(&r->m[1][1], &f->y);
+	for (int k = 0; k < 4; k++) {
+		sum_copy(&r->m[2][k], z[k]);
+		sum_copy(&r->m[3][k], t[k]);
+		sum_copy(&r->m[4][k], t[k]);
+	}
 	map_divide(r, f->d);
 	map_divide_column(r, 0, f->dx);
 	map_divide_column(r, 1, f->dy);
@@ -324,7 +333,7 @@ static void set_plane_origin(const struct projection *p, const struct scaled_mat
 	} else {
 		at.tx = sum_scale(f->zx, z);
 		at.ty = sum_scale(f->zy, z);
-		at.tz = sum_of_double(0);
+		sum_set(&at.tz, 0);
 		at.tw = sum_add(f->tw, sum_scale(f->zw, z));
 	}
 	map_of_scaled(&at, &image);

@@ -30,10 +30,10 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 	if (w->by_edges && !(w->bottom < w->top))
 		return "/window/top: not greater than bottom; swap them; "
 		       "what turns y is the \"origin\" of the device";
-	size[0] = sum_of_double(w->width);
-	size[1] = sum_of_double(w->height);
+	sum_set(&size[0], w->width);
+	sum_set(&size[1], w->height);
 	for (int i = 0; i < 2; i++) {
-		center[i] = sum_of_double(w->center[i]);
+		sum_set(&center[i], w->center[i]);
 		if (w->by_edges) {
 			size[i] = sum_difference(high[i], low[i]);
 			center[i] = sum_scale(sum_difference(low[i], -high[i]), 0.5);
