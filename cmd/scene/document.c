@@ -311,7 +311,7 @@ void put_scene(struct printer *p, const struct scene *s)
 
 	/* the world is printed as it was given, with its angles in radians; the other
 	 * angles that inspect finds are in degrees */
-	d.unit = s->has_world ? s->world_steps.unit : ANGLE_DEGREES;
+	d.unit = s->has_world ? s->world.unit : ANGLE_DEGREES;
 	if (d.unit == ANGLE_RADIANS) {
 		shear->projector_angle *= PI / 180;
 		shear->direction *= PI / 180;

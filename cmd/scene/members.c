@@ -35,12 +35,12 @@ static const struct member camera_members[] = {
 	    .hint = " (where the world's origin is in view space)",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
-	ROW(camera, "pose", type_steps, matrix,
+	ROW(camera, "pose", type_steps, steps,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld camtoworld "
 		       "c2w twc localtoworldmatrix",
 	    .hint = " (view to world)",
 	    .about = "map from view to world space: a matrix or steps"),
-	ROW(camera, "matrix", type_steps, matrix,
+	ROW(camera, "matrix", type_steps, steps,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt rotationmatrix "
 		       "worldtocamera worldtocameramatrix worldtocam w2c tcw",
 	    .hint = " (world to view, [R|t])",

@@ -4,19 +4,7 @@
 #include "../../core/scene/scene.h"
 #include "types.h"
 
-/* The fields of a member of type_steps. */
-struct affine {
-	double matrix[4][4];
-	struct steps steps;
-};
-
 _Static_assert(offsetof(struct step, kind) == 0, "rows of objects begin at kind");
-_Static_assert(offsetof(struct scene, world_steps) ==
-	offsetof(struct scene, world) + offsetof(struct affine, steps),
-    "world_steps is next to world");
-_Static_assert(offsetof(struct camera, steps) ==
-	offsetof(struct camera, matrix) + offsetof(struct affine, steps),
-    "steps is next to matrix");
 
 /* A factor for all axes, or one for each; in the struct a double[3]. */
 static void read_factors(const struct value *v, const struct member *row, void *out)
@@ -211,14 +199,14 @@ static void check_lone_step(const struct value *v)
 
 static void read_steps(const struct value *v, const struct member *row, void *out)
 {
-	const bool is_world = row->offset != offsetof(struct camera, matrix);
-	struct affine *a = out;
+	const bool is_world = row->offset != offsetof(struct camera, steps);
+	struct steps *steps = out;
 
-	a->steps.step = NULL;
+	steps->step = NULL;
 	if (value_is(v, JSON_OBJECT))
 		check_lone_step(v);
 	if (!value_is(v, JSON_ARRAY) || !is_list(v)) {
-		type_affine.read(v, row, a->matrix);
+		type_affine.read(v, row, steps->matrix);
 		return;
 	}
 	if (is_world)
@@ -226,8 +214,9 @@ static void read_steps(const struct value *v, const struct member *row, void *ou
 	reading = &lists[is_world];
 	reading->n = 0;
 	read_list(v);
-	a->steps = (struct steps){ reading->step, reading->n,
-		(enum angle_unit)v->source->unit };
+	*steps = (struct steps){ .step = reading->step,
+		.n = reading->n,
+		.unit = (enum angle_unit)v->source->unit };
 }
 
 /* Puts a value as it was given, but no members that the reader ignores. */
@@ -256,12 +245,12 @@ static void put_value(struct printer *p, const struct value *v)
 
 static void print_steps(struct printer *p, const struct member *row, const void *at)
 {
-	const struct affine *a = at;
+	const struct steps *steps = at;
 
-	if (a->steps.step != NULL)
+	if (steps->step != NULL)
 		put_value(p, &given_world);
 	else
-		type_affine.print(p, row, a->matrix);
+		type_affine.print(p, row, steps->matrix);
 }
 
 const struct member_type type_steps = { "matrix or steps", read_steps, print_steps, 0 };

@@ -7,7 +7,7 @@
 
 #include "../json/object.h"
 
-/* In the struct a double[4][4], and next to it a struct steps. */
+/* In the struct a struct steps. */
 extern const struct member_type type_steps;
 
 /* The members of a step. */

@@ -175,7 +175,7 @@ static void assert_world(const struct convention *option, const char *convention
 	strcat(strcat(strcat(text, matrix), convention), "}");
 	struct scene s = read_as(&wants, text).scene;
 
-	if (!s.has_world || s.world[i][j] != 2 || s.world[j][i] != 0)
+	if (!s.has_world || s.world.matrix[i][j] != 2 || s.world.matrix[j][i] != 0)
 		fail_msg("%s: expected 2 as element %d, %d of world", text, i, j);
 }
 

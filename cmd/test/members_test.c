@@ -217,14 +217,14 @@ static void test_camera(void **state)
 	c = CAMERA("\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],"
 		   "\"orthonormalize\":true");
 	assert_int_equal(c.way, CAMERA_MATRIX);
-	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
+	assert_numbers(c.steps.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
 	assert_true(c.orthonormalize);
 	c = CAMERA("\"orientation\":[1,2,3,4],\"translation\":[5,6,7]");
 	assert_int_equal(c.way, CAMERA_TRANSLATION);
 	assert_numbers(c.eye, 3, 5.0, 6.0, 7.0);
 	c = CAMERA("\"pose\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]");
 	assert_int_equal(c.way, CAMERA_POSE);
-	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
+	assert_numbers(c.steps.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
 	/* 3 rows of 4 are for column vectors and 4 rows of 3 for row vectors, in every
 	 * convention */
 	static const char *const shapes[] = { "\"camera\":{\"matrix\":" M34 "}",
@@ -237,8 +237,8 @@ static void test_camera(void **state)
 		if (i % 2)
 			strcpy(text, "{");
 		c = scene_of(strcat(strcat(text, shapes[i / 2]), "}")).camera;
-		assert_numbers(c.matrix[0], 16, 1.0, 5.0, 9.0, 0.0, 2.0, 6.0, 10.0, 0.0,
-		    3.0, 7.0, 11.0, 0.0, 4.0, 8.0, 12.0, 1.0);
+		assert_numbers(c.steps.matrix[0], 16, 1.0, 5.0, 9.0, 0.0, 2.0, 6.0,
+		    10.0, 0.0, 3.0, 7.0, 11.0, 0.0, 4.0, 8.0, 12.0, 1.0);
 	}
 }
 

@@ -74,7 +74,7 @@ static bool has_radians(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
 	const struct projection_section *c = &p->section;
-	bool found = (s->has_world && steps_have_radians(&s->world_steps)) ||
+	bool found = (s->has_world && steps_have_radians(&s->world)) ||
 	    (s->has_camera && steps_have_radians(&s->camera.steps));
 
 	if (s->has_camera && s->camera.unit == ANGLE_DEGREES &&

@@ -191,9 +191,8 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 {
 	const bool pose = c->way == CAMERA_POSE, inverts = inverse != pose;
 	const bool whole = !c->orthonormalize;
-	const char *why = steps_map(&c->steps, c->matrix,
-	    pose ? "/camera/pose" : "/camera/matrix", whole && inverts, whole && pose,
-	    r);
+	const char *why = steps_map(&c->steps, pose ? "/camera/pose" : "/camera/matrix",
+	    whole && inverts, whole && pose, r);
 
 	return why != NULL || whole ? why : orthonormalize(r, inverts, pose);
 }

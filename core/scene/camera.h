@@ -25,10 +25,8 @@ struct camera {
 	double rvec[3];        /* rotation from world to view: axis times radians */
 	double roll;           /* the angle that turns the image counterclockwise */
 	enum angle_unit unit;  /* of roll */
-	/* The affine matrix, for row vectors, from world to view space or, with
-	 * CAMERA_POSE, from view to world space. */
-	double matrix[4][4];
-	struct steps steps;  /* or the steps that give this matrix */
+	/* from world to view space or, with CAMERA_POSE, from view to world space */
+	struct steps steps;
 	bool orthonormalize; /* replace the matrix by its nearest rotation */
 };
 

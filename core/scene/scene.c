@@ -71,8 +71,7 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 	switch ((enum space)first) {
 	case SPACE_MODEL:
 		if (s->has_world)
-			return steps_map(&s->world_steps, s->world, "/world", inverse,
-			    false, r);
+			return steps_map(&s->world, "/world", inverse, false, r);
 		map_identity(r);
 		return NULL;
 	case SPACE_WORLD:
@@ -134,7 +133,7 @@ static const char *compose(const struct scene *s, int from, int to,
 
 const char *scene_too_wide(const struct scene *s)
 {
-	if (s->has_world && s->world_steps.step != NULL)
+	if (s->has_world && s->world.step != NULL)
 		return "/world: " STEPS_TOO_WIDE;
 	if (s->camera.steps.step != NULL)
 		return s->camera.way == CAMERA_POSE ? "/camera/pose: " STEPS_TOO_WIDE :

@@ -35,8 +35,7 @@ struct scene {
 	 * printed, or NULL for the document's. */
 	const struct convention *answer;
 	bool has_world, has_camera, has_viewport, has_window, has_device;
-	double world[4][4];       /* affine, from model to world, for row vectors */
-	struct steps world_steps; /* or the steps that give this matrix */
+	struct steps world; /* from model to world */
 	struct camera camera;
 	struct projection projection;
 	struct viewport viewport;

@@ -220,24 +220,24 @@ static const char *refusal(const char *pointer, const struct step *s,
 	return text;
 }
 
-const char *steps_map(const struct steps *s, const double matrix[4][4],
-    const char *pointer, bool inverse, bool regular, struct map *r)
+const char *steps_map(const struct steps *s, const char *pointer, bool inverse,
+    bool regular, struct map *r)
 {
 	struct product p = { s, regular, NULL, r };
 	const char *why;
 
 	if (s->step == NULL && !inverse && !regular) {
-		map_of_doubles(matrix, r);
+		map_of_doubles(s->matrix, r);
 		return map_is_affine(r) ? NULL :
 					  refusal(pointer, NULL, NULL, MAP_NOT_AFFINE);
 	}
 	map_identity(r);
-	why = s->step == NULL ? multiply(matrix, inverse, regular, r) :
+	why = s->step == NULL ? multiply(s->matrix, inverse, regular, r) :
 				append_all(&p, s->step, s->step + s->n, inverse);
 	if (why == NULL && s->step != NULL && ex_has_overflowed())
 		why = STEPS_TOO_WIDE;
 	if (why != NULL)
 		return refusal(pointer, s->step, p.fault, why);
-	map_set_origin(r, s->step == NULL && inverse ? matrix[3] : NULL);
+	map_set_origin(r, s->step == NULL && inverse ? s->matrix[3] : NULL);
 	return NULL;
 }

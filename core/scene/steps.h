@@ -34,19 +34,19 @@ struct step {
 enum { STEPS_MAX = 64 };
 
 struct steps {
-	const struct step *step; /* NULL: one matrix is given instead */
+	const struct step *step; /* NULL: `matrix` is given instead */
 	int n;                   /* counts the steps inside of inverses, too */
 	enum angle_unit unit;
+	double matrix[4][4]; /* for row vectors */
 };
 
-/* Computes the map of the steps or, without steps, of `matrix`; if inverse, its inverse,
- * which is the product of the inverse of each step in the opposite order. The origin
- * of the map is 0 or, for the inverse of one matrix, its last row. If `regular`, a
- * singular matrix is refused in both directions. Returns NULL, or `pointer`, which leads
- * to the list, with the place of the step at fault, and why. The thread's next call
- * overwrites this text. */
-const char *steps_map(const struct steps *, const double matrix[4][4],
-    const char *pointer, bool inverse, bool regular, struct map *);
+/* Computes the map of the steps or of the matrix; if inverse, its inverse, which is the
+ * product of the inverse of each step in the opposite order. The origin of the map is 0
+ * or, for the inverse of one matrix, its last row. If `regular`, a singular matrix is
+ * refused in both directions. Returns NULL, or `pointer`, which leads to the member, with
+ * the place of the step at fault, and why. The thread's next call overwrites this text. */
+const char *steps_map(const struct steps *, const char *pointer, bool inverse,
+    bool regular, struct map *);
 
 #define STEPS_TOO_WIDE                                                        \
 	"the numbers of its steps have too many digits to be multiplied "     \

@@ -46,10 +46,10 @@ static void far_in_the_world(struct scene *s, double distance)
 {
 	s->has_world = true;
 	for (int i = 0; i < 4; i++)
-		s->world[i][i] = 1;
+		s->world.matrix[i][i] = 1;
 	far_from_origin(s, distance);
 	for (int i = 0; i < 3; i++)
-		s->world[3][i] = s->camera.at[i];
+		s->world.matrix[3][i] = s->camera.at[i];
 }
 
 static void look_ahead(struct scene *s)
@@ -78,8 +78,8 @@ static void cancelling(struct scene *s, double shear)
 	look_ahead(s);
 	s->has_world = true;
 	for (int i = 0; i < 4; i++)
-		s->world[i][i] = 1;
-	s->world[1][0] = shear;
+		s->world.matrix[i][i] = 1;
+	s->world.matrix[1][0] = shear;
 }
 
 /* The device has the size 1e-150, and shows a view volume of half width size. */

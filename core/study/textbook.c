@@ -14,7 +14,7 @@ static void nearest_rotation(double m[4][4])
 	const struct convention any = { 0 };
 	struct map r;
 
-	memcpy(c.matrix, m, sizeof c.matrix);
+	memcpy(c.steps.matrix, m, sizeof c.steps.matrix);
 	if (camera_map(&c, &any, false, &r) != NULL)
 		return;
 	for (int i = 0; i < 9; i++)

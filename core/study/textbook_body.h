@@ -341,7 +341,7 @@ static PATH NAME(path_of)(const struct scene *s, enum way way, bool back)
 	REAL origin[3] = { 0 };
 
 	if (s->has_world)
-		r.stage[r.n++] = NAME(given)(s->world);
+		r.stage[r.n++] = NAME(given)(s->world.matrix);
 	r.taken = r.n;
 	if (s->has_window) {
 		r.stage[r.n++] = NAME(window)(&s->window, origin);

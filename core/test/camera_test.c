@@ -83,10 +83,10 @@ static void set_diagonal(struct camera *c, double a, double b, double d)
 	memset(c, 0, sizeof *c);
 	c->way = CAMERA_MATRIX;
 	c->orthonormalize = true;
-	c->matrix[0][0] = a;
-	c->matrix[1][1] = b;
-	c->matrix[2][2] = d;
-	c->matrix[3][3] = 1;
+	c->steps.matrix[0][0] = a;
+	c->steps.matrix[1][1] = b;
+	c->steps.matrix[2][2] = d;
+	c->steps.matrix[3][3] = 1;
 }
 
 /* The nearest rotation of a stretched permutation of the axes has exact zeros and
@@ -106,7 +106,8 @@ static void nearest_rotation_of_permutations(void **state)
 
 			set_diagonal(&c, d[0], d[1], d[2]);
 			for (int k = 0; k < 9; k++)
-				c.matrix[k / 3][k % 3] = k % 3 == (k / 3 + turn) % 3 ?
+				c.steps.matrix[k / 3][k % 3] = k % 3 ==
+					(k / 3 + turn) % 3 ?
 				    d[k / 3] :
 				    0;
 			assert_null(camera_map(&c, &d3d, false, &m));
@@ -213,7 +214,7 @@ static void zeros_of_nearest_rotations(void **state)
 
 		set_diagonal(&c, 1, 1, 1);
 		for (int k = 0; k < 3; k++)
-			memcpy(c.matrix[k], drifted[i][k], sizeof drifted[i][k]);
+			memcpy(c.steps.matrix[k], drifted[i][k], sizeof drifted[i][k]);
 		assert_true(compare(&c, &d3d, &w));
 	}
 	assert_errors("a rotation with one 0", &w, 0x1p-245 / TRUTH_TOLERANCE);
@@ -330,14 +331,15 @@ static void turns_of_a_cube(void **state)
 
 		set_diagonal(&c, 0, 0, 0);
 		for (int i = 0; i < 3; i++)
-			c.matrix[i][axis[i]] = (k / 27 >> i & 1 ? -1 : 1) * (i + 1);
-		if (!(determinant(c.matrix) > 0))
+			c.steps.matrix[i][axis[i]] = (k / 27 >> i & 1 ? -1 : 1) *
+			    (i + 1);
+		if (!(determinant(c.steps.matrix) > 0))
 			continue;
 		turns++;
 		assert_null(camera_map(&c, &d3d, false, &m));
 		for (int i = 0; i < 9; i++)
 			assert_number(element(&m, i / 3, i % 3),
-			    c.matrix[i / 3][i % 3] / (1 + i / 3));
+			    c.steps.matrix[i / 3][i % 3] / (1 + i / 3));
 	}
 	assert_int_equal(turns, 24);
 }
@@ -383,16 +385,16 @@ static void refused_cameras(void **state)
 	c.orthonormalize = false;
 	assert_camera_refused(c, false, "/camera/pose: singular");
 	assert_camera_refused(c, true, "/camera/pose: singular");
-	c.matrix[0][3] = 1;
+	c.steps.matrix[0][3] = 1;
 	assert_camera_refused(c, true, "/camera/pose: " MAP_NOT_AFFINE);
-	c.matrix[0][3] = 0;
+	c.steps.matrix[0][3] = 0;
 	c.way = CAMERA_MATRIX;
 	c.orthonormalize = false;
 	assert_camera_refused(c, true, "/camera/matrix");
-	c.matrix[2][2] = 1;
-	c.matrix[0][3] = 1e-9;
+	c.steps.matrix[2][2] = 1;
+	c.steps.matrix[0][3] = 1e-9;
 	assert_camera_refused(c, false, "/camera/matrix: " MAP_NOT_AFFINE);
-	c.matrix[3][0] = 1e-9;
+	c.steps.matrix[3][0] = 1e-9;
 	assert_camera_refused(c, false, "/camera/matrix: " MAP_NOT_AFFINE);
 	set_diagonal(&c, 1, 1e-140, 1e-150);
 	assert_camera_refused(c, false, "/camera/matrix");

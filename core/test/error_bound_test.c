@@ -187,7 +187,7 @@ static void ordinary_bounds_are_small(void **state)
 	assert_true(bound[PRECISION_DOUBLE] < 2e-12);
 	/* with a singular world matrix the volume is infinite in model space */
 	s.has_world = true;
-	s.world[0][0] = s.world[1][1] = s.world[3][3] = 1;
+	s.world.matrix[0][0] = s.world.matrix[1][1] = s.world.matrix[3][3] = 1;
 	assert_null(bounds_of(&s, bound));
 	assert_true(isnan(bound[PRECISION_EXACT]) != 0);
 	s.has_world = false;

@@ -59,7 +59,7 @@ static void test_angle(void **state)
 	s = persp(90);
 	s.has_world = true;
 	for (int k = 0; k < 4; k++)
-		s.world[k][k] = k < 3 ? 0.5 : 1;
+		s.world.matrix[k][k] = k < 3 ? 0.5 : 1;
 	assert_fits(&s, false, &world_b, 0, 0, -2, 1, 3);
 }
 
@@ -222,7 +222,7 @@ static void test_cameras(void **state)
 	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
 	assert_number(s.camera.roll, 30);
 	s.camera = (struct camera){ .way = CAMERA_MATRIX,
-		.matrix = { { 0, 0, 4 }, { 0, 4 }, { -4 }, { 0, 0, 20, 1 } } };
+		.steps.matrix = { { 0, 0, 4 }, { 0, 4 }, { -4 }, { 0, 0, 20, 1 } } };
 	assert_null(fit_scene(&s, true, &unit_ball));
 	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
 	assert_number(s.camera.eye[0], -5);

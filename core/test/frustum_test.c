@@ -202,7 +202,7 @@ static void planes_agree_with_mpfr(void **state)
 static void tiny_distances_are_exact(void **state)
 {
 	struct scene s = { .has_world = true,
-		.world = { { 1, 0, 0, 0 }, { 1, 1, 0, 0 }, { 0, 0, 1, 0 },
+		.world.matrix = { { 1, 0, 0, 0 }, { 1, 1, 0, 0 }, { 0, 0, 1, 0 },
 		    { 0, 0, 0, 1 } } };
 	struct frustum f;
 

@@ -35,12 +35,12 @@ static void check_inverses(int e, struct worst *w)
 		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &t);
 		compare_if_finite(&t, &m, w);
 	}
-	sample_affine(s.world, e);
-	if (map_inverse(s.world, &m)) {
+	sample_affine(s.world.matrix, e);
+	if (map_inverse(s.world.matrix, &m)) {
 		truth_scene(&s, SPACE_WORLD, SPACE_MODEL, &t);
 		compare_if_finite(&t, &m, w);
 		for (int j = 0; j < 3; j++)
-			assert_true(m.origin[j] == s.world[3][j]);
+			assert_true(m.origin[j] == s.world.matrix[3][j]);
 	}
 	real_release(mark);
 }

@@ -211,7 +211,7 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 	struct scene s = { .has_viewport = true,
 		.has_world = true,
 		.convention = { .origin_bottom_left = true },
-		.world = { { 1 }, { 0x1p-60, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
+		.world.matrix = { { 1 }, { 0x1p-60, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
 		.viewport = { .x = -1, .y = -1, .width = 2, .height = 2, .max_z = 1 } };
 	struct transform t;
 	struct picker k;

@@ -89,7 +89,7 @@ static void to_matrices(struct scene *s)
 	assert_null(scene_map(s, SPACE_WORLD, SPACE_VIEW, &camera));
 	assert_null(scene_map(s, SPACE_VIEW, SPACE_CLIP, &projection));
 	for (int i = 0; i < 16; i++) {
-		s->camera.matrix[i / 4][i % 4] = element(&camera, i / 4, i % 4);
+		s->camera.steps.matrix[i / 4][i % 4] = element(&camera, i / 4, i % 4);
 		s->projection.matrix[i / 4][i % 4] = element(&projection, i / 4, i % 4);
 	}
 	s->camera.way = CAMERA_MATRIX;

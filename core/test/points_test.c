@@ -126,7 +126,7 @@ static void exact_terms_keep_the_noise_of_others(void **state)
 {
 	const struct scene s = {
 		.has_world = true,
-		.world = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0x1p195, 0, 0, 1 } },
+		.world.matrix = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0x1p195, 0, 0, 1 } },
 		.projection = { .type = PROJECTION_OBLIQUE,
 		    .shear.kind = OBLIQUE_CAVALIER,
 		    .shear.direction = 45,

@@ -194,7 +194,7 @@ void sample_camera(struct camera *c, int e)
 		c->orientation[i] = e > 0 ? sample_number(e) : ordinary_number();
 	if (c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION)
 		sample_rotation_vector(c->rvec, e);
-	sample_affine(c->matrix, e);
+	sample_affine(c->steps.matrix, e);
 	if (e > 0 && c->way == CAMERA_AT && sample_below(2))
 		place_far(c);
 	if (e > 0 && c->way < CAMERA_ORIENTATION && sample_below(2))
@@ -228,18 +228,18 @@ void sample_orthonormalize(struct camera *c, int e)
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
-		c->matrix[i][i] = norm - 2 * (q[j] * q[j] + q[k] * q[k]);
-		c->matrix[j][i] = 2 * (q[i] * q[j] + q[3] * q[k]);
-		c->matrix[k][i] = 2 * (q[i] * q[k] - q[3] * q[j]);
+		c->steps.matrix[i][i] = norm - 2 * (q[j] * q[j] + q[k] * q[k]);
+		c->steps.matrix[j][i] = 2 * (q[i] * q[j] + q[3] * q[k]);
+		c->steps.matrix[k][i] = 2 * (q[i] * q[k] - q[3] * q[j]);
 	}
 	for (int i = 0; i < 9; i++) {
-		double *m = &c->matrix[i / 3][i % 3];
+		double *m = &c->steps.matrix[i / 3][i % 3];
 
 		*m *= size / norm *
 		    (e > 0 ? stretch[i % 3] : 1 + drift * sample_between(-1, 1));
 	}
-	sample_vector(c->matrix[3], e > 0 ? 20 : 0);
-	c->matrix[3][3] = 1;
+	sample_vector(c->steps.matrix[3], e > 0 ? 20 : 0);
+	c->steps.matrix[3][3] = 1;
 }
 
 void sample_affine(double m[4][4], int e)
@@ -531,10 +531,10 @@ void sample_scene(struct scene *s, int e)
 	s->has_world = sample_below(2);
 	s->has_camera = s->has_viewport = true;
 	s->has_window = s->has_device = true;
-	sample_affine(s->world, e);
+	sample_affine(s->world.matrix, e);
 	if (e > 0 && sample_below(2))
 		for (int j = 0; j < 3; j++)
-			s->world[3][j] *= 1e12;
+			s->world.matrix[3][j] *= 1e12;
 	sample_camera(&s->camera, e);
 	sample_projection(&s->projection, e);
 	sample_viewport(&s->viewport, e);
@@ -565,11 +565,11 @@ void sample_round_scene(struct scene *s)
 	do
 		sample_scene(s, 0);
 	while (projection_family(p) == FAMILY_PARALLEL && p->type != PROJECTION_ORTHO);
-	round_matrix(s->world, 3);
+	round_matrix(s->world.matrix, 3);
 	s->has_camera = sample_below(2);
 	s->camera.way = CAMERA_MATRIX;
 	s->camera.orthonormalize = false;
-	round_matrix(s->camera.matrix, 3);
+	round_matrix(s->camera.steps.matrix, 3);
 	round_matrix(p->matrix, 4);
 	if (p->section.way < SECTION_SIZE)
 		p->section.way = SECTION_SIZE;

@@ -54,8 +54,9 @@ static void models_far_from_the_origin(void **state)
 		s.has_world = true;
 		s.camera.way = CAMERA_AT;
 		for (int k = 0; k < 3; k++) {
-			s.world[3][k] = 1e15 * sample_between(-1, 1);
-			s.camera.eye[k] = s.world[3][k] + sample_between(-20, 20);
+			s.world.matrix[3][k] = 1e15 * sample_between(-1, 1);
+			s.camera.eye[k] = s.world.matrix[3][k] +
+			    sample_between(-20, 20);
 			s.camera.at[k] = s.camera.eye[k] + sample_between(-20, 20);
 		}
 		compare(&s, SPACE_MODEL, SPACE_VIEW, &w);
@@ -82,8 +83,8 @@ static void around_all_conventions(void **state)
 			.convention = known[k % 5],
 			.has_camera = true,
 			.camera = { .way = CAMERA_MATRIX,
-			    .matrix = { { 0, 3, 4, 0 }, { 5, 0, 1, 0 }, { 1, 2, 3, 0 },
-				{ 7, -8, 9, 1 } } },
+			    .steps.matrix = { { 0, 3, 4, 0 }, { 5, 0, 1, 0 },
+				{ 1, 2, 3, 0 }, { 7, -8, 9, 1 } } },
 			.projection = { .type = PROJECTION_MATRIX,
 			    .matrix = { { 2, 0, 0, 0 }, { 0, 3, 0, 0 }, { 4, 5, 6, 1 },
 				{ 7, 8, 10, 0 } } },
@@ -98,8 +99,8 @@ static void around_all_conventions(void **state)
 			assert_null(scene_map(&s, SPACE_WORLD, SPACE_VIEW, &view));
 			assert_null(scene_map(&s, SPACE_VIEW, SPACE_CLIP, &clip));
 			for (int j = 0; j < 16; j++) {
-				s.camera.matrix[j / 4][j % 4] = element(&view, j / 4,
-				    j % 4);
+				s.camera.steps.matrix[j / 4][j % 4] = element(&view,
+				    j / 4, j % 4);
 				s.projection.matrix[j / 4][j % 4] = element(&clip,
 				    j / 4, j % 4);
 			}
@@ -107,8 +108,8 @@ static void around_all_conventions(void **state)
 		}
 		assert_memory_equal(&s.convention, &given.convention,
 		    sizeof s.convention);
-		assert_memory_equal(s.camera.matrix, given.camera.matrix,
-		    sizeof s.camera.matrix);
+		assert_memory_equal(s.camera.steps.matrix, given.camera.steps.matrix,
+		    sizeof s.camera.steps.matrix);
 		assert_memory_equal(s.projection.matrix, given.projection.matrix,
 		    sizeof s.projection.matrix);
 		assert_null(scene_map(&given, SPACE_WORLD, SPACE_CLIP, &m));
@@ -178,7 +179,7 @@ static void refusals(void **state)
 	struct scene s = {
 		.has_world = true,
 		.has_camera = true,
-		.world = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
+		.world.matrix = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
 		.camera = { .at = { 0, 0, 1 }, .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_ORTHO,
 		    .section.way = SECTION_SIZE,
@@ -190,15 +191,15 @@ static void refusals(void **state)
 	(void)state;
 	assert_scene_refused(&s, SPACE_NDC, SPACE_DEVICE, "/viewport");
 	assert_scene_refused(&s, SPACE_DEVICE, SPACE_MODEL, "/viewport");
-	s.world[0][3] = 1e-9;
+	s.world.matrix[0][3] = 1e-9;
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world");
 	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL, "/world: " MAP_NOT_AFFINE);
-	s.world[3][0] = 1;
+	s.world.matrix[3][0] = 1;
 	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world: " MAP_NOT_AFFINE);
-	s.world[0][3] = s.world[3][0] = 0;
-	s.world[0][0] = 0;
+	s.world.matrix[0][3] = s.world.matrix[3][0] = 0;
+	s.world.matrix[0][0] = 0;
 	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");
-	s.world[0][0] = 1e150;
+	s.world.matrix[0][0] = 1e150;
 	s.projection.section.width = 1e-150;
 	s.has_viewport = true;
 	s.viewport = (struct viewport){ .width = 1e150, .height = 1, .max_z = 1 };

@@ -36,8 +36,10 @@ static void sample_scene_of_steps(struct scene_of_steps *r, int e)
 	r->s.camera.orthonormalize = false;
 	enum angle_unit unit = sample_below(2) ? ANGLE_DEGREES : ANGLE_RADIANS;
 
-	r->s.world_steps = (struct steps){ r->world, n[0], unit };
-	r->s.camera.steps = (struct steps){ r->camera, n[1], unit };
+	r->s.world = (struct steps){ .step = r->world, .n = n[0], .unit = unit };
+	r->s.camera.steps = (struct steps){ .step = r->camera,
+		.n = n[1],
+		.unit = unit };
 }
 
 static void check_lists(const char *what, int e, int tries)
@@ -80,13 +82,11 @@ static void orthonormalized_products(void **state)
 	assert_errors("nearest rotations", &w, 0x1p-245 / TRUTH_TOLERANCE);
 }
 
-static const double no_matrix[4][4];
-
 static const char *map_of(const struct step *s, int n, bool inverse, struct map *m)
 {
-	const struct steps list = { s, n, ANGLE_DEGREES };
+	const struct steps list = { .step = s, .n = n, .unit = ANGLE_DEGREES };
 
-	return steps_map(&list, no_matrix, "/world", inverse, false, m);
+	return steps_map(&list, "/world", inverse, false, m);
 }
 
 /* A list and its inverse multiply to exactly the identity, if all of it is rational. */
@@ -190,11 +190,15 @@ static void room_for_digits(void **state)
 				sample_steps(&s[k % 2][k / 2], 1, 2);
 			while (s[k % 2][k / 2].kind != STEP_NODE);
 		scene.camera.way = i % 2 ? CAMERA_POSE : CAMERA_MATRIX;
-		scene.world_steps = (struct steps){ s[0], 8, ANGLE_DEGREES };
-		scene.camera.steps = (struct steps){ s[1], 8, ANGLE_DEGREES };
+		scene.world = (struct steps){ .step = s[0],
+			.n = 8,
+			.unit = ANGLE_DEGREES };
+		scene.camera.steps = (struct steps){ .step = s[1],
+			.n = 8,
+			.unit = ANGLE_DEGREES };
 		assert_null(scene_map(&scene, SPACE_MODEL, SPACE_VIEW, &m));
 		assert_null(scene_map(&scene, SPACE_VIEW, SPACE_MODEL, &m));
-		scene.world_steps.n = STEPS_MAX;
+		scene.world.n = STEPS_MAX;
 		assert_reason(scene_map(&scene, SPACE_VIEW, SPACE_MODEL, &m),
 		    "/world: " STEPS_TOO_WIDE);
 	}

@@ -94,8 +94,9 @@ static void sample_regime_scene(const struct regime *r, struct scene *s)
 		double eye = random_number(r->eye_low, r->eye_high, r->digits);
 
 		for (int k = 0; k < 3; k++)
-			s->world[i][k] = random_number(r->low, r->high, r->digits);
-		s->world[i][3] = i == 3;
+			s->world.matrix[i][k] = random_number(r->low, r->high,
+			    r->digits);
+		s->world.matrix[i][3] = i == 3;
 		if (i == 3)
 			break;
 		s->camera.eye[i] = eye;

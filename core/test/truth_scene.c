@@ -197,11 +197,10 @@ static void steps(struct truth *t, const struct step *s, const struct step *end,
 }
 
 /* Adds the stages of a matrix or the steps that replace it. */
-static void affine_or_steps(struct truth *t, const double m[4][4],
-    const struct steps *s)
+static void affine_or_steps(struct truth *t, const struct steps *s)
 {
 	if (s->step == NULL)
-		affine(t, m);
+		affine(t, s->matrix);
 	else
 		steps(t, s->step, s->step + s->n, s->unit == ANGLE_RADIANS);
 }
@@ -211,7 +210,7 @@ static void camera_by_matrix(struct truth *t, const struct camera *c)
 {
 	struct truth r = { 0 };
 
-	affine_or_steps(&r, c->matrix, &c->steps);
+	affine_or_steps(&r, &c->steps);
 	if (c->orthonormalize)
 		nearest_rotation(&r);
 	if (c->way == CAMERA_POSE)
@@ -452,7 +451,7 @@ void truth_scene(const struct scene *s, enum space from, enum space to, struct t
 	t->n = 0;
 	t->irrational = false;
 	if (s->has_world && crosses(from, to, SPACE_MODEL))
-		affine_or_steps(t, s->world, &s->world_steps);
+		affine_or_steps(t, &s->world);
 	if (s->has_camera && crosses(from, to, SPACE_WORLD))
 		camera(t, &s->camera, c);
 	if (crosses(from, to, SPACE_WORLD))
