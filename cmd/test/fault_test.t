@@ -252,7 +252,6 @@ for my $j (1, 2) {
 	my $y = '240 0.8888888888888888';
 	answers("-j$j -", "0 0 0\n", "320 $y\n");
 	answers("-j$j -i csv -", "0,0,0\n", "320,$y\n" =~ tr/ /,/r);
-	answers("-j$j -i csv -", "# one\n", "# one\n");
 	answers("-j$j -i json -", "[0,0,0]\n", "[320,$y]\n" =~ tr/ /,/r);
 	answers("-j$j -i f64 -o text -", pack('d<3', 0, 0, 0), "320 $y\n");
 	answers("-j$j --flags --keep-going -", "0 0\n", "nan nan nan nan\n");
