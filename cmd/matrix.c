@@ -72,8 +72,8 @@ static void divide_by_w(const struct document *d, struct map *m)
 		    "doubles; leave --unit-w out");
 }
 
-/* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements to
- * double or, if `floats` is true, to float, and refuses those out of range. */
+/* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
+ * to double or, if `floats` is true, to float, and refuses those out of range. */
 static struct elements elements_of(const struct document *d, const struct transform *t,
     bool floats, bool column)
 {

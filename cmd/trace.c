@@ -46,8 +46,8 @@ static void images_transform(struct images *m, const struct job *j,
 	frustum_outside_all(&j->frustum, from, m->outside, n);
 }
 
-/* Returns the end of an image. A number beyond the range, and each if m is NULL, becomes
- * nan or, in JSON, null. An array of only nulls becomes null. */
+/* Returns the end of an image. A number beyond the range, and each if m is NULL,
+ * becomes nan or, in JSON, null. An array of only nulls becomes null. */
 static char *trace_put_image(char *at, const struct job *j, const struct images *m,
     int s, size_t p)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The options and operands of a call, as the words of the command line give them. Unknown
- * and ambiguous words are refused. */
+/* The options and operands of a call, as the words of the command line give them.
+ * Unknown and ambiguous words are refused. */
 #pragma once
 
 #include "../../core/points/transform.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The operand PARAMS: one JSON document or, with --scenes, any number of them, which are
- * read one after another. This module owns their text. */
+/* The operand PARAMS: one JSON document or, with --scenes, any number of them, which
+ * are read one after another. This module owns their text. */
 #pragma once
 
 #include "options.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Refuses unknown commands, topics of help and options, with a remedy from the tables of
- * commands, options and members and from words.h. */
+/* Refuses unknown commands, topics of help and options, with a remedy from the tables
+ * of commands, options and members and from words.h. */
 #pragma once
 
 #include "command.h"

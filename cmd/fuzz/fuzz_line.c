@@ -151,7 +151,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
 	if (format_is_binary(l.in.format) || format_is_binary(l.out.format))
 		return 0;
-	/* no more room after the text than may be read, so that a sanitizer finds the rest */
+	/* no more room after the text than may be read, so that a sanitizer finds the
+	 * rest */
 	char *text = malloc(size - HEADER + LINE_MARGIN), *end = text + size - HEADER;
 
 	memcpy(text, data + HEADER, size - HEADER);

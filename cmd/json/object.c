@@ -9,7 +9,8 @@
 /* The most rows of a table of members: a uint64_t has a bit for each row. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether `variant` is ANY_VARIANT or in `variants`, which is 0 (all variants) or bits. */
+/* Returns whether `variant` is ANY_VARIANT or in `variants`, which is 0 (all variants)
+ * or bits. */
 static bool has_variant(unsigned variants, int variant)
 {
 	return variant == ANY_VARIANT || variants == 0 ||
@@ -96,10 +97,10 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Offers what v, a member that the table lacks, may mean, the first of these: the member
- * that has v->name as an alias; a remark of word_hint about v->name or its text; other
- * objects of the scene that have a member v->name or else an alias v->name; the scene,
- * which has a member v->name; a near name in the table; all of its names. */
+/* Offers what v, a member that the table lacks, may mean, the first of these: the
+ * member that has v->name as an alias; a remark of word_hint about v->name or its text;
+ * other objects of the scene that have a member v->name or else an alias v->name; the
+ * scene, which has a member v->name; a near name in the table; all of its names. */
 static void offer_members(const struct value *v, const struct member *table,
     int variant, struct word_guess *g)
 {
@@ -225,8 +226,8 @@ static void walk_unknown(const struct value *v, const struct member *row,
 	}
 }
 
-/* Refuses the document of v, a member that `table` lacks: tells all unknown members. The
- * walk from the document's row does not meet members of a matrix and the like. */
+/* Refuses the document of v, a member that `table` lacks: tells all unknown members.
+ * The walk from the document's row does not meet members of a matrix and the like. */
 static _Noreturn void refuse_unknown(const struct value *v, const struct member *table,
     int variant)
 {

@@ -73,10 +73,10 @@ struct member {
 		.offset = offsetof(struct object, field), __VA_ARGS__ \
 	}
 
-/* A rule says which members of an object go together. An object must have the members of
- * one way, and no member that only other ways list. A way is a list of names with blanks
- * between them. After a name, ? marks an optional member, ~ one that the command fit
- * finds, and |NAME one that can be left out if the scene has a member NAME. */
+/* A rule says which members of an object go together. An object must have the members
+ * of one way, and no member that only other ways list. A way is a list of names with
+ * blanks between them. After a name, ? marks an optional member, ~ one that the command
+ * fit finds, and |NAME one that can be left out if the scene has a member NAME. */
 struct rule {
 	const char *const *ways; /* NULL ends them; ways NULL ends an array */
 	/* The rule holds for these variants, and for these tasks, as bits 1 << task; 0
@@ -113,8 +113,8 @@ extern const struct member_type type_object;
 void object_read_member(const struct value *, const struct member *, void *base);
 
 /* Prints the struct at `base` as an object with those members in `bits` that objects of
- * the variant have. Leaves out defaults, sizes of 0 (not given), and members that belong
- * only to ways other than the struct's. */
+ * the variant have. Leaves out defaults, sizes of 0 (not given), and members that
+ * belong only to ways other than the struct's. */
 void object_print(struct printer *, const struct member *row, int variant,
     uint64_t bits, const void *base);
 

@@ -67,9 +67,9 @@ struct value_range {
 extern const struct value_range range_any, range_positive;
 
 /* Parses a document and returns its value; refuses text that is not JSON. The values
- * are valid until the next call with the same is_operand. If the pointer leads to an array, its elements are not
- * parsed, and *array becomes its text; otherwise array->s becomes NULL. A byte order
- * mark in text becomes blanks. */
+ * are valid until the next call with the same is_operand. If the pointer leads to an
+ * array, its elements are not parsed, and *array becomes its text; otherwise array->s
+ * becomes NULL. A byte order mark in text becomes blanks. */
 struct value value_parse_document(struct json_source *, const char *pointer, char *text,
     size_t size, struct span *array);
 

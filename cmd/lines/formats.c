@@ -107,9 +107,9 @@ static inline uint64_t eight_at(const char *s)
 /* Each byte of a number is 1, or the top bit of each is set. */
 static const uint64_t ones = 0x0101010101010101, tops = ones << 7;
 
-/* Returns the first byte in [s, end) that is a, b or a control character, else end. By 8
- * bytes at a time no branch depends on the lengths of short fields, which vary. Of the
- * top bits that are set, the lowest is right. */
+/* Returns the first byte in [s, end) that is a, b or a control character, else end. By
+ * 8 bytes at a time no branch depends on the lengths of short fields, which vary. Of
+ * the top bits that are set, the lowest is right. */
 static inline const char *find_either(const char *s, const char *end, char a, char b)
 {
 	for (; s < end; s += 8) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A walker is a position in a stretch. A function pass_x moves the position behind x, or
- * returns false if the line has to be left to line_read. */
+/* A walker is a position in a stretch. A function pass_x moves the position behind x,
+ * or returns false if the line has to be left to line_read. */
 #pragma once
 
 #include "../json/text.h"

@@ -16,6 +16,7 @@ enum { JSON_ESCAPE_MAX = 6 }; /* bytes that one character may become */
 size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
     const char *ellipsis);
 
-/* escape_short copies s[0..n) to out with escapes; a cut copy ends in "...". Returns out. */
+/* escape_short copies s[0..n) to out with escapes; a cut copy ends in "...". Returns
+ * out. */
 enum { ESCAPED_MAX = 64 };
 const char *escape_short(char out[ESCAPED_MAX], const char *s, size_t n);

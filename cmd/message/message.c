@@ -57,7 +57,8 @@ static void add_escaped(const char *s)
 	    strnlen(s, MESSAGE_MAX), message_state.json, "");
 }
 
-/* Adds the message to `line` as text after its level, "" or "note: "; the place is last if p->before_place is set. */
+/* Adds the message to `line` as text after its level, "" or "note: "; the place is last
+ * if p->before_place is set. */
 static void add_text(int status, const char *level, const struct place *p,
     struct scene_place scene, const char *message)
 {

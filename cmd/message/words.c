@@ -15,8 +15,8 @@ enum {
 };
 
 /* Words of other programs, with blanks between them, where they stand, and the hint
- * (word_hint) for each of these words. Names that other programs have for members are in
- * the tables of cmd/scene. */
+ * (word_hint) for each of these words. Names that other programs have for members are
+ * in the tables of cmd/scene. */
 /* clang-format off */
 static const struct {
 	unsigned places; /* as bits of enum word_place */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* This module finds what an unknown word may mean, wherever it stands: on the command
- * line, as the argument of an option, as the name of a member or as its value. Who reads
- * the word offers all meanings to a struct word_guess, which keeps the remedy of the
- * closest, for the end of one message. The table of words.c has words of other programs
- * that are no aliases in the tables of members. */
+ * line, as the argument of an option, as the name of a member or as its value. Who
+ * reads the word offers all meanings to a struct word_guess, which keeps the remedy of
+ * the closest, for the end of one message. The table of words.c has words of other
+ * programs that are no aliases in the tables of members. */
 #pragma once
 
 #include <stdbool.h>
@@ -37,8 +37,8 @@ void word_offer_list(struct word_guess *, const char *const *words, const char *
 int word_closeness(const char *word, const char *name);
 
 /* Returns whether `word` is in `words`: words with blanks between them, or NULL for no
- * words. Ignores _ and -, and case but of capitals in `words`: LookAt, look_at and look-at
- * are lookat, and p2 is not P2. */
+ * words. Ignores _ and -, and case but of capitals in `words`: LookAt, look_at and
+ * look-at are lookat, and p2 is not P2. */
 bool word_is_one_of(const char *word, const char *words);
 
 /* A word of other programs may stand in these places, as bits. */

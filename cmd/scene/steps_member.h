@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The members that are an affine matrix or a list of steps: world of a scene, pose and
- * matrix of a camera. The steps of a list are kept here until the next document with such
- * a list is read, and struct steps of core/scene points to them; of the world also the
- * value, which is printed as it was given, until the next document is parsed. */
+ * matrix of a camera. The steps of a list are kept here until the next document with
+ * such a list is read, and struct steps of core/scene points to them; of the world also
+ * the value, which is printed as it was given, until the next document is parsed. */
 #pragma once
 
 #include "../json/object.h"

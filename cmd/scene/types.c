@@ -137,8 +137,8 @@ static void read_rows(const struct value *v, size_t rows, size_t columns, double
 			value_numbers(&row, &range_any, columns, out);
 }
 
-/* Rows for column vectors are transposed. A list of 16 numbers is not: it lists rows for
- * row vectors, but columns for column vectors. */
+/* Rows for column vectors are transposed. A list of 16 numbers is not: it lists rows
+ * for row vectors, but columns for column vectors. */
 static void read_matrix(const struct value *v, const struct member *row, void *out)
 {
 	const bool affine = row->type != &type_matrix;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The types of members that several tables of cmd/scene share: how a value of a row is
- * read to a field and printed again (struct member_type in object.h). Types are constants, and
- * a field owns its value: nothing points to the document. The comment on a type says
- * what its members are in JSON and, after "in the struct", what their fields are. */
+ * read to a field and printed again (struct member_type in object.h). Types are
+ * constants, and a field owns its value: nothing points to the document. The comment on
+ * a type says what its members are in JSON and, after "in the struct", what their
+ * fields are. */
 #pragma once
 
 #include "../json/object.h"

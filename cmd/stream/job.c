@@ -238,7 +238,6 @@ void job_do(struct job *j, struct chunk *c)
 {
 	const bool watched = atomic_load_explicit(&j->behind.watched,
 	    memory_order_relaxed);
-
 	bool binary = format_is_binary(j->layout.in.format);
 	bool by_blocks = binary_is_rows(j);
 
@@ -277,7 +276,6 @@ void job_do(struct job *j, struct chunk *c)
 
 		if (watched && !c->imaged)
 			watch_block(j, c);
-
 		if (!(by_blocks && c->block_lines == c->block_points &&
 			binary_write_rows(j, c, text)))
 			block_write(j, c, finite);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Where a scene shows a box: what culling, scissors, level of detail, and near and far ask
- * for. A sphere counts as its box. */
+/* Where a scene shows a box: what culling, scissors, level of detail, and near and far
+ * ask for. A sphere counts as its box. */
 #pragma once
 
 #include "fit_bounds.h"
@@ -27,7 +27,7 @@ struct box {
 	struct map sides, ends;
 };
 
-/* Describes bounds of three dimensions or, if flat, of two, of which there is no distance.
- * Returns NULL, or the member at fault and why. */
+/* Describes bounds of three dimensions or, if flat, of two, of which there is no
+ * distance. Returns NULL, or the member at fault and why. */
 const char *box_of(const struct scene *, const struct bounds *, bool flat,
     struct box *);

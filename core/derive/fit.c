@@ -257,8 +257,9 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Moves the eye by the step of find_eye_step. If a part of the bounds is then outside, as
- * the eye is rounded, the eye moves back by 2^-53 of its largest coordinate, then twice. */
+/* Moves the eye by the step of find_eye_step. If a part of the bounds is then outside,
+ * as the eye is rounded, the eye moves back by 2^-53 of its largest coordinate, then
+ * twice. */
 static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 {
 	const struct projection given = s->projection;
@@ -288,9 +289,9 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 	return NOT_IN_RANGE;
 }
 
-/* Moves the eye so that the bounds are in the middle of the picture and, unless has_eye,
- * as far from it as they extend along the gaze. A step along the gaze of an oblique
- * projection shifts the image; a step across the gaze undoes the shift. */
+/* Moves the eye so that the bounds are in the middle of the picture and, unless
+ * has_eye, as far from it as they extend along the gaze. A step along the gaze of an
+ * oblique projection shifts the image; a step across the gaze undoes the shift. */
 static const char *center_picture(struct scene *s, bool has_eye, const struct hull *h)
 {
 	const struct convention *c = &s->convention;

@@ -13,28 +13,28 @@
  *
  * persp keeps the directions of its side planes. The eye moves along the gaze until the
  * bounds are between the side planes and one plane touches the bounds, or until near is
- * near_ratio times far, or min_near. If the bounds are points and has_eye is false, the eye also
- * moves across the gaze. Both planes of the tighter pair then touch the bounds, and the
- * bounds are centred between the other two planes: the functions of these planes
- * (frustum_planes in frustum.h) have the same least value on the bounds.
+ * near_ratio times far, or min_near. If the bounds are points and has_eye is false, the
+ * eye also moves across the gaze. Both planes of the tighter pair then touch the
+ * bounds, and the bounds are centred between the other two planes: the functions of
+ * these planes (frustum_planes in frustum.h) have the same least value on the bounds.
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
  * convention's gaze, z or -z of view space. If the eye is on near's side of far, near
  * is moved until its distance from the eye is at least near_ratio times far's, and
  * min_near; if not, far until its distance is at least min_near.
  *
- * The eye is rounded to doubles; in persp it then moves back until frustum_outside finds
- * the bounds inside. near, far and the sizes of ortho and oblique are the tightest such
- * doubles, unless the errors of a far eye exceed the last bits of the bounds. Returns
- * NULL, or the member and why. */
+ * The eye is rounded to doubles; in persp it then moves back until frustum_outside
+ * finds the bounds inside. near, far and the sizes of ortho and oblique are the
+ * tightest such doubles, unless the errors of a far eye exceed the last bits of the
+ * bounds. Returns NULL, or the member and why. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions for which fit_scene makes the same scene of the farthest points
  * along them as of all points. Returns NULL, or the member at fault and why. */
 const char *fit_directions(const struct scene *, bool has_eye, struct directions *);
 
-/* Replaces the scene's 2D window by the least that holds x and y of the bounds, given by
- * center, width and height, as frustum_outside finds. Returns NULL, or the member at
+/* Replaces the scene's 2D window by the least that holds x and y of the bounds, given
+ * by center, width and height, as frustum_outside finds. Returns NULL, or the member at
  * fault and why. */
 const char *fit_window(struct scene *, const struct bounds *);
 

@@ -36,9 +36,9 @@ const char *frustum_planes(const struct scene *, enum space from, struct map *si
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
-/* frustum_window_planes and frustum_of_window make the edges of the ndc square, which fills the
- * device, as functions of a point in the 2D space `from`. Both return NULL, or the
- * member at fault and why. */
+/* frustum_window_planes and frustum_of_window make the edges of the ndc square, which
+ * fills the device, as functions of a point in the 2D space `from`. Both return NULL,
+ * or the member at fault and why. */
 const char *frustum_window_planes(const struct scene *, enum flat_space from,
     struct map *sides);
 const char *frustum_of_window(const struct scene *, enum flat_space from,
@@ -55,8 +55,8 @@ void frustum_outside_all(const struct frustum *, const double *const in[4],
 /* The view volume in view space. sides and ends have the columns of frustum_planes. The
  * corners and the eye are homogeneous points where three planes meet, as the errors of
  * the inverse of to_clip could exceed a small near plane. The corners of near are 0 to
- * 3, those of far 4 to 7, in the order left-bottom, right-bottom, right-top, left-top. w
- * of a corner is not negative. Without near and far planes all are at infinity. */
+ * 3, those of far 4 to 7, in the order left-bottom, right-bottom, right-top, left-top.
+ * w of a corner is not negative. Without near and far planes all are at infinity. */
 struct volume {
 	struct map to_clip, sides, ends; /* from view space */
 	struct sum corner[8][4], eye[4];

@@ -30,12 +30,12 @@ static bool has_up_z(const struct scene *s)
 	return hypot(gaze[0], gaze[2]) > tan_degree * fabs(gaze[1]);
 }
 
-/* Returns whether |x| is k pi / 360, k whole from 1 to 720, to the digits of its shortest
- * form, which are five or more. As such a number is below 10, it has four decimals or
- * more, and so is no whole number of twentieths of a degree. A quotient of a whole number
- * by a power of ten up to 10^22 is the double of the decimal. From 16 digits on, the
- * double itself is coarser than its last digit: k pi / 360 computed in doubles is within
- * 2^-51 of x. */
+/* Returns whether |x| is k pi / 360, k whole from 1 to 720, to the digits of its
+ * shortest form, which are five or more. As such a number is below 10, it has four
+ * decimals or more, and so is no whole number of twentieths of a degree. A quotient of
+ * a whole number by a power of ten up to 10^22 is the double of the decimal. From 16
+ * digits on, the double itself is coarser than its last digit: k pi / 360 computed in
+ * doubles is within 2^-51 of x. */
 static bool is_radians(double x)
 {
 	double size = fabs(x), unit = 1000; /* four digits of 1 to 10 */
@@ -107,12 +107,12 @@ static bool has_radians(const struct scene *s)
 	return found;
 }
 
-/* Returns whether |x| or |y| is within a relative 2^-20 of |cot(k / 2)|, k whole from 4 to
- * 179, k / 2 in radians. The cosine c and sine s of k / 2 come from those of k / 2 - 1/2
- * by the sine and cosine of 1/2. Each step adds less than 2^-51 to their errors, and no
- * |c| is below 2^-8, so that cot has a relative error below 2^-35. 2^-20 is coarser than
- * a float's digits, and the cotangents of half of whole and half degrees differ by more
- * (note_test). */
+/* Returns whether |x| or |y| is within a relative 2^-20 of |cot(k / 2)|, k whole from 4
+ * to 179, k / 2 in radians. The cosine c and sine s of k / 2 come from those of k / 2 -
+ * 1/2 by the sine and cosine of 1/2. Each step adds less than 2^-51 to their errors,
+ * and no |c| is below 2^-8, so that cot has a relative error below 2^-35. 2^-20 is
+ * coarser than a float's digits, and the cotangents of half of whole and half degrees
+ * differ by more (note_test). */
 static bool is_cot_of_degrees(double x, double y)
 {
 	const double cos_half = 0.87758256189037271612,
@@ -200,10 +200,10 @@ bool note_seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-/* Returns whether a matrix that is not upright in view axes shows no mirror image: right,
- * up and gaze, the gradients of x, y and w (if w is constant, of z), have the convention's
- * handedness. A determinant in doubles has an error below 2^-48 of the lengths' product,
- * and 2^-30 decides. */
+/* Returns whether a matrix that is not upright in view axes shows no mirror image:
+ * right, up and gaze, the gradients of x, y and w (if w is constant, of z), have the
+ * convention's handedness. A determinant in doubles has an error below 2^-48 of the
+ * lengths' product, and 2^-30 decides. */
 static bool is_plain_product(const struct convention *c, const double m[4][4], int gaze)
 {
 	double length = 1, det = 0;
@@ -223,8 +223,8 @@ static bool is_plain_product(const struct convention *c, const double m[4][4], i
 	return det > 0x1p-30 * length;
 }
 
-/* Returns whether a matrix shows no mirror image, does not look transposed and, if it is
- * upright in view axes, has its gaze and its planes as the convention does. */
+/* Returns whether a matrix shows no mirror image, does not look transposed and, if it
+ * is upright in view axes, has its gaze and its planes as the convention does. */
 static bool is_plain_matrix(const struct scene *s)
 {
 	const struct convention *c = &s->convention;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Notes: what was guessed of a scene, as it does not say it, and what looks like a slip.
- * Nothing here changes a number. The rules read the members alone, as doubles; only where
- * these leave open how the picture looks is the picture computed. Each rule is chosen so
- * that a scene that is right gets no note. */
+/* Notes: what was guessed of a scene, as it does not say it, and what looks like a
+ * slip. Nothing here changes a number. The rules read the members alone, as doubles;
+ * only where these leave open how the picture looks is the picture computed. Each rule
+ * is chosen so that a scene that is right gets no note. */
 #pragma once
 
 #include "../scene/scene.h"

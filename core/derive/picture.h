@@ -27,8 +27,8 @@ struct picture {
 	double frustum_plane[6][4];
 	double error_bound[3]; /* [enum precision] */
 	unsigned notes;        /* bit i is set if enum note i applies */
-	/* The second scene, in the answer's convention: by eye and gaze, and by edges or,
-	 * without near and far planes or if clip x depends on y, by intrinsics. */
+	/* The second scene, in the answer's convention: by eye and gaze, and by edges
+	 * or, without near and far planes or if clip x depends on y, by intrinsics. */
 	bool has_scene;
 	struct scene scene;
 };

@@ -115,8 +115,8 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* Completes a ray that a kernel left undecided. If all of `point` is nan, there is a ray
- * only if w is positive: its point is then beyond the range of doubles. */
+/* Completes a ray that a kernel left undecided. If all of `point` is nan, there is a
+ * ray only if w is positive: its point is then beyond the range of doubles. */
 static void ray_finish(const struct ray_maker *r, const double in[4], bool single,
     double point[3], double direction[3])
 {

@@ -7,10 +7,10 @@
 
 enum { STEPS = 5 }; /* points along each axis of the volume */
 
-/* The program: the product of its matrices, and its constants of the viewport. A float is
- * computed as a double and then rounded, which gives the float that one rounding of a
- * sum, a product or a quotient of two floats gives, as 53 >= 2 24 + 2 (Figueroa, "When
- * is double rounding innocuous?", 1995). */
+/* The program: the product of its matrices, and its constants of the viewport. A float
+ * is computed as a double and then rounded, which gives the float that one rounding of
+ * a sum, a product or a quotient of two floats gives, as 53 >= 2 24 + 2 (Figueroa,
+ * "When is double rounding innocuous?", 1995). */
 struct program {
 	bool single;
 	double m[4][4];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a program gets that computes images as textbooks say, in floats or in doubles: it
- * answers whether these are enough for a scene. */
+/* What a program gets that computes images as textbooks say, in floats or in doubles:
+ * it answers whether these are enough for a scene. */
 #pragma once
 
 #include "frustum.h"

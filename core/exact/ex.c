@@ -217,7 +217,8 @@ bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 
 /* Newton's iteration begins at the root of the nearest double, with 50 correct bits.
  * Each step doubles their number, so that its quotient needs 2, 4, 8, and then
- * EX_QUOTIENT_WORDS words, to which the result is rounded: roots of few words are exact. */
+ * EX_QUOTIENT_WORDS words, to which the result is rounded: roots of few words are
+ * exact. */
 ex ex_sqrt(const ex *square)
 {
 	ex a = *square;

@@ -28,7 +28,8 @@ static void horn_matrix(const struct sum m[4][4], struct sum k[4][4])
  * from sqrt(3 s). Let gap be the distance from x to the second largest root. A step
  * halves the error until it is below gap, and then squares error / gap. The slope, the
  * product of the distances to the other roots, is gap * 4 x^2 within a factor of 3. The
- * last error is below 2^-260 gap. Returns false if gap < least x / 4; least is at least 2^-398. */
+ * last error is below 2^-260 gap. Returns false if gap < least x / 4; least is at least
+ * 2^-398. */
 static bool largest_root(struct sum s, struct sum d, struct sum k, double least,
     struct sum *x)
 {
@@ -90,9 +91,9 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
  * double of a scene needs no more; a product of many matrices can have more. */
 enum { ELEMENT_WORDS = 25 };
 
-/* Let the elements have errors up to e. Then the determinant of their values must exceed
- * its error, and the quaternion is that of the values. K is off by less than 9 e, and
- * so the quaternion turns by less than 9 e / gap: see `least` for gap. */
+/* Let the elements have errors up to e. Then the determinant of their values must
+ * exceed its error, and the quaternion is that of the values. K is off by less than 9
+ * e, and so the quaternion turns by less than 9 e / gap: see `least` for gap. */
 enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum q[4])
 {
 	struct sum cut = sum_of_power(-64 * ELEMENT_WORDS);
@@ -140,8 +141,8 @@ enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum 
 	return ROTATION_FOUND;
 }
 
-/* Computes d times the rotation of Rodrigues' formula I + sine [v] + versine [v]^2 for a
- * vector v. [v] is the matrix with [v] p = v x p. */
+/* Computes d times the rotation of Rodrigues' formula I + sine [v] + versine [v]^2 for
+ * a vector v. [v] is the matrix with [v] p = v x p. */
 static void rodrigues(const struct sum v[3], struct sum sine, struct sum versine,
     struct sum d, struct sum r[3][3])
 {

@@ -10,9 +10,9 @@
  * in radians. Returns false if the length is above 2 pi. */
 bool rotation_about(const double vector[3], struct sum r[3][3]);
 
-/* Computes the matrix, for column vectors, of the rotation by an angle about an axis, as
- * r / *d with d = |axis|^2. It is exact if sine, cosine and |axis| are. Returns false if
- * the axis is 0. */
+/* Computes the matrix, for column vectors, of the rotation by an angle about an axis,
+ * as r / *d with d = |axis|^2. It is exact if sine, cosine and |axis| are. Returns
+ * false if the axis is 0. */
 bool rotation_by_angle(const double axis[3], double angle, enum angle_unit,
     struct sum r[3][3], struct sum *d);
 

@@ -21,8 +21,8 @@ struct sum {
 	};
 };
 
-/* Returns the address of a sum, which may be the result of a call: C keeps it to the end
- * of the expression. So calls nest without copies of 900 bytes. */
+/* Returns the address of a sum, which may be the result of a call: C keeps it to the
+ * end of the expression. So calls nest without copies of 900 bytes. */
 #define SUM_AT(a) ((const struct sum *)(a).at)
 
 /* Each operation drops words below 2^-20 of the bound of its error: the bound is then
@@ -88,9 +88,9 @@ bool sum_is_power_of_two(const struct sum *);
 /* Returns the sum, or exact 0 if the sign of the sum is 0. */
 struct sum sum_snap_zero(const struct sum *);
 
-/* Returns the double or, if single, the float nearest to n / d. Ties go to even; a number
- * beyond the range becomes infinite. sum_ratio and sum_double, which are macros below,
- * return the double nearest to n / d and to a sum. */
+/* Returns the double or, if single, the float nearest to n / d. Ties go to even; a
+ * number beyond the range becomes infinite. sum_ratio and sum_double, which are macros
+ * below, return the double nearest to n / d and to a sum. */
 double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single);
 
 /* Returns sum_ratio, or nan if d is 0 or the ratio is beyond the range. */

@@ -71,8 +71,8 @@ static void set_distance(const struct distance *d, bool back, enum space to,
 	t->divide = !back || to == SPACE_NDC;
 }
 
-/* Makes t, whose member map leads from view space to `to`, the transform from the device
- * to `to`. */
+/* Makes t, whose member map leads from view space to `to`, the transform from the
+ * device to `to`. */
 static const char *from_device(const struct scene *s, enum space to,
     struct transform *t)
 {

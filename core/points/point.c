@@ -17,8 +17,8 @@ static void set_relative(const struct transform *t, const double in[4], struct s
 	sum_set(&p[3], t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Sets p to the point from which column_of computes images: in view space if t is staged,
- * else relative to the origin. */
+/* Sets p to the point from which column_of computes images: in view space if t is
+ * staged, else relative to the origin. */
 static void set_point(const struct transform *t, const double in[4], struct sum p[4])
 {
 	struct sum q[4];

@@ -59,10 +59,10 @@ void transform_prepare(struct transform *t)
 	prepare_kernel(t);
 }
 
-/* Returns whether exact images by the map need at most EX_WORDS words. Two products must
- * be exact: a column times a point's difference from the origin, a multiple of 2^-1074;
- * and the divisor times the midpoint of two doubles. `room` is the number of words that
- * the column or the divisor may have. */
+/* Returns whether exact images by the map need at most EX_WORDS words. Two products
+ * must be exact: a column times a point's difference from the origin, a multiple of
+ * 2^-1074; and the divisor times the midpoint of two doubles. `room` is the number of
+ * words that the column or the divisor may have. */
 static bool map_leaves_room(const struct map *m)
 {
 	double most = SCENE_MAGNITUDE_MAX;

@@ -51,8 +51,8 @@ const char *transform_of_matrix(const struct scene *, bool flat, int from, int t
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
-/* Computes the members relative, origin, staged, distance and for_kernel from the member
- * map. */
+/* Computes the members relative, origin, staged, distance and for_kernel from the
+ * member map. */
 void transform_prepare(struct transform *);
 
 /* Sets all members of a transform from `from` by way of view space to `to`, except

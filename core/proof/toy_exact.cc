@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* Tests kernel/exact.h and doubled.h in the arithmetic of toy.h: no rounding that it says is sure is
- * wrong, no point without an image gets one, and no point with an image loses it. */
+/* Tests kernel/exact.h and doubled.h in the arithmetic of toy.h: no rounding that it
+ * says is sure is wrong, no point without an image gets one, and no point with an image
+ * loses it. */
 #include "toy.h"
 
 static double sign(void)

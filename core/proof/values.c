@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Prints quotients, roots, sines, cosines and cotangents as the functions of core/exact
- * compute them: the operation, its operands, the exponent, and the words in hexadecimal,
- * the highest first. prove.pl compares them with its own. The operands are the worst for
- * the bound of a quotient and of a root, and rests near 45 degrees, where a series is
- * worst, near 0, and of many quarters of a turn. */
+ * compute them: the operation, its operands, the exponent, and the words in
+ * hexadecimal, the highest first. prove.pl compares them with its own. The operands are
+ * the worst for the bound of a quotient and of a root, and rests near 45 degrees, where
+ * a series is worst, near 0, and of many quarters of a turn. */
 #include <stdio.h>
 
 #include "exact/trig.h"

@@ -313,8 +313,8 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
-/* Makes the plane of an oblique projection, or z_near of a volume, the origin's z if the
- * matrix f has errors. Row 4 of r has then none where an error of f multiplies the
+/* Makes the plane of an oblique projection, or z_near of a volume, the origin's z if
+ * the matrix f has errors. Row 4 of r has then none where an error of f multiplies the
  * difference from this z, which is 0 in the row. */
 static void set_plane_origin(const struct projection *p, const struct scaled_matrix *f,
     struct map *r)
@@ -375,8 +375,8 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 	};
 }
 
-/* Returns whether a matrix that is not affine has the last row, but not the last column,
- * 0 0 1 0 or 0 0 -1 0, as transposed perspective matrices have. */
+/* Returns whether a matrix that is not affine has the last row, but not the last
+ * column, 0 0 1 0 or 0 0 -1 0, as transposed perspective matrices have. */
 static bool is_transposed(const double m[4][4])
 {
 	bool row = true, column = true, affine = true;

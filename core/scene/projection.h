@@ -87,8 +87,8 @@ struct projection {
 	 * near and far planes, near is 0, and reverse_z is set, so that depth is 1/w. */
 	double near, far;
 	bool reverse_z; /* depth is larger at near than at far */
-	/* The command fit makes near / far at least near_ratio, and the distance of near
-	 * from the eye at least min_near, which is 0 if it is not given. */
+	/* The command fit makes near / far at least near_ratio, and the distance of
+	 * near from the eye at least min_near, which is 0 if it is not given. */
 	double near_ratio, min_near;
 	struct projection_section section;
 	struct projection_shear shear;

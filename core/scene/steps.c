@@ -165,8 +165,8 @@ static const char *append_parts(struct product *p, const struct step *s, bool in
 	return why;
 }
 
-/* Appends the steps from s to `end` or, if inverse, the inverse of each from the last to
- * the first. */
+/* Appends the steps from s to `end` or, if inverse, the inverse of each from the last
+ * to the first. */
 static const char *append_all(struct product *p, const struct step *s,
     const struct step *end, bool inverse)
 {
@@ -194,8 +194,8 @@ static char *put(char *at, const char *s)
 	return at + n;
 }
 
-/* Returns the text "POINTER/4/inverse/0: WHY", which says where `fault` stands among the
- * steps from s on, or "POINTER: WHY" without a fault. */
+/* Returns the text "POINTER/4/inverse/0: WHY", which says where `fault` stands among
+ * the steps from s on, or "POINTER: WHY" without a fault. */
 static const char *refusal(const char *pointer, const struct step *s,
     const struct step *fault, const char *why)
 {

@@ -274,8 +274,8 @@ static bool near_is_least(const struct fitted *f, const real limit[2])
 	    0x1p-48 * retreat_size(f, limit);
 }
 
-/* Returns whether the eye is as near as a side plane, near_ratio or min_near allows, but
- * for the rounding of the eye, also across the gaze. */
+/* Returns whether the eye is as near as a side plane, near_ratio or min_near allows,
+ * but for the rounding of the eye, also across the gaze. */
 static bool eye_is_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;

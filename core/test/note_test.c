@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The rules of notes that look at digits: every number that is meant fires, and no number
- * of a plain scene does. The numbers are written by printf. */
+/* The rules of notes that look at digits: every number that is meant fires, and no
+ * number of a plain scene does. The numbers are written by printf. */
 #include "../derive/note.h"
 
 #include <math.h>
@@ -62,8 +62,8 @@ static void parts_of_pi(void **state)
 	}
 }
 
-/* Twentieths of a degree, and decimals of up to four digits, are degrees; in an angle of
- * view, decimals of up to two places. */
+/* Twentieths of a degree, and decimals of up to four digits, are degrees; in an angle
+ * of view, decimals of up to two places. */
 static void plain_angles(void **state)
 {
 	(void)state;

@@ -489,8 +489,8 @@ static void cameras_are_found_in_matrices(void **state)
 	assert_int_equal(tally[0], 0);
 }
 
-/* A scene that is plain by its members has a picture without notes: as sampled, and as one
- * matrix with the camera, of which every second is mirrored. */
+/* A scene that is plain by its members has a picture without notes: as sampled, and as
+ * one matrix with the camera, of which every second is mirrored. */
 static void plain_scenes_have_no_notes(void **state)
 {
 	int plain = 0, noted = 0;

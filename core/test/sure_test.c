@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* Counts the points that the kernels of exact.h leave undecided, and those of them that
- * the kernels of doubled.h leave to core/points/point.c, which has more bits. A bound that is too large, or a test that is too strict,
- * changes no printed number and only costs time. The counts are recorded: a change of
- * a count needs a reason. Every compiler gives the same counts, and kernels with fused
- * products differ by at most two. The coordinates are made without the mathematical
- * library, as its last bits differ between systems. */
+ * the kernels of doubled.h leave to core/points/point.c, which has more bits. A bound
+ * that is too large, or a test that is too strict, changes no printed number and only
+ * costs time. The counts are recorded: a change of a count needs a reason. Every
+ * compiler gives the same counts, and kernels with fused products differ by at most
+ * two. The coordinates are made without the mathematical library, as its last bits
+ * differ between systems. */
 #include "claims.h"
 #include "block.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads and writes many numbers at a time, by loops that are compiled once for each
  * kind of processor. The loops read plain numbers: [+-] digits [. digits], or these
- * with an exponent as %e writes it; number_read reads all other legal numbers. The loops
- * give the same bits as number_read and the same bytes as number_write. */
+ * with an exponent as %e writes it; number_read reads all other legal numbers. The
+ * loops give the same bits as number_read and the same bytes as number_write. */
 #pragma once
 
 #include <stddef.h>
@@ -42,7 +42,8 @@ struct plain_places {
 
 struct number_loops {
 	/* Stores in `at` the indexes of the bytes of text that are in the set, but
-	 * maybe not of spaces that follow two others; returns how many. `at` has room for size rounded up to a multiple of 64, plus 64. */
+	 * maybe not of spaces that follow two others; returns how many. `at` has room
+	 * for size rounded up to a multiple of 64, plus 64. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
 	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a

@@ -70,10 +70,11 @@ INLINE I split_2(I x)
 	return SUB(x, MUL16(a, OPAQUE(((10 << 8) - 1) * each_quarter)));
 }
 
-/* Writes the WHOLE_DIGITS digits of f->whole < 10^16 at place `at`. FLOOR gives the right quotient by
- * 10^8: The double 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than
- * 2.1e-9 too large. Rounding adds at most 7.5e-9, half a unit in the last place below
- * 2^27. Only an error of 1e-8 could reach the next whole number. */
+/* Writes the WHOLE_DIGITS digits of f->whole < 10^16 at place `at`. FLOOR gives the
+ * right quotient by 10^8: The double 1e-8 is 2.1e-25 more than 10^-8, so that the
+ * product is less than 2.1e-9 too large. Rounding adds at most 7.5e-9, half a unit in
+ * the last place below 2^27. Only an error of 1e-8 could reach the next whole
+ * number. */
 INLINE void write_digits(struct number_text *t, size_t at, uint16_t *nonzero,
     const struct batch_digits *f)
 {
@@ -195,7 +196,8 @@ INLINE void write_parts(const double *v, size_t count, int n, int decimals,
 	}
 }
 
-/* Makes the texts by write_all or write_parts, with kind and single as constants for the compiler. */
+/* Makes the texts by write_all or write_parts, with kind and single as constants for
+ * the compiler. */
 static void loops_write(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {

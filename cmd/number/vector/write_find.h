@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds a given number of decimals or of significant digits by the operations on doubles
- * that write_body.h lists. If rounding could change the digits of a number, number_write
- * makes its text. */
+/* Finds a given number of decimals or of significant digits by the operations on
+ * doubles that write_body.h lists. If rounding could change the digits of a number,
+ * number_write makes its text. */
 #pragma once
 
 #include <math.h>
@@ -121,9 +121,9 @@ INLINE V floor_log10(V a, M in_range)
 	return log10 + ONLY(~(LESS(a, hi) | ~in_range), ALL(1));
 }
 
-/* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15. If scale
- * < 0, the product is rounded, by less than WRITE_MARGIN (write_shortest.h); number_write
- * makes the text if x is no farther than this from a tie. */
+/* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15. If
+ * scale < 0, the product is rounded, by less than WRITE_MARGIN (write_shortest.h);
+ * number_write makes the text if x is no farther than this from a tie. */
 INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 {
 	const V zero = ALL(0);
