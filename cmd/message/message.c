@@ -176,19 +176,13 @@ bool note_is_new(unsigned kind)
 	return is_new;
 }
 
-static void __attribute__((format(printf, 2, 3)))
-say_note_as(const struct place *place, const char *format, ...)
+void say_note(const struct place *place, const char *format, ...)
 {
 	va_list args;
 
 	va_start(args, format);
 	print_line(EXIT_OK, "note: ", place, format, args);
 	va_end(args);
-}
-
-void say_note(const struct place *place, const char *text)
-{
-	say_note_as(place, "%s", text);
 }
 
 /* Returns in the first thread that calls it, and never in another: if several threads

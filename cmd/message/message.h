@@ -40,7 +40,8 @@ void say_at(int status, const struct place *, const char *format, ...)
 bool note_is_new(unsigned kind);
 
 /* Prints a note as say_at does, with "note: " before the place. */
-void say_note(const struct place *, const char *text);
+void say_note(const struct place *, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
 
 /* The choices of --color: whether messages and help are coloured. */
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };

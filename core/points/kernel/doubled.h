@@ -137,15 +137,8 @@ doubled_images(const struct kernel_map *m, const double *const in[3],
 	return done;
 }
 
-#define LOOP(KIND, name)                                                       \
-	static int name(const struct kernel_map *m, const double *const in[3], \
-	    double *const out[], size_t n)                                     \
-	{                                                                      \
-		return doubled_images(m, in, out, n, KIND);                    \
-	}
-
-LOOP(KERNEL_FLAT, doubled_flat)
-LOOP(KERNEL_AFFINE, doubled_affine)
-LOOP(KERNEL_XYZW, doubled_xyzw)
-LOOP(KERNEL_PROJECTIVE, doubled_projective)
+LOOP(KERNEL_FLAT, doubled_flat, doubled_images)
+LOOP(KERNEL_AFFINE, doubled_affine, doubled_images)
+LOOP(KERNEL_XYZW, doubled_xyzw, doubled_images)
+LOOP(KERNEL_PROJECTIVE, doubled_projective, doubled_images)
 #undef LOOP

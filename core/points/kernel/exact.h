@@ -473,16 +473,15 @@ exact_images(const struct kernel_map *m, const double *const in[3], double *cons
 	return done;
 }
 
-#define LOOP(KIND, name)                                                       \
+#define LOOP(KIND, name, images)                                               \
 	static int name(const struct kernel_map *m, const double *const in[3], \
 	    double *const out[], size_t n)                                     \
 	{                                                                      \
-		return exact_images(m, in, out, n, KIND);                      \
+		return images(m, in, out, n, KIND);                            \
 	}
 
-LOOP(KERNEL_FLAT, exact_flat)
-LOOP(KERNEL_AFFINE, exact_affine)
-LOOP(KERNEL_XYZW, exact_xyzw)
-LOOP(KERNEL_PROJECTIVE, exact_projective)
-LOOP(KERNEL_DIRECTION, exact_direction)
-#undef LOOP
+LOOP(KERNEL_FLAT, exact_flat, exact_images)
+LOOP(KERNEL_AFFINE, exact_affine, exact_images)
+LOOP(KERNEL_XYZW, exact_xyzw, exact_images)
+LOOP(KERNEL_PROJECTIVE, exact_projective, exact_images)
+LOOP(KERNEL_DIRECTION, exact_direction, exact_images)
