@@ -117,8 +117,8 @@ static void choose_input(struct options *o)
 			f--;
 		if (first != NULL && f != o->in && o->columns.n != 1)
 			die(EXIT_USAGE,
-			    "%s and %s have different formats by their names; say -i", first,
-			    name);
+			    "%s and %s have different formats by their names; say -i",
+			    first, name);
 		o->in = f;
 		first = name;
 	}

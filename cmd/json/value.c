@@ -45,9 +45,26 @@ struct place json_source_place(const struct json_source *source, const char *poi
 	return p;
 }
 
-/* Changes a checked text so that cJSON reads it and takes less memory. A number that is
- * too long for cJSON becomes the shortest text of the same double, and the value of a
- * member whose name begins with _ becomes 0. Fills up with blanks. */
+/* Writes blanks over the member at s, and over the comma that parts it from others. */
+static char *blank_member(char *s, const char *end)
+{
+	char *next = (char *)json_item_end(s, end), *before = s;
+
+	if (next < end && *next == ',') {
+		next++;
+	} else {
+		while (json_is_blank(before[-1]))
+			before--;
+		if (before[-1] == ',')
+			before[-1] = ' ';
+	}
+	memset(s, ' ', (size_t)(next - s));
+	return next;
+}
+
+/* Changes a checked text so that cJSON reads it and takes less memory: blanks members
+ * whose names begin with _. A number that is too long for cJSON becomes the shortest text
+ * of the same double, filled up with blanks. */
 static void edit_for_cjson(char *s, const char *end)
 {
 	char text[NUMBER_MAX], *text_end;
@@ -56,15 +73,12 @@ static void edit_for_cjson(char *s, const char *end)
 	for (char *next; s < end; s = next) {
 		next = s + 1;
 		if (*s == '"') {
-			const bool hidden = s[1] == '_';
+			const char *after = json_string_end(s, end);
+			const char *colon = json_skip_blanks(after, end);
 
-			next = (char *)json_string_end(s, end);
-			s = (char *)json_skip_blanks(next, end) + 1;
-			if (hidden && s < end && s[-1] == ':') {
-				next = (char *)json_item_end(s, end);
-				memset(s, ' ', (size_t)(next - s));
-				*s = '0';
-			}
+			next = s[1] == '_' && colon < end && *colon == ':' ?
+			    blank_member(s, end) :
+			    (char *)after;
 			continue;
 		}
 		if (*s != '-' && (*s < '0' || *s > '9'))

@@ -58,7 +58,8 @@ static const struct refusal refusals[] = {
 	    "and \"height\", or \"width\" and \"aspect\", or \"height\" and "
 	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &fit, "{\"projection\":{\"type\":\"oblique\"}}",
-	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
+	    "/projection/kind: missing; give \"kind\", or \"angle\" of the projectors; "
+	    "lines along the gaze have the \"direction\" in the picture" },
 	{ &fit, "{\"projection\":{\"type\":\"persp\",\"fovy\":60}}",
 	    "/projection/aspect: missing; give it, or a \"viewport\"" },
 	{ &fit, "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",

@@ -40,11 +40,11 @@ static void test_long_numbers(void **state)
 static void test_hidden(void **state)
 {
 	(void)state;
-	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 2), 0);
-	assert_number(first_number("{\"c\":3,\"_a\":{}, \"_\" :null}", 3), 3);
-	assert_number(first_number("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 3), 3);
+	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 1), 3);
+	assert_number(first_number("{\"c\":3,\"_a\":{}, \"_\" :null}", 1), 3);
+	assert_number(first_number("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 2), 3);
 	assert_number(first_number("[4,\"_a\",{\"_\":1}]", 3), 4);
-	assert_number(first_number("{\"_\":\"1\",\"c\":\"_\"}", 2), 0);
+	assert_number(first_number("{\"_\":\"1\",\"c\":5}", 1), 5);
 }
 
 int main(void)
