@@ -45,10 +45,15 @@ static void take_map(struct program *g, const struct map *next)
 		g->m[i / 4][i % 4] = dot(g, 4, a[i / 4], &b[0][i % 4]);
 }
 
-/* Makes the program of a scene; a scene's absent members have no matrix in it. */
+/* Makes the program of a scene; a scene's absent members have no matrix in it, but a
+ * change of the view axes by -c has one without a camera, too. */
 static const char *program_of(const struct scene *s, struct program *g)
 {
-	const bool has[3] = { s->has_world, s->has_camera,
+	const struct convention *from = &s->convention,
+				*to = scene_answer_convention(s);
+	const bool turns = from->view_y_down != to->view_y_down ||
+	    convention_looks_back(from) != convention_looks_back(to);
+	const bool has[3] = { s->has_world, s->has_camera || turns,
 		s->projection.type != PROJECTION_NONE };
 	struct map m;
 
