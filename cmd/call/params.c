@@ -8,6 +8,7 @@
 #include "../json/check.h"
 #include "../json/text.h"
 #include "../message/message.h"
+#include "../message/words.h"
 #include "input.h"
 #include "../scene/convention_member.h"
 
@@ -151,6 +152,9 @@ static void check_not_points(const struct options *o)
 	    !(o->n_points > 0 && params.begin < params.end &&
 		(*s == '[' || (format_is_binary(o->in) && *s != '{'))))
 		return;
+	if (strstr(params.text.s + params.begin, "CAMERA_ID") != NULL)
+		die_at(EXIT_USAGE, &place, "is a table, no scene; %s",
+		    strchr(word_hint("colmap", WORD_VALUE, ':'), '\''));
 	die_at(EXIT_USAGE, &place, "holds points; a scene is wanted%s%s",
 	    command_reads_points(o->command) ? " first, as in: scene.json " : "",
 	    command_reads_points(o->command) ? params.name : "");

@@ -405,9 +405,10 @@ struct found object_read(const struct value *v, const struct member *row, int va
 	char wanted[LIST_ROOM];
 
 	if (!value_is(v, JSON_OBJECT)) {
-		snprintf(wanted, sizeof wanted, "an object%s%s",
+		snprintf(wanted, sizeof wanted, "an object%s%s%s",
 		    row->example != NULL ? " such as " : "",
-		    row->example != NULL ? row->example : "");
+		    row->example != NULL ? row->example : "",
+		    row->hint != NULL ? row->hint : "");
 		value_refuse_type(v, wanted);
 	}
 	for (const struct member *m = table; m->name != NULL; m++)

@@ -39,6 +39,7 @@ struct seen {
 	 * numbers in comment_numbers, lacks a header: it has comment_reason. */
 	size_t comment_names;     /* 0: no names, or the coordinates are first */
 	uint32_t comment_numbers; /* bit i: column i, from 0, needs a number */
+	bool comment_list;        /* after these columns the row has a list */
 	char comment_reason[REASON_MAX];
 	/* The comment names no coordinates: its line, from 1, or 0. If the row has as
 	 * many fields, `note` is set, as the comment may be a header all the same. */

@@ -71,17 +71,17 @@ static bool say_mend(const struct layout *l, struct span f, const char *separato
 	return true;
 }
 
-/* Returns whether a field begins like a geometry in WKT, such as POINT Z (1 2 3). */
-static bool is_wkt(struct span f)
+/* Returns whether the letters that a field begins with are one of `words`. */
+static bool begins_with(struct span f, const char *words)
 {
 	char word[16];
 	size_t n = 0;
 
-	for (; n < sizeof word - 1 && f.s + n < f.end && isupper((unsigned char)f.s[n]);
+	for (; n < sizeof word - 1 && f.s + n < f.end && isalpha((unsigned char)f.s[n]);
 	     n++)
 		word[n] = f.s[n];
 	word[n] = '\0';
-	return word_is_one_of(word, "POINT LINESTRING POLYGON MULTIPOINT MULTIPOLYGON");
+	return word_is_one_of(word, words);
 }
 
 /* Adds how to mend f, a field of text or csv. Returns false if it adds nothing. */
@@ -95,7 +95,7 @@ static bool say_remedy(const struct layout *l, struct span f, char reason[REASON
 
 	if (comma == NULL && l->in.separator == ';')
 		comma = find_byte(f, ' ');
-	if (is_wkt(f))
+	if (begins_with(f, "POINT LINESTRING POLYGON MULTIPOINT MULTIPOLYGON"))
 		say_more(reason,
 		    "; is it WKT? tr ',' '\\n' | sed 's/.*(//; s/).*//' makes it text");
 	else if (f.end - f.s == 2 && memcmp(f.s, "\\N", 2) == 0)
@@ -111,6 +111,9 @@ static bool say_remedy(const struct layout *l, struct span f, char reason[REASON
 		return true;
 	else if (find_byte(f, '=') != NULL)
 		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
+	else if (begins_with(f, "v vn vt o g mtllib usemtl"))
+		say_more(reason, "; is it OBJ? %s",
+		    word_hint("obj", WORD_VALUE, ':') + 2);
 	else if (after != NULL && !field_is_name(f))
 		say_more(reason,
 		    "; a number is wanted, and nothing else in the field; --columns "
@@ -442,6 +445,14 @@ void reason_comment_columns(struct layout *l, struct span text)
 	struct names names;
 
 	text.s = skip_blanks(l->in, text.s, text.end) + 1; /* after # */
+	/* COLMAP's last column: TRACK[] as (IMAGE_ID, POINT2D_IDX) */
+	bool list = false;
+
+	for (const char *s = text.s; s < text.end - 5 && !list; s++)
+		if (memcmp(s, "[] as", 5) == 0) {
+			list = true;
+			text.end = s;
+		}
 	for (const char *s = text.s; s < text.end; s++)
 		if (*s != table.separator &&
 		    strchr(s == text.s ? "#%!;:=" : ":=", *s) != NULL)
@@ -458,7 +469,7 @@ void reason_comment_columns(struct layout *l, struct span text)
 	if (!say_guess(&names, l->reads, &numbers, reason)) {
 		/* # id,foo,bar may name columns, if each name is one word */
 		if (!format_of(l->in)->header || text.s[-1] == ':' || names.n < 3 ||
-		    *l->seen.comment_reason != '\0' ||
+		    list || *l->seen.comment_reason != '\0' ||
 		    (words != names.n && words != 1) ||
 		    !lookup_is_header(l, line_cursor(table, text)))
 			return;
@@ -473,7 +484,8 @@ void reason_comment_columns(struct layout *l, struct span text)
 		(columns[n] == ' ' && strcasecmp(*names.name, "x") == 0));
 
 	l->seen.comment_line = 0;
-	l->seen.comment_names = first ? 0 : (size_t)names.n;
+	l->seen.comment_names = first ? 0 : (size_t)(names.n - list);
+	l->seen.comment_list = list;
 	l->seen.comment_numbers = numbers;
 	strcpy(l->seen.comment_reason, reason);
 }
@@ -492,6 +504,11 @@ bool reason_binary(const struct layout *l, struct span text, char reason[REASON_
 	if (s == end)
 		return false;
 	*reason = '\0';
+	if (l->seen.size % sizes[0] != 0 && l->seen.size % sizes[1] != 0) {
+		say_more(reason,
+		    "is binary, and its size fits no format of numbers alone");
+		return true;
+	}
 	/* first what the size of the file divides by */
 	for (int no = 0; no < 2; no++)
 		for (int k = 0; k < 3; k++)
@@ -516,7 +533,8 @@ bool reason_needs_header(struct layout *l, struct span row, bool lost,
 		fits = cursor_next(&c, &f) &&
 		    ((l->seen.comment_numbers >> i & 1) == 0 ||
 			format_read(l->in, f.value.s, f.value.end, &v) == f.value.end);
-	if (l->header != HEADER_MAYBE || (!l->seen.reordered && (!fits || c.s != NULL)))
+	if (l->header != HEADER_MAYBE ||
+	    (!l->seen.reordered && (!fits || (c.s != NULL && !l->seen.comment_list))))
 		return false;
 	l->seen.note = l->seen.comment_line > 0 && !l->seen.reordered;
 	if (l->seen.note)

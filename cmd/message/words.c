@@ -75,9 +75,9 @@ static const struct {
 	{ CALL, "d3d gl vulkan webgpu opencv", "--convention *" },
 	{ VALUE, "pixel pixels screen image", "--to device" },
 	{ CALL, "world view ndc device", "--to *" },
-	{ CALL, "depth", "--to view" },
 	{ VALUE, "float", "--precision single" },
 
+	{ WORD_OPTION, "depth", "--to view, or \"viewport\": {\"depth\": \"distance\"}" },
 	{ REMARK, "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ REMARK, "clip", ": project --visible leaves out points that are outside; project "
 	    "--to clip prints x y z w" },
@@ -87,7 +87,7 @@ static const struct {
 	{ CALL, "na skip ignoreerrors",
 	    ": NA and nan print nan, and --keep-going passes bad lines" },
 	{ CALL, "ground", ": project --plane 0,1,0,0 is the ground y = 0, --plane 0,0,1,0 z = 0" },
-	{ REMARK, "crs epsg srs proj",
+	{ REMARK, "crs epsg srs lat lon alt latitude longitude altitude",
 	    ": coordinates are lengths; of degrees cs2cs makes metres first" },
 	{ REMARK, "P0 P1 P2 P3 prect00 prect01 prect02 prect03",
 	    ": P is \"intrinsics\" of \"projection\", as 3 rows of 4 numbers" },
@@ -103,14 +103,28 @@ static const struct {
 	    ": lenses are not modelled; 'Points through a lens' in 'man projcalc-scene' "
 	    "bends points by awk" },
 	{ REMARK, "focal focallength focallengthmm lens sensorwidth sensorheight sensorsize "
-	    "filmgauge",
+	    "filmgauge f",
 	    ": in mm give the sensor's \"width\" and \"height\", and \"edges_at\", the "
 	    "focal length; in pixels \"intrinsics\": [fx, fy, cx, cy]" },
 	{ REMARK, "size imagesize windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
 	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
-	    ": turn by steps: \"pose\" of \"camera\", or \"world\": [{\"rotate_x\": 10}, "
-	    "{\"rotate_y\": 30}]" },
+	    ": turn by steps, \"pose\" of \"camera\": [{\"rotate_x\": 10}, {\"rotate_y\": 30}, "
+	    "{\"translate\": [0,0,5]}], which is the eye" },
+	{ REMARK, "qvec qw quaternionwxyz",
+	    ": world to view, w first, it is \"matrix\": [{\"quaternion_wxyz\": q}, "
+	    "{\"translate\": t}] of \"camera\"; view to world it is \"pose\"" },
+	{ WORD_MEMBER, "projectionmatrix",
+	    ": view to clip it is \"matrix\" in \"projection\", with \"type\": \"matrix\"; "
+	    "the 3x4 P of ROS is \"intrinsics\"" },
+	{ WORD_MEMBER, "mvp vp viewproj viewprojection viewprojectionmatrix",
+	    ": without a camera it is \"matrix\" in \"projection\", with \"type\": "
+	    "\"matrix\"" },
+	{ REMARK, "params cameramodel",
+	    ": \"intrinsics\" are [fx, fy, cx, cy]; 'A model of COLMAP' in "
+	    "'man projcalc-scene' finds them" },
+	{ WORD_MEMBER, "asset scenes nodes accessors bufferviews",
+	    ": is it glTF? 'A camera of glTF' in 'man projcalc-scene' reads one" },
 	{ REMARK, "zoom",
 	    ": only a window has it; in 3D divide \"width\" and \"height\" of \"ortho\", or "
 	    "give a smaller \"fovy\"" },
@@ -128,6 +142,8 @@ static const struct {
 	    "select(.[0]|numbers)' makes lines of points for -i json" },
 
 	{ WORD_JSON, "nan none undefined", ": for it JSON has null" },
+	{ WORD_JSON, "P0 P1 P2 P3 Tr calibtime",
+	    ": is it KITTI's? 'The lidar of KITTI' in 'man projcalc-scene' reads calib.txt" },
 	{ WORD_JSON, "infinity inf",
 	    ": JSON has no infinities; write \"infinity\" for far, else null" },
 	{ WORD_JSON, "True False", ": JSON has true and false" },
@@ -151,7 +167,10 @@ static const struct {
 	    ": it is \"webgpu\"; 'A frame of NeRF' in 'man projcalc-scene' reads one" },
 	{ VALUE, "ros ros2",
 	    ": it is \"opencv\"; 'A CameraInfo of ROS' in 'man projcalc-scene' reads one" },
-	{ VALUE, "bin binary float32 double <f8 <f4 <f8x3 <f4x3 kitti npy raw numpy",
+	{ VALUE, "xyz txt", "--input text" },
+	{ VALUE, "obj", ": grep '^v ' keeps its vertices, for --columns 2,3,4" },
+	{ VALUE, "ply pcd", ": of its ASCII form cut off the header, for -i text" },
+	{ VALUE, "bin binary float32 float64 double <f8 <f4 <f8x3 <f4x3 kitti npy raw numpy",
 	    ": -i f32x4 reads four floats a point (KITTI's .bin), -i f32 three, -i f64 three "
 	    "doubles; of a .npy it tells what to cut off" },
 };

@@ -226,7 +226,7 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 	read_members(d, m, seen & first);
 	source.has_axes = w.convention != NULL ||
 	    given_by_convention(&m[ROW_OF(CONVENTION)]) != 0;
-	d->written.convention = source.has_axes;
+	d->written.convention = source.has_axes || (seen & SCENE_CONVENTION) != 0;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;

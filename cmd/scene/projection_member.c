@@ -122,7 +122,7 @@ const struct member projection_members[] = {
 		    "\"angle_unit\": \"radians\")",
 	    .about = "angles from the gaze: left, right, bottom, top plane"),
 	MEMBER(PERSP, "intrinsics", type_intrinsics, section.intrinsics,
-	    .aliases = "k fx fy cx cy flx fly cameramatrix projectionmatrix matrix "
+	    .aliases = "k fx fy cx cy flx fly cameramatrix matrix "
 		       "intrinsic p principalpoint skew",
 	    .hint = " ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from view to "
 		    "clip is \"matrix\" of type \"matrix\")",
@@ -132,12 +132,13 @@ const struct member projection_members[] = {
 	    .about = "distance from the eye where edges are; if absent, near"),
 	SIZE(PERSP, "near", near, .aliases = "znear nearplane nearfar clipstart hither",
 	    .about = "distance of the near plane from the eye"),
-	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane clipstart hither",
+	LENGTH(PARALLEL, "near", near,
+	    .aliases = "znear nearplane clipstart hither zmin",
 	    .about = "distance of the near plane from the eye"),
 	MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
 	    .aliases = "zfar farplane clipend yon", .unit = "view units",
 	    .about = "distance of the far plane from the eye"),
-	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane clipend yon",
+	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane clipend yon zmax",
 	    .about = "distance of the far plane from the eye"),
 	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
 	    .aliases = "reversed reversedz", .fallback = "false",

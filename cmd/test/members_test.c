@@ -162,7 +162,8 @@ static const struct refusal cameras[] = {
 	    "/orthonormalize: is a number; true or false is wanted" },
 	{ &lookat, "{\"camera\":[]}",
 	    "/camera: is an array; an object such as {\"eye\": [0,0,-5], \"at\": "
-	    "[0,0,0]} is wanted" },
+	    "[0,0,0]}, for a matrix {\"matrix\": [...]} (world to view) or "
+	    "{\"pose\": [...]} (view to world) is wanted" },
 	{ &lookat, "{\"convention\":\"gl\"}",
 	    "/camera: missing; add \"camera\": {\"eye\": [0,0,-5], \"at\": [0,"
 	    "0,0]}" },

@@ -79,12 +79,14 @@ static const struct refusal names[] = {
 		&project, "{\"" name "\":{}}",                               \
 		    "/" name ": unknown member; did you mean \"" right "\"?" \
 	}
-	MEANT("view", "camera"),
+	{ &project, "{\"view\":{}}",
+	    "/view: unknown member; did you mean \"camera\", for a matrix "
+	    "{\"matrix\": [...]} (world to view) or {\"pose\": [...]} (view to "
+	    "world)?" },
 	MEANT("lens", "projection"),
 	MEANT("perspective", "projection"),
 	MEANT("model", "world"),
 	MEANT("screen", "viewport"),
-	MEANT("Camera", "camera"),
 	MEANT("point", "points"),
 	{ &lookat, "{\"camra\":{}}",
 	    "/camra: unknown member; there are \"eye\", \"at\", \"gaze\", "

@@ -240,7 +240,6 @@ static const struct refusal projections[] = {
 	MEANT("fx", PIXELS),
 	MEANT("fl_x", PIXELS),
 	MEANT("camera_matrix", PIXELS),
-	MEANT("projectionMatrix", PIXELS),
 	MEANT("matrix", PIXELS),
 	MEANT("fov", "fovy\"" GLTF),
 	MEANT("fovY", "fovy\"" GLTF),

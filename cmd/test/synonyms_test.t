@@ -61,7 +61,7 @@ sub suggested {
 	my ($command, $said) = @_;
 	return if $said !~ /unknown (?:command|topic|option)|is no scene/;
 	my @calls = map { s/^projcalc //r } $said =~ /did you mean '([^']*)'\?/g;
-	push @calls, map { "$command $_" } $said =~ /did you mean (-[^?]*)\?/g;
+	push @calls, map { "$command $_" } $said =~ /did you mean (-[^?]*?)(?:, or [^?]*)?\?/g;
 	push @calls, map { "project $_" } $said =~ /; (--.*) is an option of .*project/;
 	push @calls, $said =~ /'projcalc (help \S+)'/g;
 	push @calls, $1 if $said =~ /: projcalc (\w+ .*'[\[{].*)/;
@@ -144,9 +144,26 @@ my @led = (
 	    "[[0,-1,0,0],[0,0,-1,0],[1,0,0,0]]}, {\"matrix\": [[1,0,0,0],[0,1,0,0],[0,0,1,0]]}]}'"],
 	["project -m '{$k,\"camera_intrinsic\":[1]}'", '"quaternion_wxyz"', "project -m " .
 	    "--to world '{\"world\": [{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": [0,0,0]}]}'"],
-	(map { ["lookat '{\"eye\":[0,0,5],\"$_\":30}'", '[{"rotate_x": 10}, {"rotate_y": 30}]',
-	    "lookat -c gl '{\"pose\": [{\"rotate_x\": 10}, {\"rotate_y\": 30}]}'"] }
+	(map { ["lookat '{\"eye\":[0,0,5],\"$_\":30}'", '[{"rotate_x": 10}, {"rotate_y": 30}, {"translate": [0,0,5]}]',
+	    "lookat -c gl '{\"pose\": [{\"rotate_x\": 10}, {\"rotate_y\": 30}, " .
+	    "{\"translate\": [0,0,5]}]}'"] }
 	    qw(yaw pitch heading omega)),
+	(map { ["lookat '{\"$_\":[1,0,0,0]}'",
+	    '"matrix": [{"quaternion_wxyz": q}, {"translate": t}] of "camera"', "lookat -c opencv " .
+	    "'{\"matrix\": [{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": [0,0,1]}]}'"] }
+	    qw(qvec quaternion_wxyz)),
+	["project '{\"projectionMatrix\":[1]}'", '"matrix" in "projection", with "type": "matrix"',
+	    "project -m --from view --to clip '{\"projection\":{\"type\":\"matrix\"," .
+	    "\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]}}'"],
+	["lookat '{\"eye\":[0,0,5],\"to\":[0,0,0]}'", '"at"',
+	    "lookat '{\"eye\":[0,0,5],\"at\":[0,0,0]}'"],
+	["ortho '{\"width\":2,\"height\":2,\"zmin\":0,\"zmax\":9}'", '"far"',
+	    "ortho '{\"width\":2,\"height\":2,\"near\":0,\"far\":9}'"],
+	["w2n '{\"left\":0,\"y\":0,\"right\":1,\"top\":1}'", '"bottom"',
+	    "w2n '{\"left\":0,\"bottom\":0,\"right\":1,\"top\":1}'"],
+	(map { ["project '{\"$_->[0]\":1}'", "\"$_->[1]\"", "help $_->[1]"] } ['modelMatrix',
+	    'world'], ['modelViewMatrix', 'matrix'], ['matrixWorldInverse', 'matrix'],
+	    ['cam2world', 'pose'], ['translation_vector', 'translation'], ['proj', 'projection']),
 	["fit '{\"bbox\":{\"min\":[0,0,0],\"max\":[1,1,1]}}'", '"bounds"', "fit '{\"bounds\":" .
 	    "{\"min\":[0,0,0],\"max\":[1,1,1]},\"projection\":{\"type\":\"ortho\"}}'"],
 	["project '{\"tvec\":[0,0,1]}'", '"translation" in "camera"', "lookat " .
@@ -164,7 +181,7 @@ my @led = (
 	    "project --visible scene.json '[0,0,0]'"],
 	["project --clip scene.json '[0,0,0]'", 'project --to clip',
 	    "project --to clip scene.json '[0,0,0]'"],
-	["project --depth scene.json '[0,0,0]'", '--to view',
+	["project --depth scene.json '[0,0,0]'", '--to view, or "viewport": {"depth": "distance"}',
 	    "project --to view scene.json '[0,0,0]'"],
 	(map { ["project $_ scene.json '[0,0,0]'", '--keep-going',
 	    "project --keep-going scene.json '[0,0,0]'"] } '--na', '--skip'),

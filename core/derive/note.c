@@ -254,8 +254,7 @@ bool note_is_plain(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
 	const struct projection_section *c = &p->section;
-	const bool ordered = p->near <= p->far &&
-	    (c->way != SECTION_EDGES || (c->left < c->right && c->bottom < c->top));
+	const bool ordered = p->near <= p->far; /* edges are as they are written */
 
 	switch (projection_family(p)) {
 	case FAMILY_PERSP:

@@ -44,7 +44,8 @@ struct written {
 unsigned note_of_members(const struct scene *, const struct written *);
 
 /* Returns whether the members alone show that the picture has no note from NOTE_MIRRORED
- * to NOTE_OFF_CENTER but NOTE_RADIANS. If not, picture_notes of picture.h finds out. */
+ * to NOTE_OFF_CENTER but NOTE_RADIANS, and NOTE_MIRRORED only if edges that the scene
+ * gives mirror it, which it thereby says. If not, picture_notes of picture.h finds out. */
 bool note_is_plain(const struct scene *);
 
 /* Returns whether the coordinate c of a principal point is between 1 % and 99 % of the
