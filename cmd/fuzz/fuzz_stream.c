@@ -117,6 +117,17 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	add(&said, text, strlen(text) + 1);
 }
 
+bool note_is_new(unsigned kind)
+{
+	return kind == 0;
+}
+
+void say_note(const struct place *place, const char *format, ...)
+{
+	(void)place;
+	(void)format;
+}
+
 struct message_state message_state;
 
 void die_at(int status, const struct place *place, const char *format, ...)
@@ -218,7 +229,8 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	c->first = FIRST_BYTE;
 	piece_resize(&c->piece, size);
 	memcpy(c->piece.text, text, size);
-	c->piece.whole_size = size;
+	c->piece.size = c->piece.whole_size = size;
+	c->piece.state = PIECE_LAST;
 	job_do(j, c);
 	bool refused = c->refused;
 

@@ -125,10 +125,12 @@ static void print_chunk(const struct job *j, const struct chunk *c)
 	const char *s = c->out;
 	size_t n = c->size;
 
-	if (waits || answer.held_size > 0) {
+	if (n > 0 && (waits || answer.held_size > 0)) {
 		answer.held = xrealloc(answer.held, answer.held_size + n);
 		memcpy(answer.held + answer.held_size, s, n);
 		answer.held_size += n;
+	}
+	if (answer.held_size > 0) {
 		s = answer.held;
 		n = answer.held_size;
 	}

@@ -100,6 +100,7 @@ sub dripped {
 	open my $to, '|-', "projcalc project --keep-going $args scene.json - " .
 	    ">$tmp/out 2>$tmp/said" or die;
 	$to->autoflush;
+	local $SIG{PIPE} = 'IGNORE'; # the program may stop before the last part
 	for my $i (0 .. $#parts) {
 		select undef, undef, undef, 0.004 if $i > 0;
 		syswrite $to, $parts[$i];
