@@ -153,7 +153,7 @@ static void write_all(void)
 	    [](char *s, double v) { return s + snprintf(s, 32, "%.17g", v); });
 	measure_write("to_chars, charconv",
 	    [](char *s, double v) { return std::to_chars(s, s + 32, v).ptr; });
-	measure_write("by hand, dragonbox",
+	measure_write("by hand, one product",
 	    [](char *s, double v) { return hand_write(s, v); });
 	measure_write("number_write",
 	    [=](char *s, double v) { return number_write(s, v, style); });

@@ -12,11 +12,12 @@
  *                                not there when it was built. FILTER is
  *                                stdio: scanf and printf
  *                                standard: fast_float and std::to_chars
- *                                hand: eight digits in a word, and dragonbox
+ *                                hand: eight digits in a word, 16 in a vector
  *                                binary: rows of numbers */
 #include <stdio.h>
 
 #include "../../core/bench/clock.h"
+#include "../../core/points/point.h"
 #include "../../core/points/points.h"
 #include "../../core/test/sample.h"
 #include "view.h"

@@ -7,8 +7,8 @@ array Key[3] = ["projcalc", "others in double", "others in float"]
 array Hollow[3] = [4, 6, 8]
 array Name[3] = ["text", "binary", "memory"]
 array Title[3] = ["Programs, lines of three numbers", \
-    "Programs, binary: libraries with fread and write", \
-    "Points in memory; hollow: scenes 1e9 away, where floats have no room"]
+    "Programs, binary: loops in place; libraries with fread and write", \
+    "Points in memory"]
 
 # Panels have 690 x 260 pixels; names.pl has placed the names in them.
 high = 1120.0
@@ -34,6 +34,8 @@ set key at screen 0.97, screen 1 - 48 / high right top horizontal \
 set label 3 "lower left is better:\nfaster, and nearer to the truth" \
     at graph 0.06, 0.58 left textcolor rgb "#404040"
 set arrow 3 from graph 0.055, 0.5 to graph 0.02, 0.4 linecolor rgb "#404040"
+set label 5 "each panel has a scale of its own for the time" \
+    at graph 0.06, 0.33 left font ",11" textcolor rgb "#404040"
 set label 4 "half a unit in the last place: no double is nearer" \
     at graph 0.99, first 2.0**-44 offset 0, -0.6 right font ",11" \
     textcolor rgb "#404040"
@@ -48,6 +50,10 @@ do for [i = 1:3] {
 	set tmargin at screen 1 - top / high
 	set bmargin at screen 1 - (top + 260) / high
 	set label 2 Title[i] at graph 0, 1 offset 0, 1
+	if (Name[i] eq "memory") {
+		set label 6 "hollow: the same in scenes 1e9\naway, for which floats have\nno room" \
+		    at graph 0.99, 0.62 right font ",12" textcolor rgb "#404040"
+	}
 	far(k) = column(4) == column(3) ? NaN : is(Kind[k], 4)
 	plot 2.0**-44 with lines linestyle 4 dashtype 2 notitle, \
 	    name . ".tsv" index 0 using 2:3:(0):($4 - $3) with vectors nohead \
@@ -60,6 +66,7 @@ do for [i = 1:3] {
 	    font ",12" textcolor linestyle k notitle
 	unset key
 	unset label 3
+	unset label 5
 	unset arrow
 }
 unset multiplot

@@ -6,10 +6,10 @@ eval "set terminal ".terminal." font 'sans-serif,12' background 'white'"
 
 # x is the power of ten of the severity; the value beyond the last is drawn at
 # the edge.
-Panels = 16
+Panels = 17
 array Name[Panels] = ["distance", "up", "wide", "narrow", "zoom", "volume", \
     "turns", "squared", "at", "size", "unproject", "back", "normal depth", \
-    "reversed depth", "depth", "plane"]
+    "reversed depth", "depth", "plane", "tiles"]
 array Title[Panels] = ["Far from the origin", "Up close to the gaze", \
     "Field of view close to 180°", "Narrow field of view", \
     "Deep zoom in 2D", "Almost parallel projection", \
@@ -17,27 +17,29 @@ array Title[Panels] = ["Far from the origin", "Up close to the gaze", \
     "Eye close to what it looks at", "Size of the whole scene", \
     "From the screen to the world", "To the world, far from its origin", \
     "Depth over distance", "Reversed depth over distance", \
-    "Near and far close: depth", "Points close to the eye plane"]
+    "Near and far close: depth", "Points close to the eye plane", \
+    "Off-axis tiles of a wall"]
 array Swept[Panels] = ["distance", "angle between them, radians", \
     "180° less the angle, degrees", "degrees", \
     "part of the window in sight", "1 / distance of the eye", \
     "number of turns", "number of turns", "distance", "unit of length", \
     "far / near", "distance", "distance / near", "distance / near", \
-    "far / near − 1", "depth of the points"]
-array Left[Panels] = [0, 0, 0, -1, 0, -3, 0, 0, 0, -150, 2, 0, 0, 0, 18, 0]
+    "far / near − 1", "depth of the points", "size of a tile"]
+array Left[Panels] = [0, 0, 0, -1, 0, -3, 0, 0, 0, -150, 2, 0, 0, 0, 18, 0, 0]
 array Right[Panels] = [15, -18, -10, -9, -15, -18, 6, 6, -150, 150, 12, 15, \
-    15, 15, -15, -17]
-array Step[Panels] = [5, 5, 5, 2, 5, 3, 2, 2, 50, 100, 5, 5, 5, 5, 10, 5]
+    15, 15, -15, -17, -15]
+array Step[Panels] = [5, 5, 5, 2, 5, 3, 2, 2, 50, 100, 5, 5, 5, 5, 10, 5, 5]
 array Unit[Panels] = ["", "", "", "", "", "", "", "", "", "", \
     "units of the world", "units of the world", "parts of the distance", \
     "parts of the distance", "steps of a 24-bit buffer", \
-    "units in the last place"]
+    "units in the last place", ""]
+# Where the exact results are large, the nearest double is far from them.
+rises(i) = Name[i] eq "back" || Name[i] eq "normal depth"
 
-array Way[8] = ["textbook's float, matrices composed first", \
-    "textbook's double, matrices composed first", \
-    "textbook's double, stage by stage", \
-    "textbook's double, relative to the eye", \
-    "textbook's double, composed, inverse by LU", \
+array Way[8] = ["textbook, float, composed", \
+    "textbook, double, composed", "textbook, double, by stages", \
+    "textbook, double, from the eye", \
+    "textbook, double, inverse by LU", \
     "projcalc -p single", "projcalc -p double", "projcalc, exact"]
 set style line 1 lc rgb "#cc79a7" lw 2 dt "." pt -1
 set style line 2 lc rgb "#d55e00" lw 1.5 dt "-" pt 4 ps 0.7 pi 2
@@ -98,6 +100,10 @@ do for [i = 1:Panels] {
 		set label "half a pixel" at graph 0.02, first 8 \
 		    font ",11" tc rgb "#cc0000"
 	}
+	if (rises(i)) {
+		set label "no double is nearer" at graph 0.98, 0.06 right \
+		    font ",11"
+	}
 	if (Name[i] eq "up") {
 		set label "parallel:\nrefused" at first -17.7, first 1e-9 \
 		    right font ",11"
@@ -108,7 +114,7 @@ do for [i = 1:Panels] {
 	    at(column(2 * w + ulps)) : NaN) \
 	    smooth unique with linespoints ls w title ""
 }
-# The key has the last two cells to itself.
+# The key has the last cell to itself.
 unset title
 unset xlabel
 unset ylabel
@@ -116,13 +122,14 @@ unset tics
 unset border
 unset arrow
 unset label
-set lmargin at screen 0.4
-set rmargin at screen 0.97
+set lmargin at screen 0.68
+set rmargin at screen 0.99
 set tmargin at screen 0.155
 set bmargin at screen 0.005
-set label "The worst of a few hundred\npoints. Lost: not a number,\n\
-mirrored, or on the\nwrong side of the eye." at graph 0.7, 0.91 font ",12"
-set key at graph 0, 1 left top Left reverse maxcols 1 samplen 5 spacing 1.2 \
-    font ",12"
+set label "composed: one product of all matrices.\nThe worst of a few hundred \
+points.\nLost: not a number, mirrored, or on\nthe wrong side of the eye." \
+    at graph 0.03, 0.31 font ",11"
+set key at graph 0, 1.03 left top Left reverse maxcols 1 samplen 4 spacing 1.05 \
+    font ",11"
 plot for [w = 1:8] NaN with linespoints ls w title Way[w]
 unset multiplot

@@ -61,7 +61,7 @@ static void carry(const void *in, void *out, size_t n)
 const struct peer peers_cglm[] = {
 	{ "cglm, float",
 	    VERSION(CGLM_VERSION_MAJOR, CGLM_VERSION_MINOR, CGLM_VERSION_PATCH), true,
-	    { QUADS }, prepare, carry },
+	    { QUADS }, prepare, carry, NULL },
 	{ 0 },
 };
 

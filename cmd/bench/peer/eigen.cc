@@ -39,8 +39,9 @@ static const char version[] = VERSION(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
     EIGEN_MINOR_VERSION);
 
 const struct peer peers_eigen[] = {
-	{ "Eigen, double", version, false, { COLUMNS }, prepare, carry<double> },
-	{ "Eigen, float", version, true, { COLUMNS }, prepare, carry<float> },
+	{ "Eigen, double", version, false, { COLUMNS }, prepare, carry<double>,
+	    nullptr },
+	{ "Eigen, float", version, true, { COLUMNS }, prepare, carry<float>, nullptr },
 	{},
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Programs around a peer. One has scanf and printf, as most people write them. Two, for
 // peers whose points lie in columns, read blocks of lines, and read and write numbers
-// by the fastest functions of C++ or by hand. One reads blocks of binary numbers.
+// by the fastest functions of C++ or by hand. Two read blocks of binary numbers; one of
+// them transforms the numbers where they are.
 #include "peer.h"
 
 #include <cstdio>
@@ -172,6 +173,30 @@ template <class T> static bool run_binary(blocks<T> &b)
 	return !ferror(stdin);
 }
 
+// Transforms the points where read() puts them.
+template <class T> static bool run_in_place(const peer *p)
+{
+	alignas(64) static T points[READ_SIZE / sizeof(T)];
+	const size_t point = 3 * sizeof(T), room = READ_SIZE / point * point;
+	char *bytes = reinterpret_cast<char *>(points);
+	size_t size = 0;
+	ssize_t got;
+
+	do {
+		got = read(0, bytes + size, room - size);
+		if (got < 0)
+			return false;
+		size += size_t(got);
+		if (got > 0 && size < room)
+			continue;
+		p->in_place(points, size / point);
+		if (!put(bytes, size / point * point))
+			return false;
+		size = 0;
+	} while (got > 0);
+	return true;
+}
+
 template <class T> static bool run(const peer *p, const char *filter)
 {
 	static blocks<T> b;
@@ -182,7 +207,7 @@ template <class T> static bool run(const peer *p, const char *filter)
 	if (strcmp(filter, "stdio") == 0)
 		return run_stdio(b) && fflush(stdout) == 0;
 	if (strcmp(filter, "binary") == 0)
-		return run_binary(b);
+		return p->in_place != nullptr ? run_in_place<T>(p) : run_binary(b);
 	if (p->layout.point != 1)
 		return false;
 	return strcmp(filter, "hand") == 0 ? run_lines<by_hand>(b) :

@@ -70,9 +70,9 @@ static const char version[] = VERSION(GLM_VERSION_MAJOR, GLM_VERSION_MINOR,
 
 const struct peer peers_glm[] = {
 	{ "GLM, double", version, false, { QUADS }, prepare<double>,
-	    carry<double, 4, glm::aligned_highp> },
+	    carry<double, 4, glm::aligned_highp>, nullptr },
 	{ "GLM, float", version, true, { TRIPLES }, prepare<float>,
-	    carry<float, 3, glm::packed_highp> },
+	    carry<float, 3, glm::packed_highp>, nullptr },
 	{},
 };
 

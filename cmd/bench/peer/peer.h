@@ -42,6 +42,8 @@ struct peer {
 	void (*prepare)(const struct view *);
 	/* Transforms n <= PEER_BLOCK points; both arrays are aligned to 64 bytes. */
 	void (*carry)(const void *in, void *out, size_t n);
+	/* Transforms n points as they lie in a file, in place; NULL: no such loop. */
+	void (*in_place)(void *points, size_t n);
 };
 
 /* The peers of each library, none if it is not installed; a name NULL ends them. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* No library: the loop over columns that anybody would write, which the
- * compiler vectorizes. */
+/* No library: the loop over columns that anybody would write, and the same loop over
+ * points in place. The compiler vectorizes both. */
 #include <string.h>
 
 #include "peer.h"
@@ -18,8 +18,10 @@ static void prepare(const struct view *v)
 	memcpy(matrix, v->matrix, sizeof matrix);
 }
 
-#define CARRY(name, real)                                                              \
-	static void name(const void *in, void *out, size_t n)                          \
+#define ROW(m, i, x, y, z) (m[i][0] * x + m[i][1] * y + m[i][2] * z + m[i][3])
+
+#define LOOPS(carry, in_place, real)                                                   \
+	static void carry(const void *in, void *out, size_t n)                         \
 	{                                                                              \
 		const real *restrict x = in, *y = x + PEER_BLOCK, *z = y + PEER_BLOCK; \
 		real *restrict p = out, *q = p + PEER_BLOCK, *r = q + PEER_BLOCK,      \
@@ -28,27 +30,36 @@ static void prepare(const struct view *v)
 		for (int i = 0; i < 16; i++)                                           \
 			m[i / 4][i % 4] = (real)matrix[i / 4][i % 4];                  \
 		for (size_t i = 0; i < n; i++) {                                       \
-			real w = 1 /                                                   \
-			    (m[3][0] * x[i] + m[3][1] * y[i] + m[3][2] * z[i] +        \
-				m[3][3]);                                              \
+			real w = 1 / ROW(m, 3, x[i], y[i], z[i]);                      \
                                                                                        \
-			p[i] = (m[0][0] * x[i] + m[0][1] * y[i] + m[0][2] * z[i] +     \
-				   m[0][3]) *                                          \
-			    w;                                                         \
-			q[i] = (m[1][0] * x[i] + m[1][1] * y[i] + m[1][2] * z[i] +     \
-				   m[1][3]) *                                          \
-			    w;                                                         \
-			r[i] = (m[2][0] * x[i] + m[2][1] * y[i] + m[2][2] * z[i] +     \
-				   m[2][3]) *                                          \
-			    w;                                                         \
+			p[i] = ROW(m, 0, x[i], y[i], z[i]) * w;                        \
+			q[i] = ROW(m, 1, x[i], y[i], z[i]) * w;                        \
+			r[i] = ROW(m, 2, x[i], y[i], z[i]) * w;                        \
+		}                                                                      \
+	}                                                                              \
+	static void in_place(void *points, size_t n)                                   \
+	{                                                                              \
+		real(*p)[3] = points, m[4][4];                                         \
+                                                                                       \
+		for (int i = 0; i < 16; i++)                                           \
+			m[i / 4][i % 4] = (real)matrix[i / 4][i % 4];                  \
+		for (size_t i = 0; i < n; i++) {                                       \
+			real x = p[i][0], y = p[i][1], z = p[i][2];                    \
+			real w = 1 / ROW(m, 3, x, y, z);                               \
+                                                                                       \
+			p[i][0] = ROW(m, 0, x, y, z) * w;                              \
+			p[i][1] = ROW(m, 1, x, y, z) * w;                              \
+			p[i][2] = ROW(m, 2, x, y, z) * w;                              \
 		}                                                                      \
 	}
 
-CARRY(carry_double, double)
-CARRY(carry_float, float)
+LOOPS(carry_double, in_place_double, double)
+LOOPS(carry_float, in_place_float, float)
 
 const struct peer peers_plain[] = {
-	{ "loop, double", NULL, false, { COLUMNS }, prepare, carry_double },
-	{ "loop, float", NULL, true, { COLUMNS }, prepare, carry_float },
+	{ "loop, double", NULL, false, { COLUMNS }, prepare, carry_double,
+	    in_place_double },
+	{ "loop, float", NULL, true, { COLUMNS }, prepare, carry_float,
+	    in_place_float },
 	{ 0 },
 };
