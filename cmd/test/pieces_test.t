@@ -137,7 +137,7 @@ for (['-i csv', "x,y,z\n1,2,3,4\n"], ['-i csv', "# a\nx,y,z\n\n1,2,3\n"],
 my $comments = "# a comment\n" x 9000;
 my @refused = dripped('-i csv', $comments . "x,y,z\n", "1,2,3,4\n");
 is("@refused[0, 1]", '1 ', 'comments above a header that is refused');
-is((dripped('', $comments, "1 2 x\n"))[1], "${comments}nan nan x\n",
+is((dripped('', $comments, "1 2 x\n"))[1], "${comments}nan nan nan\n",
     'comments above a bad row');
 
 # A complete line is answered before the next one arrives.

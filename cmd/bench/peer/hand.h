@@ -148,6 +148,7 @@ static inline hand_decimal hand_shortest(double value)
 	memcpy(&bits, &value, sizeof bits);
 	const int biased = int(bits >> 52 & 0x7ff);
 	const uint64_t low = bits & ((uint64_t(1) << 52) - 1);
+	// cppcheck-suppress shiftNegativeLHS; all compilers here round down
 	const int q = biased - 1075, k = (q * 315653) >> 20;
 
 	if (low == 0 || biased == 0 || -k < cache::min_k || -k > cache::max_k)
