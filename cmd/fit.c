@@ -94,7 +94,7 @@ void run_fit(const struct options *o)
 		document_refuse(&d,
 		    "/bounds: missing; add it ('projcalc help bounds'), POINTS or -");
 	if (!d.flat)
-		notes_say(&d, notes_of(&d, 0));
+		notes_say(&d, notes_of_document(&d, 0));
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

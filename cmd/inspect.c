@@ -210,7 +210,7 @@ static void put_projection(struct printer *p, const struct document *d,
 	else
 		put_literal(p, "null");
 	put_open(put_name(p, "notes"), "[");
-	for (unsigned i = 0, all = notes_of(d, r.notes); i < NOTES; i++)
+	for (unsigned i = 0, all = notes_of_document(d, r.notes); i < NOTES; i++)
 		if (all >> i & 1)
 			put_string(p, note_rows[i].text);
 	put_close(p, "]");

@@ -86,7 +86,7 @@ const struct note_row note_rows[NOTES] = {
 	    "range; look at near, far and eye" },
 };
 
-unsigned notes_of(const struct document *d, unsigned of_picture)
+unsigned notes_of_document(const struct document *d, unsigned of_picture)
 {
 	unsigned notes = of_picture | note_of_members(&d->scene, &d->written);
 
@@ -119,7 +119,8 @@ void notes_say_of_spaces(const struct document *d, enum space from, enum space t
 		s->projection.type = PROJECTION_NONE;
 	if (most < SPACE_DEVICE)
 		s->has_viewport = false;
-	notes_say(&used, notes_of(&used, note_is_plain(s) ? 0 : picture_notes(s)));
+	notes_say(&used,
+	    notes_of_document(&used, note_is_plain(s) ? 0 : picture_notes(s)));
 }
 
 void notes_watch(const struct document *d, enum space from, enum space to,

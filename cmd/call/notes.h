@@ -10,7 +10,7 @@ extern const struct note_row {
 } note_rows[NOTES];
 
 /* Returns the notes on a document, of which `of_picture` are those on its picture. */
-unsigned notes_of(const struct document *, unsigned of_picture);
+unsigned notes_of_document(const struct document *, unsigned of_picture);
 
 /* Says those notes that are new. */
 void notes_say(const struct document *, unsigned notes);

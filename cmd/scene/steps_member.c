@@ -220,7 +220,7 @@ static void read_steps(const struct value *v, const struct member *row, void *ou
 }
 
 /* Puts a value as it was given, but no members that the reader ignores. */
-static void put_value(struct printer *p, const struct value *v)
+static void put_step_value(struct printer *p, const struct value *v)
 {
 	struct value e;
 	bool array = value_is(v, JSON_ARRAY);
@@ -231,7 +231,7 @@ static void put_value(struct printer *p, const struct value *v)
 		put_open(p, array ? "[" : "{");
 		for (e = value_child(v); e.item != NULL; value_next(&e))
 			if (array || (*e.name != '_' && *e.name != '$'))
-				put_value(array ? p : put_name(p, e.name), &e);
+				put_step_value(array ? p : put_name(p, e.name), &e);
 		put_close(p, array ? "]" : "}");
 	} else if (value_string(v) != NULL) {
 		put_string(p, value_string(v));
@@ -248,7 +248,7 @@ static void print_steps(struct printer *p, const struct member *row, const void 
 	const struct steps *steps = at;
 
 	if (steps->step != NULL)
-		put_value(p, &given_world);
+		put_step_value(p, &given_world);
 	else
 		type_affine.print(p, row, steps->matrix);
 }

@@ -17,7 +17,7 @@ struct program {
 	double scale[2], offset[2];
 };
 
-static double rounded(const struct program *g, double a)
+static double program_rounded(const struct program *g, double a)
 {
 	return g->single ? (double)(float)a : a;
 }
@@ -25,10 +25,10 @@ static double rounded(const struct program *g, double a)
 /* Returns the sum of n products a[k] b[k * 4], from left to right. */
 static double dot(const struct program *g, int n, const double *a, const double *b)
 {
-	double r = rounded(g, a[0] * b[0]);
+	double r = program_rounded(g, a[0] * b[0]);
 
 	for (int k = 1; k < n; k++)
-		r = rounded(g, r + rounded(g, a[k] * b[k * 4]));
+		r = program_rounded(g, r + program_rounded(g, a[k] * b[k * 4]));
 	return r;
 }
 
@@ -89,10 +89,11 @@ static bool run_program(const struct program *g, const double p[4], double image
 	const double w = dot(g, 4, p, &g->m[0][3]);
 
 	for (int k = 0; k < 2; k++) {
-		double x = rounded(g, dot(g, 4, p, &g->m[0][k]) / w);
+		double x = program_rounded(g, dot(g, 4, p, &g->m[0][k]) / w);
 
 		if (has_viewport)
-			x = rounded(g, rounded(g, x * g->scale[k]) + g->offset[k]);
+			x = program_rounded(g,
+			    program_rounded(g, x * g->scale[k]) + g->offset[k]);
 		image[k] = x;
 	}
 	return w > 0 && isfinite(w) && isfinite(image[0]) && isfinite(image[1]);
