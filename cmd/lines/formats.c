@@ -324,7 +324,7 @@ static char *put_quoted(const struct format_row *out, struct span f, char escape
 	*at = out->quote;
 	at += out->quote != 0;
 	while (f.s < f.end) {
-		if (*f.s >= ' ' && *f.s != '"' && *f.s != '\\') {
+		if (*f.s >= ' ' && *f.s <= '~' && *f.s != '"' && *f.s != '\\') {
 			*at++ = *f.s++;
 			continue;
 		}

@@ -42,7 +42,7 @@ for cc; do
 	file=$(readlink -f "$(command -v "$cc")") || continue
 	case $seen in *" $file "*) continue ;; esac
 	seen="$seen $file "
-	for flags in -O0 -O1 -O2 -O3 '-O2 -flto' '-O3 -flto' \
+	for flags in -O0 -O1 -O2 -O3 '-O2 -flto' '-O3 -flto' '-O2 -funsigned-char' \
 	    '-O3 -march=native' '-O3 -march=x86-64-v3'; do
 		echo "$cc $flags"
 		if makes "$cc" "$flags"; then
