@@ -157,7 +157,7 @@ INLINE void find_parts(struct batch_digits *whole, struct batch_digits *rest, si
 
 	if (!decimals)
 		scale = ALL(n - 1) - floor_log10(a, in_range);
-	M in_table = LESS(scale, ALL(WHOLE_DIGITS + 0.5));
+	M in_table = LESS(scale, ALL(WHOLE_DIGITS + 1));
 
 	scale = ONLY(in_table, scale);
 	power_of_ten(scale, &hi, &lo);
