@@ -91,6 +91,8 @@ static void write_back(const struct layout *l, const struct line *line,
 	size_t room = splice_room(l, 1, line->size);
 	char *out = malloc(room), *end;
 
+	if (out == NULL)
+		return;
 	for (int i = 0; line->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
 	end = splice_line(l, line, &numbers, l->output.flags ? &flags : NULL, out);
