@@ -8,41 +8,31 @@
 #include "../points/point.h"
 #include "../points/points.h"
 
-/* Makes the map from device x and y to a vector along the ray. The ray lies in the
- * planes x w = X and y w = Y, where X, Y and w are columns of the map from view space
- * to the device. The ray is parallel to the cross product of the planes' normals:
+/* Makes the map from device x and y to a vector along the ray. Its points are P / P_w,
+ * where P is the sum of q_i m_i, with q = (x, y, z, 1) and the rows m_i of the map to
+ * view space. As z grows, they move along
  *
- *	cross(x w - X, y w - Y) = x cross(Y, w) + y cross(w, X) + cross(X, Y)
+ *	m_2 P_w - P m_2w = sum of q_i d_i,    d_i = m_2 m_iw - m_i m_2w
  *
- * Device depth grows along this vector if the determinant of the map from view space is
- * positive. The vector is negated if it does not point from near to far. Errors of the
- * camera do not enter the cross product in view space: r is computed there first, and
- * then multiplied by the map from view to world space. */
+ * where d_2 is 0. The vector is negated if it does not point from near to far. Errors of
+ * the camera do not enter the differences: only then d_i is taken to world space. */
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
-	/* indices of columns X, Y and w of m, and of rows x, y and 1 of r */
-	static const int element[3] = { 0, 1, 3 };
-	struct sum normal[3][3];
 	struct map m;
-	const char *why = scene_map(s, SPACE_VIEW, SPACE_DEVICE, &m);
+	struct sum d[4][3] = { 0 };
+	const char *why = scene_map_factor(s, SPACE_DEVICE, SPACE_VIEW, &m);
 
-	if (why != NULL)
-		return why;
-	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != depth_falls;
-
-	for (int i = 0; i < 9; i++)
-		normal[i % 3][i / 3] = m.m[i / 3][element[i % 3]];
-	why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
+	for (int i = 0; i < 12 && why == NULL; i++)
+		d[i / 3][i % 3] = sum_negated_if(depth_falls,
+		    sum_minor(m.m[2][i % 3], m.m[i / 3][3], m.m[i / 3][i % 3],
+			m.m[2][3]));
+	if (why == NULL)
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
 	memset(r->m, 0, sizeof r->m);
-	for (int i = 0; i < 3; i++) {
-		int a = (i + 1) % 3, b = (i + 2) % 3;
-		struct sum view[3];
-
-		vec3_cross(normal[turned ? b : a], normal[turned ? a : b], view);
-		for (int j = 0; j < 3; j++)
-			sum_dot(3, view, &m.m[0][j], 4, &r->m[element[i]][j]);
-	}
+	for (int i = 0; i < 12 && why == NULL; i++)
+		if (i / 3 != 2)
+			sum_dot(3, d[i / 3], &m.m[0][i % 3], 4, &r->m[i / 3][i % 3]);
 	return why;
 }
 
