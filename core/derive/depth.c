@@ -1,29 +1,32 @@
 /* SPDX-License-Identifier: MIT */
 #include "depth.h"
 
-/* The depth of a point is z / w. Let n be the gradient of w or, if w is constant, of z.
- * D (struct depth) is measured along n from the eye or, if w is constant, from the
- * origin of view space. Let z0 and w0 be z and w at this eye or origin, and dz and dw
- * the dot products of n with the gradients of z and w. Then
+#include "../points/distance.h"
+
+/* The depth of a point is z / w. Let z0 and w0 be z and w at the point from which the
+ * distance D is measured, and dz and dw the dot products of their gradients with n, along
+ * which D is measured. Then
  *
  *	depth = (z0 + D dz / |n|) / (w0 + D dw / |n|),
  *	D = |n| (w0 depth - z0) / (dz - dw depth).
  *
- * At the eye w0 is 0. Numerator and denominator of D are negated if this makes the
- * denominator positive in front of the eye. D of a parallel projection grows along the
- * convention's gaze; D of a parallel PROJECTION_MATRIX, from near to far. */
+ * In a perspective w0 is 0. The point is homogeneous: the denominator is multiplied by
+ * its last coordinate. Numerator and denominator are negated if D is then positive where
+ * the denominator is or, if w is constant, if this gives the denominator its sign. */
 void depth_of(const struct lens *l, struct depth *d)
 {
-	const struct scene *s = l->scene;
+	const struct scene *s = &l->scene;
 	const struct viewport *v = &s->viewport;
-	bool has_range = s->has_viewport && v->min_z != v->max_z;
-	struct viewport range = { .width = 2,
+	const bool has_range = s->has_viewport && v->min_z != v->max_z;
+	const struct viewport range = { .width = 2,
 		.height = 2,
 		.min_z = has_range ? v->min_z : 0,
 		.max_z = has_range ? v->max_z : 1 };
-	bool negative_w = sum_sign(l->clip[3][3]) < 0, against_n = false;
-	const struct sum *eye_z = l->volume.eye_z;
-	struct sum z[4], w[4];
+	const struct sum origin[4] = { [3] = sum_one };
+	const bool is_origin = l->parallel || vec3_is_zero(l->eye);
+	const struct sum *from = is_origin ? origin : l->eye;
+	struct sum at[2], slope[2]; /* of z and w */
+	struct distance along;
 	struct map m, to_range;
 
 	*d = (struct depth){ .low = range.min_z,
@@ -31,31 +34,24 @@ void depth_of(const struct lens *l, struct depth *d)
 		.reversed = l->reversed,
 		.open = projection_is_open(&s->projection),
 		.constant = s->has_viewport && !has_range };
+	distance_of(s, &along);
 	viewport_map(&range, scene_answer_convention(s), false, &to_range);
-	map_copy(&m, &l->volume.to_clip);
+	map_copy(&m, &l->to_clip);
 	map_multiply(&m, &to_range, false);
-	for (int i = 0; i < 4; i++) {
-		z[i] = m.m[i][2];
-		w[i] = m.m[i][3];
+	for (int k = 0; k < 2; k++) {
+		map_image(&m, 2 + k, from, &at[k]);
+		sum_dot(3, along.column, &m.m[0][2 + k], 4, &slope[k]);
+		slope[k] = sum_mul(slope[k], from[3]);
 	}
-	if (!l->parallel) {
-		sum_set(&w[3], 0);
-		z[3] = sum_quotient(sum_mul(eye_z[0], to_range.m[2][2]), eye_z[1]);
-	} else if (s->projection.type == PROJECTION_MATRIX) {
-		against_n = l->reversed != negative_w;
-	} else {
-		against_n = convention_looks_back(scene_answer_convention(s)) !=
-		    (sum_sign(l->clip[2][2]) < 0);
-	}
-	against_n ^= l->parallel && d->high < d->low;
-	bool negated = l->parallel ? negative_w : sum_sign(z[3]) >= 0;
-	const struct sum *n = l->parallel ? z : w;
-	struct sum length = vec3_length(n);
+	if (!l->parallel)
+		sum_set(&at[1], 0);
+	const bool minus = l->parallel ? sum_sign(slope[0]) != sum_sign(at[1]) :
+					 sum_sign(at[0]) > 0;
 
-	d->num[0] = sum_negated_if(negated != against_n, sum_mul(length, w[3]));
-	d->num[1] = sum_negated_if(negated == against_n, sum_mul(length, z[3]));
-	d->den[0] = sum_negated_if(!negated, vec3_dot(w, n));
-	d->den[1] = sum_negated_if(negated, vec3_dot(z, n));
+	d->num[0] = sum_negated_if(minus, sum_mul(along.length, at[1]));
+	d->num[1] = sum_negated_if(!minus, sum_mul(along.length, at[0]));
+	d->den[0] = sum_negated_if(!minus, slope[1]);
+	d->den[1] = sum_negated_if(minus, slope[0]);
 }
 
 /* Writes the depth of the near or far plane. A depth is a quotient z[0] / z[1]. */

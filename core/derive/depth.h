@@ -7,11 +7,10 @@
 /* The formats of depth buffers. */
 enum depth_buffer { DEPTH_UNORM16, DEPTH_UNORM24, DEPTH_FLOAT32, DEPTH_BUFFERS };
 
-/* A point of depth z has the distance D = (num[0] z + num[1]) / (den[0] z + den[1]). z
- * is device depth; without a viewport, z is 0 to 1. D is measured on the normal of the
- * projection plane: in a perspective from the eye, in a parallel projection from the
- * origin of view space (depth.c says which way). den[0] is 0 only in a parallel
- * projection. In a perspective den[0] z + den[1] is positive in front of the eye. */
+/* A point of depth z on the line along which distances (points/distance.h) are measured
+ * has the distance D = (num[0] z + num[1]) / (den[0] z + den[1]). z is device depth;
+ * without a viewport, z is 0 to 1. den[0] is 0 only in a parallel projection. The
+ * denominator has the sign of w of points in front of the eye. */
 struct depth {
 	struct sum num[2], den[2];
 	double low, high; /* z at the least ndc depth, and at ndc depth 1 */

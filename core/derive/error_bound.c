@@ -31,16 +31,17 @@ struct error_analysis {
 	double max[3], largest; /* bounds of images' |x|, |y|, |z|; their max */
 };
 
-/* Sets c to corner i of the volume. to_model maps view to model space. */
-static void set_corner(const struct volume *v, const struct map *to_model,
+/* Sets c to corner i of the volume. to_model maps world to model space. */
+static void set_corner(const struct lens *l, const struct map *to_model,
     const double origin[3], int i, struct corner *c)
 {
 	struct sum h[4], w;
 
 	for (int j = 0; j < 4; j++)
-		map_image(to_model, j, v->corner[i], &h[j]);
-	map_image(&v->ends, 2, v->corner[i], &w);
-	w = sum_quotient(sum_mul(w, to_model->divisor), v->ends.divisor);
+		map_image(to_model, j, l->world_corner[i], &h[j]);
+	map_image(&l->ends, 2, l->corner[i], &w);
+	w = sum_quotient(sum_mul(w, sum_mul(to_model->divisor, l->to_world.divisor)),
+	    l->ends.divisor);
 	for (int j = 0; j < 3; j++)
 		c->offset[j] = fabs(
 		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), w));
@@ -103,9 +104,9 @@ static double precision_bound(const struct error_analysis *v,
 	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bound_of(const struct scene *s, const struct volume *v,
-    double bound[3])
+const char *error_bound_of(const struct lens *l, double bound[3])
 {
+	const struct scene *s = &l->scene;
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
 	struct map to_model;
@@ -117,10 +118,10 @@ const char *error_bound_of(const struct scene *s, const struct volume *v,
 		bound[i] = (double)NAN;
 	/* there are no bounds if the volume is infinite in model space */
 	if (why != NULL || projection_is_open(&s->projection) ||
-	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &to_model) != NULL)
+	    scene_map(s, SPACE_WORLD, SPACE_MODEL, &to_model) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(v, &to_model, t.for_kernel.origin, i, &a.corner[i]);
+		set_corner(l, &to_model, t.for_kernel.origin, i, &a.corner[i]);
 	set_image_bounds(s, &a);
 	/* half an ulp of the largest coordinate */
 	frexp(a.largest, &e);

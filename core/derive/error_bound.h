@@ -3,12 +3,11 @@
  * precision, for all points of the view volume. */
 #pragma once
 
-#include "frustum.h"
+#include "lens.h"
 
 /* Writes to bound[enum precision] an upper bound of the errors of the coordinates of
  * images, for all model points in the view volume. The unit is that of the device or,
  * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if a
  * point's w could be at most 16 times its error, or if 1/w is beyond the range of the
  * precision. Returns NULL, or the member at fault and why. */
-const char *error_bound_of(const struct scene *, const struct volume *,
-    double bound[3]);
+const char *error_bound_of(const struct lens *, double bound[3]);

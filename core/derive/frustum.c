@@ -215,45 +215,13 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Writes the homogeneous point h, with w >= 0, where columns a and b of the sides and
- * column c of `other` are 0; or 0 0 0 0 if the planes meet in more than a point. */
-static void intersect_planes(const struct volume *v, int a, int b,
-    const struct map *other, int c, struct sum h[4])
+/* The map of a projection that is given by lengths and angles always has an inverse. */
+const char *frustum_refuse_singular(const struct scene *s)
 {
-	struct sum plane[4][4], w;
+	const struct projection *p = &s->projection;
+	struct map m;
 
-	for (int i = 0; i < 4; i++) {
-		sum_copy(&plane[0][i], &v->sides.m[i][a]);
-		sum_copy(&plane[1][i], &v->sides.m[i][b]);
-		sum_copy(&plane[2][i], &other->m[i][c]);
-	}
-	for (int i = 0; i < 4; i++) {
-		h[i] = map_minor(3, plane, 8, 1u << i);
-		h[i].value.sign *= i & 1 ? -1 : 1;
-	}
-	map_image(&v->ends, 2, h, &w);
-	for (int i = 0; i < 4 && sum_sign(w) < 0; i++)
-		h[i].value.sign *= -1;
-}
-
-/* The left, right and bottom planes meet in the eye, where clip x, y and w are 0, as
- * the functions of these planes are sums of multiples of x, y and w. */
-const char *volume_of(const struct scene *s, struct volume *v)
-{
-	/* scene_map refuses a singular projection, which has no inverse */
-	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->to_clip);
-
-	v->eye_z[0] = v->to_clip.divisor;
-	v->eye_z[1] = v->to_clip.m[2][3];
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &v->to_clip);
-	if (why != NULL)
-		return why;
-	v->eye_z[0] = sum_mul(v->eye_z[0], v->to_clip.divisor);
-	planes_of_clip(s, &v->to_clip, &v->sides, &v->ends);
-	for (int i = 0; i < 8; i++)
-		intersect_planes(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1), &v->ends,
-		    i > 3, v->corner[i]);
-	intersect_planes(v, 0, 1, &v->sides, 2, v->eye);
-	return NULL;
+	return projection_family(p) == FAMILY_FIXED || projection_has_intrinsics(p) ?
+	    scene_map(s, SPACE_CLIP, SPACE_VIEW, &m) :
+	    NULL;
 }

@@ -52,16 +52,5 @@ unsigned frustum_outside(const struct frustum *, const double in[4]);
 void frustum_outside_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* The view volume in view space. sides and ends have the columns of frustum_planes. The
- * corners and the eye are homogeneous points where three planes meet, as the errors of
- * the inverse of to_clip could exceed a small near plane. The corners of near are 0 to
- * 3, those of far 4 to 7, in the order left-bottom, right-bottom, right-top, left-top.
- * w of a corner is not negative. Without near and far planes all are at infinity. */
-struct volume {
-	struct map to_clip, sides, ends; /* from view space */
-	struct sum corner[8][4], eye[4];
-	struct sum eye_z[2]; /* clip z of the eye is eye_z[0] / eye_z[1] */
-};
-
-/* Makes the volume of a scene. Returns NULL, or the member at fault and why. */
-const char *volume_of(const struct scene *, struct volume *);
+/* Returns NULL or, if the projection has no inverse, the member at fault and why. */
+const char *frustum_refuse_singular(const struct scene *);

@@ -1,24 +1,34 @@
 /* SPDX-License-Identifier: MIT */
-/* The maps of a scene, from which the facts about its picture are computed. */
+/* The maps and the view volume of a scene, from which the facts about its picture are
+ * computed. */
 #pragma once
 
 #include "frustum.h"
 
-/* The maps of a scene. clip[j] is clip coordinate j (x, y, z or w) as a function on
- * view space: three elements are its gradient, the fourth is its value at the origin.
- * Parallel projectors are perpendicular to the gradients of x and y. The gradient of w
- * is normal to the projection plane; if w is constant, the gradient of z is. */
+/* clip[j] is clip coordinate j (x, y, z or w) as a function on view space: three elements
+ * are its gradient, the fourth is its value at the origin. Parallel projectors are
+ * perpendicular to the gradients of x and y. The gradient of w is normal to the
+ * projection plane; if w is constant, the gradient of z is.
+ *
+ * The corners and the eye are homogeneous points where three planes meet, as the errors
+ * of the inverse of to_clip could exceed a small near plane. The corners of near are 0
+ * to 3, those of far 4 to 7, in the order left-bottom, right-bottom, right-top,
+ * left-top. w of a corner is not negative. Without near and far planes all are at
+ * infinity. */
 struct lens {
-	const struct scene *scene;
-	struct volume volume;
-	struct map to_view, to_world; /* from world to view space and back */
-	struct sum clip[4][4];        /* columns of volume.to_clip; y points upward */
-	struct sum half[2], scale[2]; /* set by frustum_limits */
-	bool parallel, reversed;      /* reversed: near has the larger ndc depth */
-	bool mirrors; /* the answer's handedness is not the document's */
+	struct scene scene;              /* which knows the maps below */
+	struct map to_view, to_world;    /* from world to view space and back */
+	struct map to_clip;              /* from view space */
+	struct map sides, ends;          /* from view space, as of frustum_planes */
+	struct sum clip[4][4];           /* columns of to_clip; y points upward */
+	struct sum half[2], scale[2];    /* set by frustum_limits */
+	struct sum corner[8][4], eye[4]; /* in view space */
+	struct sum world_corner[8][4], world_eye[4];
+	bool parallel, reversed; /* reversed: near has the larger ndc depth */
+	bool mirrors;            /* the answer's handedness is not the document's */
 };
 
-/* Makes the maps of a scene. Returns NULL, or the member at fault and why. */
+/* Makes the lens of a scene. Returns NULL, or the member at fault and why. */
 const char *lens_of(const struct scene *, struct lens *);
 
 /* Writes the unit vector in world space along an axis given in view space. */

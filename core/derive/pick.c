@@ -15,8 +15,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	/* scene_map refuses a singular projection, which has no inverse */
-	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, m);
+	const char *why = frustum_refuse_singular(s);
 
 	if (why == NULL)
 		why = frustum_planes(s, SPACE_VIEW, &sides, m);

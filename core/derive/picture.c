@@ -15,7 +15,7 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 	const struct sum *half = l->half, *scale = l->scale;
 
 	for (int k = 0; k < 4 && u->uses_view_axes && !isnan(r->near); k++) {
-		const struct sum *h = l->volume.corner[k % 2 == 0 ? 0 : 2];
+		const struct sum *h = l->corner[k % 2 == 0 ? 0 : 2];
 
 		if (k >= 2 || sum_sign(u->clip_xy[0][1]) == 0)
 			r->near_edge[k] = sum_ratio_or_nan(h[k / 2], h[3]);
@@ -34,8 +34,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 		struct sum v[4];
 
 		for (int i = 0; i < 4; i++)
-			map_image(k < 4 ? &l->volume.sides : &l->volume.ends, k % 4,
-			    l->to_view.m[i], &v[i]);
+			map_image(k < 4 ? &l->sides : &l->ends, k % 4, l->to_view.m[i],
+			    &v[i]);
 		struct sum length = vec3_length(v);
 
 		for (int i = 0; i < 4 && sum_sign(length) != 0; i++)
@@ -44,21 +44,24 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 }
 
 /* Returns whether R R' is the identity within 2^-20, and det R > 0 (if mirrored, < 0).
- * R is the upper 3x3 of the map over the divisor, R' its transpose. */
+ * R is the upper 3x3 of the map, in doubles, and R' its transpose. Only a matrix or a
+ * pose can be anything but a rotation. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
-	struct sum one = sum_mul(m->divisor, m->divisor);
-	struct sum most = sum_scale(one, 0x1p-20);
+	double r[3][3], det = 0;
 
+	for (int i = 0; i < 9; i++)
+		r[i / 3][i % 3] = map_element_nearest(m, i / 3, i % 3, false);
 	for (int i = 0; i < 9; i++) {
-		struct sum off = vec3_dot(m->m[i / 3], m->m[i % 3]);
+		const double *a = r[i / 3], *b = r[i % 3];
 
-		if (i / 3 == i % 3)
-			off = sum_sub(off, one);
-		if (sum_compare(sum_abs(off), most) > 0)
+		if (!(fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] -
+			  (i / 3 == i % 3)) <= 0x1p-20))
 			return false;
 	}
-	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
+	for (int j = 0, k = 1, n = 2; j < 3; j++, k = n, n = (n + 1) % 3)
+		det += r[0][j] * (r[1][k] * r[2][n] - r[1][n] * r[2][k]);
+	return mirrored ? det < 0 : det > 0;
 }
 
 /* Sets the camera. The eye of a perspective is the point where its projectors meet. */
@@ -84,7 +87,7 @@ static void set_camera(const struct lens *l, const struct upright *u, struct pic
 static void set_intrinsics(const struct lens *l, const struct upright *u,
     double k[3][3])
 {
-	const struct scene *s = l->scene;
+	const struct scene *s = &l->scene;
 	bool down = !scene_answer_convention(s)->origin_bottom_left;
 	const bool minus[3] = { l->mirrors, down, false };
 
@@ -154,7 +157,7 @@ static void set_shear(const struct upright *u, const struct projection *given,
 static void set_projection(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
-	const struct scene *s = l->scene;
+	const struct scene *s = &l->scene;
 	struct projection *p = &r->scene.projection;
 	const struct projection *given = &s->projection;
 	bool open = projection_is_open(given);
@@ -190,7 +193,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 static unsigned notes_of(const struct lens *l, const struct upright *u,
     const struct picture *r, bool transposed)
 {
-	const struct scene *s = l->scene;
+	const struct scene *s = &l->scene;
 	const struct projection *p = &s->projection;
 	bool parallel = l->parallel, behind = true;
 	bool by_intrinsics = sum_sign(u->clip_xy[0][1]) != 0 || projection_is_open(p);
@@ -226,7 +229,8 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) &&
 		    !(note_is_central(r->intrinsics[0][2], p->section.width) &&
 			note_is_central(r->intrinsics[1][2], p->section.height)),
-		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, l->mirrors),
+		[NOTE_NO_ROTATION] = s->camera.way >= CAMERA_POSE &&
+		    !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->clip_w[1]) < 0),
 		[NOTE_NO_INTRINSICS] = by_intrinsics &&
@@ -239,9 +243,9 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	return notes;
 }
 
-static void set_parameters(const struct lens *l, struct picture *r)
+static void set_parameters(const struct scene *s, const struct lens *l,
+    struct picture *r)
 {
-	const struct scene *s = l->scene;
 	struct upright u;
 
 	set_frustum_planes(l, r->frustum_plane);
@@ -285,7 +289,7 @@ static const char *describe(const struct scene *s, struct lens *l, struct pictur
 	/* a double whose bits are all 1 is nan */
 	memset(p, 0xff, offsetof(struct picture, notes));
 	taxonomy_of(l, &p->taxonomy);
-	set_parameters(l, p);
+	set_parameters(s, l, p);
 	return NULL;
 }
 
@@ -302,13 +306,7 @@ unsigned picture_notes(const struct scene *s)
 const char *picture_of(const struct scene *s, struct picture *p)
 {
 	struct lens l;
-	struct scene known = *s;
 	const char *why = describe(s, &l, p);
 
-	if (why != NULL)
-		return why;
-	known.known[SPACE_WORLD][false] = &l.to_view;
-	known.known[SPACE_WORLD][true] = &l.to_world;
-	known.known[SPACE_VIEW][false] = &l.volume.to_clip;
-	return error_bound_of(&known, &l.volume, p->error_bound);
+	return why != NULL ? why : error_bound_of(&l, p->error_bound);
 }

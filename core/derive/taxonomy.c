@@ -97,15 +97,11 @@ static void set_fov(const struct lens *l, double fov[2])
  * of a world axis is the image of the axis's direction, the point x y z 0. */
 static void classify_perspective(const struct lens *l, struct taxonomy *t)
 {
-	const struct scene *s = l->scene;
-	struct map screen, to_device;
+	const struct scene *s = &l->scene;
+	struct map screen;
 
-	map_copy(&screen, &l->volume.to_clip);
-	if (s->has_viewport) {
-		viewport_map(&s->viewport, scene_answer_convention(s), false,
-		    &to_device);
-		map_multiply(&screen, &to_device, false);
-	}
+	scene_map_factor(s, SPACE_VIEW, s->has_viewport ? SPACE_DEVICE : SPACE_NDC,
+	    &screen);
 	t->kind = perspective_kind(l);
 	set_fov(l, t->fov);
 	for (int i = 0; i < 3; i++) {
@@ -118,27 +114,22 @@ static void classify_perspective(const struct lens *l, struct taxonomy *t)
 	}
 }
 
-static void world_point(const struct lens *l, const struct sum h[4], double p[3])
+static void world_point(const struct sum world[4], double p[3])
 {
-	struct sum world[4];
-
-	for (int j = 0; j < 4; j++)
-		map_image(&l->to_world, j, h, &world[j]);
 	for (int j = 0; j < 3; j++)
 		p[j] = sum_ratio_or_nan(world[j], world[3]);
 }
 
 void taxonomy_of(const struct lens *l, struct taxonomy *t)
 {
-	const struct volume *v = &l->volume;
 	struct sum far;
 
-	map_image(&v->ends, 1, v->eye, &far);
-	int side = sum_sign(far) * sum_sign(v->eye[3]);
+	map_image(&l->ends, 1, l->eye, &far);
+	int side = sum_sign(far) * sum_sign(l->eye[3]);
 	bool against = side < 0; /* the gradient of w is opposite to the gaze */
 
 	if (side != 0)
-		world_point(l, v->eye, t->eye);
+		world_point(l->world_eye, t->eye);
 	t->taxon = against ? TAXON_REVERSE : TAXON_PERSPECTIVE;
 	if (!l->parallel) {
 		classify_perspective(l, t);
@@ -150,6 +141,6 @@ void taxonomy_of(const struct lens *l, struct taxonomy *t)
 	for (int k = 0; k < 3 && against; k++)
 		t->gaze[k] = 0 - t->gaze[k]; /* 0 does not become -0 */
 	for (int i = 0; i < 8; i++)
-		if (sum_sign(v->corner[i][3]) > 0)
-			world_point(l, v->corner[i], t->corner[i]);
+		if (sum_sign(l->corner[i][3]) > 0)
+			world_point(l->world_corner[i], t->corner[i]);
 }

@@ -32,7 +32,7 @@ struct taxonomy {
 	double fov[2];       /* degrees from left to right, and from bottom to top */
 	double eye[3];       /* in world space */
 	double gaze[3];      /* unit normal of the projection plane */
-	double corner[8][3]; /* in world space, in the order of struct volume */
+	double corner[8][3]; /* in world space, in the order of struct lens */
 };
 
 /* Sets all members. A number that does not exist keeps the caller's nan. */

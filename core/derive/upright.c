@@ -9,7 +9,7 @@
  * if the axes do not make the map upright. */
 static bool set_view_axes(const struct lens *l, struct upright *u)
 {
-	const struct convention *c = scene_answer_convention(l->scene);
+	const struct convention *c = scene_answer_convention(&l->scene);
 	const struct sum(*g)[4] = l->clip;
 	bool upright = sum_sign(g[1][0]) == 0;
 
@@ -45,7 +45,7 @@ static bool is_negligible(struct sum a, struct sum b)
  * of X gives the camera the handedness of scene_answer_convention. */
 static void find_rq_axes(const struct lens *l, struct upright *u)
 {
-	const struct scene *s = l->scene;
+	const struct scene *s = &l->scene;
 	const struct sum(*g)[4] = l->clip, *n = g[l->parallel ? 2 : 3];
 	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
 	bool negates_x = scene_answer_convention(s)->right_handed != l->mirrors;
@@ -77,7 +77,7 @@ static void set_elements(const struct lens *l, struct upright *u)
  * against the gaze (if parallel), or the picture is upside down (if without_camera). */
 static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
-	const struct projection *p = &l->scene->projection;
+	const struct projection *p = &l->scene.projection;
 	int deeper = sum_sign(vec3_dot(l->clip[2], u->axis[2]));
 
 	if (p->type != PROJECTION_MATRIX)
@@ -90,12 +90,12 @@ static bool has_turned_camera(const struct lens *l, const struct upright *u)
 
 void upright_of(const struct lens *l, struct upright *u)
 {
-	*u = (struct upright){ 0 };
-	if (l->parallel) {
-		u->clip_xy[0][3] = l->clip[0][3];
-		u->clip_xy[1][3] = l->clip[1][3];
-		u->clip_w[1] = l->clip[3][3];
-	}
+	const struct sum zero = sum_of_double(0);
+
+	u->clip_xy[0][3] = l->parallel ? l->clip[0][3] : zero;
+	u->clip_xy[1][3] = l->parallel ? l->clip[1][3] : zero;
+	u->clip_w[1] = l->parallel ? l->clip[3][3] : zero;
+	u->tilted = false;
 	u->uses_view_axes = set_view_axes(l, u);
 	set_elements(l, u);
 	if (u->uses_view_axes && !has_turned_camera(l, u))

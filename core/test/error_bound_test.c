@@ -108,10 +108,10 @@ static double worst_of(const struct scene *s, const struct transform *t,
 
 static const char *bounds_of(const struct scene *s, double bound[3])
 {
-	static struct volume v;
-	const char *why = volume_of(s, &v);
+	static struct lens l;
+	const char *why = lens_of(s, &l);
 
-	return why != NULL ? why : error_bound_of(s, &v, bound);
+	return why != NULL ? why : error_bound_of(&l, bound);
 }
 
 static void bounds_hold(void **state)
