@@ -5,12 +5,6 @@
 
 #include "fit_bounds.h"
 
-/* A corner, or a point where the near plane cuts an edge: x and y over w on the device or,
- * without one, in ndc; and the function of the near plane, not negative beyond it. */
-struct box_point {
-	struct sum x, y, w, near;
-};
-
 struct box {
 	double distance[2]; /* least and greatest of the corners (points/distance.h) */
 	/* The least rectangle that holds the images of the part of the box beyond the
@@ -19,12 +13,6 @@ struct box {
 	unsigned outside; /* OUT_ bits of planes that some corner is outside of */
 	bool out;         /* all corners are outside of one plane */
 	bool behind;      /* all corners are at or behind the eye */
-	/* what they are made from: n corners, homogeneous in view space or, if flat, in
-	 * the window; their images; and maps from there */
-	int n;
-	struct sum at[8][4];
-	struct box_point corner[8];
-	struct map sides, ends;
 };
 
 /* Describes bounds of three dimensions or, if flat, of two, of which there is no
