@@ -20,12 +20,13 @@ static bool has_variant(unsigned variants, int variant)
 const struct member *member_named(const struct member *row, int variant,
     const char *name, bool alias)
 {
-	for (; row != NULL && row->name != NULL; row++)
+	for (const struct member *m = row; m != NULL && m->name != NULL; m++)
+		if (has_variant(m->variants, variant) && strcmp(m->name, name) == 0)
+			return m;
+	for (; alias && row != NULL && row->name != NULL; row++)
 		if (has_variant(row->variants, variant) &&
-		    (strcmp(row->name, name) == 0 ||
-			(alias &&
-			    (word_is_one_of(name, row->name) ||
-				word_is_one_of(name, row->aliases)))))
+		    (word_is_one_of(name, row->name) ||
+			word_is_one_of(name, row->aliases)))
 			return row;
 	return NULL;
 }
@@ -97,47 +98,73 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 	names[n] = NULL;
 }
 
+/* Offers the objects of the scene that have a member v->name, or an alias of it: those
+ * that the document has, before those that the command uses, before others. */
+static void offer_objects(const struct value *v, const struct member *table,
+    struct word_guess *g)
+{
+	const struct json_source *source = v->source;
+	const struct member *row = NULL, *scene = source->scene_members;
+	const char *names[MEMBERS_MAX + 1];
+	char list[LIST_ROOM];
+	unsigned best = 0, n = 0;
+
+	for (const struct member *s = scene; s->name != NULL; s++) {
+		const struct member *m = s->members == table ?
+		    NULL :
+		    member_named(s->members, ANY_VARIANT, v->name, true);
+		const unsigned bit = (unsigned)(s - scene);
+
+		if (m == NULL)
+			continue;
+		const unsigned fit = (source->seen >> bit & 1) * 4 +
+		    (source->used >> bit & 1) * 2 + (strcmp(m->name, v->name) == 0) + 1;
+
+		if (fit > best)
+			n = 0;
+		if (fit >= best) {
+			best = fit;
+			row = m;
+			names[n++] = s->name;
+		}
+	}
+	names[n] = NULL;
+	if (n == 1 && strcmp(row->name, v->name) != 0)
+		word_offer(g, WORD_KNOWN, "it is \"%s\" in \"%s\"", row->name, *names);
+	if (n > 0)
+		word_offer(g, WORD_KNOWN, "it belongs in %s",
+		    words_join(list, names, " or ", "\""));
+}
+
 /* Offers what v, a member that the table lacks, may mean, the first of these: the
  * member that has v->name as an alias; a remark of word_hint about v->name or its text;
- * other objects of the scene that have a member v->name or else an alias v->name; the
- * scene, which has a member v->name; a near name in the table; all of its names. */
+ * other objects of the scene; a member of the scene; a near name in the table; all of
+ * its names. */
 static void offer_members(const struct value *v, const struct member *table,
     int variant, struct word_guess *g)
 {
 	const struct member *row = member_named(table, variant, v->name, true);
-	const struct member *scene = v->source->scene_members;
-	const struct member *of_scene = member_named(scene, 0, v->name, false);
+	const struct member *of_scene = member_named(v->source->scene_members, 0,
+	    v->name, true);
 	const char *names[MEMBERS_MAX + 1];
 	/* the "type" of GeoJSON tells more than its name */
 	const char *text = value_string(v),
 		   *said = text != NULL ? word_hint(text, WORD_MEMBER, ':') : NULL;
 	const char *hint = said != NULL ? said : word_hint(v->name, WORD_MEMBER, ':');
 	char list[LIST_ROOM];
-	int n = 0;
 
 	if (row != NULL)
 		word_offer(g, WORD_KNOWN, "did you mean \"%s\"%s?", row->name,
 		    row->hint != NULL ? row->hint : "");
 	if (hint != NULL)
 		word_offer(g, WORD_KNOWN, "%s", hint + 2);
-	for (int alias = 0; alias < 2 && n == 0; alias++)
-		for (const struct member *s = scene; s->name != NULL; s++)
-			if (s->members != table &&
-			    member_named(s->members, ANY_VARIANT, v->name, alias) !=
-				NULL)
-				names[n++] = s->name;
-	names[n] = NULL;
-	row = n == 1 && v->parent->parent == NULL ?
-	    member_named(member_named(scene, 0, *names, false)->members, ANY_VARIANT,
-		v->name, true) :
-	    NULL;
-	if (row != NULL && strcmp(row->name, v->name) != 0)
-		word_offer(g, WORD_KNOWN, "it is \"%s\" in \"%s\"", row->name, *names);
-	if (n > 0)
-		word_offer(g, WORD_KNOWN, "it belongs in %s",
-		    words_join(list, names, " or ", "\""));
+	offer_objects(v, table, g);
 	if (v->parent->parent != NULL && of_scene != NULL)
-		word_offer(g, WORD_KNOWN, "it stands beside \"%s\"", v->parent->name);
+		word_offer(g, WORD_KNOWN,
+		    strcmp(of_scene->name, v->name) == 0 ?
+			"it stands beside \"%s\"" :
+			"it is \"%2$s\", beside \"%1$s\"",
+		    v->parent->name, of_scene->name);
 	list_names(table, variant, ALL_MEMBERS, names);
 	word_offer_list(g, names, "did you mean \"%s\"?");
 	word_offer(g, WORD_ELSE, "there are %s",

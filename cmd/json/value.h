@@ -30,8 +30,11 @@ struct json_source {
 	bool has_axes;                /* a convention gives the view axes */
 	bool is_operand;              /* is POINTS, which --keep-going never skips */
 	const char *two_numbers_hint; /* for points of two numbers; or NULL */
-	const struct member *scene_members; /* for hints in messages */
-	const struct member *row;           /* of the document: a scene or one object */
+	/* For hints in messages: the rows of a scene, and as bits those of the members
+	 * that the document has, and that the command uses. */
+	const struct member *scene_members;
+	unsigned seen, used;
+	const struct member *row; /* of the document: a scene or one object */
 };
 
 /* The types of values; cJSON writes a type as 1 << an enum json_type. */

@@ -141,11 +141,13 @@ static const struct {
 	    ": is it GeoJSON? jq -c '..|.coordinates?|arrays|..|arrays|"
 	    "select(.[0]|numbers)' makes lines of points for -i json" },
 
-	{ WORD_JSON, "nan none undefined", ": for it JSON has null" },
+	{ WORD_JSON, "nan none undefined",
+	    ": write a number, or leave the member out; only points may have null" },
 	{ WORD_JSON, "P0 P1 P2 P3 Tr calibtime",
 	    ": is it KITTI's? 'The lidar of KITTI' in 'man projcalc-scene' reads calib.txt" },
 	{ WORD_JSON, "infinity inf",
-	    ": JSON has no infinities; write \"infinity\" for far, else null" },
+	    ": write \"infinity\" for far, else a number up to 1e150; only points may "
+	    "have null" },
 	{ WORD_JSON, "True False", ": JSON has true and false" },
 
 	{ VALUE, "threejs three.js glm directxmath",

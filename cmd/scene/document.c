@@ -78,6 +78,14 @@ static size_t write_points(const struct value *v, const struct span *array,
 	return (size_t)(out - array->s);
 }
 
+unsigned document_used_members(const struct document_wants *w)
+{
+	bool angles = (w->used & (SCENE_CAMERA | SCENE_PROJECTION)) != 0;
+
+	return w->used | SCENE_CONVENTION | (angles ? SCENE_ANGLE_UNIT : 0) |
+	    (w->flat_members != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
+}
+
 /* Sets m[i] to the member with bit i, and returns the members of the document as bits.
  * If it has none, or only angle_unit, the document itself is w->lone_member. */
 static unsigned find_members(struct document *d, struct json_source *source,
@@ -91,6 +99,8 @@ static unsigned find_members(struct document *d, struct json_source *source,
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		if (value_member(root, scene_members[i].name, &m[i]))
 			seen |= 1u << i;
+	source->seen = seen;
+	source->used = document_used_members(w);
 	if (w->lone_member == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
 		object_read(root, &scene_row, 0, NULL);
 		return seen;
@@ -101,14 +111,6 @@ static unsigned find_members(struct document *d, struct json_source *source,
 	source->row = &scene_members[lone];
 	m[lone] = *root;
 	return seen | w->lone_member;
-}
-
-unsigned document_used_members(const struct document_wants *w)
-{
-	bool angles = (w->used & (SCENE_CAMERA | SCENE_PROJECTION)) != 0;
-
-	return w->used | SCENE_CONVENTION | (angles ? SCENE_ANGLE_UNIT : 0) |
-	    (w->flat_members != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
 static void check_needed(const struct value *root, const struct document_wants *w,

@@ -67,25 +67,28 @@ static const struct text refused[] = {
 	    "or \"text\""),
 	TEXT("[NaN]",
 	    "1: expected a value, not 'NaN'; "
-	    "for it JSON has null"),
+	    "write a number, or leave the member out; only points may have null"),
 	TEXT("[-nan]",
 	    "1: expected a value, not '-nan'; "
-	    "for it JSON has null"),
+	    "write a number, or leave the member out; only points may have null"),
 	TEXT("[Infinity]",
 	    "1: expected a value, not 'Infinity'; "
-	    "JSON has no infinities; write \"infinity\" for far, else null"),
+	    "write \"infinity\" for far, else a number up to 1e150; only points may "
+	    "have null"),
 	TEXT("[-Infinity]",
 	    "1: expected a value, not '-Infinity'; "
-	    "JSON has no infinities; write \"infinity\" for far, else null"),
+	    "write \"infinity\" for far, else a number up to 1e150; only points may "
+	    "have null"),
 	TEXT("[inf]",
 	    "1: expected a value, not 'inf'; "
-	    "JSON has no infinities; write \"infinity\" for far, else null"),
+	    "write \"infinity\" for far, else a number up to 1e150; only points may "
+	    "have null"),
 	TEXT("[True]",
 	    "1: expected a value, not 'True'; "
 	    "JSON has true and false"),
 	TEXT("[None]",
 	    "1: expected a value, not 'None'; "
-	    "for it JSON has null"),
+	    "write a number, or leave the member out; only points may have null"),
 	TEXT("[gl]",
 	    "1: expected a value, not 'gl'; a value is like -1.5e-3, true, null or "
 	    "\"text\""),
