@@ -54,20 +54,17 @@ void depth_of(const struct lens *l, struct depth *d)
 	d->den[1] = sum_negated_if(minus, slope[0]);
 }
 
-/* Writes the depth of the near or far plane. A depth is a quotient z[0] / z[1]. */
-static void depth_of_plane(const struct depth *d, bool far, struct sum z[2])
+static double depth_of_plane(const struct depth *d, bool far)
 {
-	z[0] = sum_of_double(far != d->reversed ? d->high : d->low);
-	sum_set(&z[1], 1);
+	return far != d->reversed ? d->high : d->low;
 }
 
 void depth_quotient(const struct depth *d, bool far, struct sum *num, struct sum *den)
 {
-	struct sum z[2];
+	const double z = depth_of_plane(d, far);
 
-	depth_of_plane(d, far, z);
-	sum_dot(2, d->num, z, 1, num);
-	sum_dot(2, d->den, z, 1, den);
+	*num = sum_add(sum_scale(d->num[0], z), d->num[1]);
+	*den = sum_add(sum_scale(d->den[0], z), d->den[1]);
 }
 
 double depth_distance(const struct depth *d, bool far)
@@ -80,48 +77,31 @@ double depth_distance(const struct depth *d, bool far)
 	return sum_sign(den) == 0 ? HUGE_VAL : sum_ratio_or_nan(num, den);
 }
 
-/* Returns the sign of a - b, where a and b are depths a[0] / a[1] and b[0] / b[1]. */
-static int compare_depths(const struct sum a[2], const struct sum b[2])
-{
-	return sum_sign(sum_minor(a[0], b[1], b[0], a[1])) * sum_sign(a[1]) *
-	    sum_sign(b[1]);
-}
-
 /* Finds the least float above z or, if up is -1, the greatest float below z. Returns
  * false if this float is infinite. */
-static bool next_float(const struct sum z[2], int up, struct sum next[2])
+static bool next_float(const struct sum *z, int up, struct sum *next)
 {
-	float f = (float)sum_ratio_nearest(&z[0], &z[1], true),
-	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
+	float f = (float)sum_ratio_nearest(z, &sum_one, true);
 
-	sum_set(&next[1], 1);
+	if (!isfinite(f) || sum_compare(sum_of_double((double)f), *z) * up <= 0)
+		f = nextafterf(f, up > 0 ? HUGE_VALF : -HUGE_VALF);
 	if (isfinite(f))
-		sum_set(&next[0], (double)f);
-	if (!isfinite(f) || compare_depths(next, z) * up <= 0)
-		next[0] = sum_of_double((double)(f = nextafterf(f, to)));
+		sum_set(next, (double)f);
 	return isfinite(f) != 0;
 }
 
-static bool is_float(const struct sum z[2])
-{
-	const struct sum f[2] = { sum_of_double(sum_ratio_nearest(&z[0], &z[1], true)),
-		sum_of_double(1) };
+/* The steps of a buffer in depths from 0 to 1. A float's depth counts as it is. */
+static const double buffer_steps
+    [] = { [DEPTH_UNORM16] = 0xffff, [DEPTH_UNORM24] = 0xffffff, [DEPTH_FLOAT32] = 1 };
 
-	return compare_depths(f, z) == 0;
-}
-
-/* Finds the depth that is one step of the buffer above z or, if up is -1, below z.
+/* Finds the depth, times buffer_steps, that is a step above z or, if up is -1, below z.
  * Returns false if the next float is infinite. */
-static bool next_depth(const struct sum z[2], enum depth_buffer b, int up,
-    struct sum next[2])
+static bool next_depth(const struct sum *z, enum depth_buffer b, int up,
+    struct sum *next)
 {
-	double steps = b == DEPTH_UNORM16 ? 0xffff : 0xffffff;
-
 	if (b == DEPTH_FLOAT32)
 		return next_float(z, up, next);
-	sum_dot(2, z, (struct sum[]){ sum_of_double(steps), sum_of_double(up) }, 1,
-	    next);
-	next[1] = sum_scale(z[1], steps);
+	*next = sum_add(*z, sum_of_double(up));
 	return true;
 }
 
@@ -132,61 +112,54 @@ static struct sum depth_determinant(const struct depth *d)
 	return sum_minor(d->num[0], d->den[1], d->num[1], d->den[0]);
 }
 
-/* Returns |D(b) - D(a)|: the determinant times b - a, over the denominators of D at a
- * and at b. Returns nan if a = b, or if a or b is behind the eye. */
-static double distance_between(const struct depth *d, const struct sum a[2],
-    const struct sum b[2])
+/* Returns |D(q) - D(p)| of depths p and q times n: the determinant times n (q - p), over
+ * the denominators of D, times n, at p and at q. Returns nan if p = q, or if p or q is
+ * behind the eye. */
+static double distance_between(const struct depth *d, double n, const struct sum *p,
+    const struct sum *q)
 {
-	struct sum den[2],
-	    difference = sum_mul(depth_determinant(d),
-		sum_minor(b[0], a[1], a[0], b[1]));
+	struct sum offset = sum_scale(d->den[1], n);
+	struct sum at_p = sum_add(sum_mul(d->den[0], *p), offset);
+	struct sum at_q = sum_add(sum_mul(d->den[0], *q), offset);
+	struct sum change = sum_mul(depth_determinant(d), sum_sub(*q, *p));
 
-	sum_dot(2, d->den, a, 1, &den[0]);
-	sum_dot(2, d->den, b, 1, &den[1]);
-	if (sum_sign(difference) == 0 || sum_sign(den[0]) * sum_sign(a[1]) <= 0 ||
-	    sum_sign(den[1]) * sum_sign(b[1]) <= 0)
+	if (sum_sign(change) == 0 || sum_sign(at_p) <= 0 || sum_sign(at_q) <= 0)
 		return (double)NAN;
-	return sum_ratio_or_nan(sum_abs(difference), sum_abs(sum_mul(den[0], den[1])));
-}
-
-/* Returns the distance between depth z and the next depth of the buffer above z or, if
- * up is -1, below z. Returns nan if the next depth is beyond `limit`. */
-static double step_length(const struct depth *d, enum depth_buffer b,
-    const struct sum z[2], int up, const struct sum limit[2])
-{
-	struct sum to[2];
-
-	if (d->open || d->constant || !next_depth(z, b, up, to) ||
-	    (limit != NULL && compare_depths(to, limit) * up > 0))
-		return (double)NAN;
-	return distance_between(d, z, to);
+	return sum_ratio_or_nan(sum_scale(sum_abs(change), n), sum_mul(at_p, at_q));
 }
 
 double depth_step(const struct depth *d, enum depth_buffer b, bool far)
 {
-	struct sum from[2], to[2];
+	const double n = buffer_steps[b];
+	struct sum from = sum_scale(sum_of_double(depth_of_plane(d, far)), n), to;
+	struct sum limit = sum_scale(sum_of_double(depth_of_plane(d, !far)), n);
+	const int up = sum_compare(limit, from);
 
-	depth_of_plane(d, far, from);
-	depth_of_plane(d, !far, to);
-	return step_length(d, b, from, compare_depths(to, from), to);
+	if (d->open || d->constant || !next_depth(&from, b, up, &to) ||
+	    sum_compare(to, limit) * up > 0)
+		return (double)NAN;
+	return distance_between(d, n, &from, &to);
 }
 
 double depth_step_at(const struct depth *d, enum depth_buffer b, double distance)
 {
-	const struct sum z[2] = { sum_sub(d->num[1], sum_scale(d->den[1], distance)),
-		sum_sub(sum_scale(d->den[0], distance), d->num[0]) };
+	const double n = buffer_steps[b];
 	const int to_eye = -sum_sign(depth_determinant(d));
-	struct sum plane[2], above[2], below[2];
+	struct sum above, below;
+	struct sum z = sum_quotient(
+	    sum_scale(sum_sub(d->num[1], sum_scale(d->den[1], distance)), n),
+	    sum_sub(sum_scale(d->den[0], distance), d->num[0]));
 
-	if (b != DEPTH_FLOAT32)
-		return step_length(d, b, z, to_eye, NULL);
-	depth_of_plane(d, false, plane);
-	if (d->open || d->constant || !next_float(z, 1, above) ||
-	    !next_float(z, -1, below))
+	if (d->open || d->constant || !next_depth(&z, b, 1, &above) ||
+	    !next_depth(&z, b, -1, &below))
 		return (double)NAN;
-	if (!is_float(z))
-		return distance_between(d, below, above);
-	return compare_depths(z, plane) == 0 ?
-	    depth_step(d, b, false) :
-	    distance_between(d, z, to_eye > 0 ? above : below);
+	if (b == DEPTH_FLOAT32) {
+		const double nearest = sum_ratio_nearest(&z, &sum_one, true);
+
+		if (sum_compare(z, sum_of_double(nearest)) != 0)
+			return distance_between(d, n, &below, &above);
+		if (nearest == depth_of_plane(d, false))
+			return depth_step(d, b, false);
+	}
+	return distance_between(d, n, &z, to_eye > 0 ? &above : &below);
 }
