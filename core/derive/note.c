@@ -200,54 +200,33 @@ bool note_seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-/* Returns whether a matrix that is not upright in view axes shows no mirror image:
+/* Returns whether a matrix shows no mirror image, does not look transposed and, if it
+ * may be upright in view axes, looks along the convention's gaze. It mirrors unless
  * right, up and gaze, the gradients of x, y and w (if w is constant, of z), have the
  * convention's handedness. A determinant in doubles has an error below 2^-48 of the
  * lengths' product, and 2^-30 decides. */
-static bool is_plain_product(const struct convention *c, const double m[4][4], int gaze)
-{
-	double length = 1, det = 0;
-
-	for (int i = 0; i < 3; i++) {
-		const double *a = m[i], *b = m[(i + 1) % 3], *d = m[(i + 2) % 3];
-
-		det += a[0] * (b[1] * d[gaze] - b[gaze] * d[1]);
-	}
-	for (int j = 0; j < 3; j++) {
-		const int k = j < 2 ? j : gaze;
-
-		length *= hypot(hypot(m[0][k], m[1][k]), m[2][k]);
-	}
-	if (c->right_handed != c->ndc_y_down)
-		det = -det;
-	return det > 0x1p-30 * length;
-}
-
-/* Returns whether a matrix shows no mirror image, does not look transposed and, if it
- * is upright in view axes, has its gaze and its planes as the convention does. */
 static bool is_plain_matrix(const struct scene *s)
 {
 	const struct convention *c = &s->convention;
 	const double(*m)[4] = s->projection.matrix;
-	const double back = convention_looks_back(c) ? -1 : 1;
-	const double y = c->ndc_y_down != c->view_y_down ? -m[1][1] : m[1][1];
-	const double low = c->depth_minus_one ? -1 : 0;
-	const double grows = m[2][2] * back, w = m[2][3] * back;
-	const bool parallel = m[0][3] == 0 && m[1][3] == 0 && w == 0;
+	const bool parallel = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0;
+	const bool turned = m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0 ||
+	    m[0][3] != 0 || m[1][3] != 0;
+	const int gaze = parallel ? 2 : 3;
+	const double along = convention_looks_back(c) ? -m[2][gaze] : m[2][gaze];
+	double length = 1, det = 0;
 
-	if (note_seems_transposed(m) || (parallel && !(m[3][3] > 0)))
+	if (note_seems_transposed(m) || (parallel && !(m[3][3] > 0)) ||
+	    (!turned && !(along > 0)))
 		return false;
-	if (m[0][1] != 0 || m[0][2] != 0 || m[0][3] != 0 || m[1][2] != 0 ||
-	    m[1][3] != 0)
-		return is_plain_product(c, m, parallel ? 2 : 3);
-	if (m[1][0] != 0 || !(m[0][0] > 0) || !(y > 0))
-		return false;
-	if (parallel)
-		return grows > 0;
-	/* depth z is at the distance m[3][2] / (z w - grows) */
-	return w > 0 && m[3][3] == 0 &&
-	    (m[3][2] < 0 ? low * w < grows && w <= grows :
-			   low * w >= grows && w > grows);
+	for (int i = 0; i < 3; i++) {
+		const double *a = m[i], *b = m[(i + 1) % 3], *d = m[(i + 2) % 3];
+		const int k = i < 2 ? i : gaze;
+
+		det += a[0] * (b[1] * d[gaze] - b[gaze] * d[1]);
+		length *= hypot(hypot(m[0][k], m[1][k]), m[2][k]);
+	}
+	return (c->right_handed != c->ndc_y_down ? -det : det) > 0x1p-30 * length;
 }
 
 bool note_is_plain(const struct scene *s)
