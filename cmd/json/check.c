@@ -255,7 +255,7 @@ static bool check_brackets(struct json_check *s, const char *path)
 	const char close = object ? '}' : ']';
 
 	if (++s->level > JSON_LEVELS_MAX)
-		return refuse(s, "at most 100 levels of brackets", NULL);
+		return refuse(s, "at most 200 levels of brackets", NULL);
 	s->at++;
 	skip_space(s);
 

@@ -13,7 +13,7 @@
 /* A document is UTF-8, and its strings hold neither \u0000 nor half of a surrogate
  * pair. A line of points has no newline; its strings, which are only copied, may hold
  * any \u escape, and any bytes but control characters. */
-enum { JSON_LEVELS_MAX = 100, CJSON_NUMBER_MAX = 63 };
+enum { JSON_LEVELS_MAX = 200, CJSON_NUMBER_MAX = 63 };
 
 struct json_check {
 	bool is_line;           /* the text is a line of points */

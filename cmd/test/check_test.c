@@ -257,19 +257,19 @@ static void test_accepted(void **state)
 
 static void test_depth(void **state)
 {
-	char text[202];
-	struct text t = { text, 200, NULL };
+	char text[402];
+	struct text t = { text, 400, NULL };
 	int status;
 
 	(void)state;
-	memset(text, '[', 100);
-	memset(text + 100, ']', 100);
+	memset(text, '[', 200);
+	memset(text + 200, ']', 200);
 	assert_string_equal(output_of(parse, &t, &status), "");
-	memset(text, '[', 101);
-	memset(text + 101, ']', 101);
-	t.size = 202;
-	assert_refused(parse, &t, "101 brackets",
-	    "s.json:1: expected at most 100 levels of brackets, not '['");
+	memset(text, '[', 201);
+	memset(text + 201, ']', 201);
+	t.size = 402;
+	assert_refused(parse, &t, "201 brackets",
+	    "s.json:1: expected at most 200 levels of brackets, not '['");
 }
 
 /* A line of points, and its rest from the first error on, or NULL if it is JSON. */
