@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads any bytes as a document, for libFuzzer. The first byte chooses the
  * document_wants. The functions here replace those of message.c. */
-#include <cjson/cJSON.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdint.h>
@@ -62,38 +61,6 @@ void output_write(const char *text, size_t n)
 	abort();
 }
 
-/* The memory that cJSON allocated. A refusal does not free it, so the fuzzer does. */
-static struct block {
-	struct block *next;
-	_Alignas(max_align_t) char bytes[];
-} * blocks;
-
-static void *hold(size_t size)
-{
-	struct block *b = malloc(sizeof *b + size + PIECE_MARGIN);
-
-	if (b == NULL)
-		abort();
-	b->next = blocks;
-	blocks = b;
-	return b->bytes;
-}
-
-static void keep(void *p)
-{
-	(void)p;
-}
-
-static void drop_all(void)
-{
-	while (blocks != NULL) {
-		struct block *b = blocks;
-
-		blocks = b->next;
-		free(b);
-	}
-}
-
 /* Reallocates; the callers free the memory before they refuse anything. */
 void *xrealloc(void *old, size_t size)
 {
@@ -152,35 +119,15 @@ static void run(char *text, size_t size, int mode)
 		check_camera(&d.scene.camera);
 }
 
-/* Parses the defaults of a table's rows before the first input, as the program keeps
- * their values. */
-static void keep_literals(const struct member *row)
-{
-	for (; row != NULL && row->name != NULL; row++) {
-		if (row->fallback != NULL)
-			value_literal(row->fallback);
-		keep_literals(row->members);
-	}
-}
-
-int LLVMFuzzerInitialize(int *argc, char ***argv)
-{
-	(void)argc, (void)argv;
-	keep_literals(scene_members);
-	cJSON_InitHooks(&(cJSON_Hooks){ hold, keep });
-	return 0;
-}
-
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	if (size > 0 && setjmp(refused) == 0) {
-		/* no byte of room after the text, so that a sanitizer finds a read
-		 * there */
-		char *text = hold(size - 1);
+	char *const text = size > 0 ? malloc(size + PIECE_MARGIN) : NULL;
 
-		memcpy(text, data + 1, size - 1);
+	if (text == NULL)
+		return 0;
+	memcpy(text, data + 1, size - 1);
+	if (setjmp(refused) == 0)
 		run(text, size - 1, data[0]);
-	}
-	drop_all();
+	free(text);
 	return 0;
 }

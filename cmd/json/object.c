@@ -273,11 +273,23 @@ static _Noreturn void refuse_unknown(const struct value *v, const struct member 
 	value_refuse(root, "%zu unknown members", u.all);
 }
 
+/* Reads the default of a row to a field; keeps it for the next object. */
 static void read_default(const struct member *row, void *to)
 {
-	struct value fallback = value_literal(row->fallback);
+	enum { KEPT = 4 * MEMBERS_MAX };
+	static struct kept {
+		const struct member *row;
+		double field[4];
+	} kept[KEPT];
+	struct kept *k = &kept[(uintptr_t)row / sizeof *row % KEPT];
 
-	row->type->read(&fallback, row, to);
+	if (k->row != row) {
+		const struct value fallback = value_literal(row->fallback);
+
+		row->type->read(&fallback, row, k->field);
+		k->row = row;
+	}
+	memcpy(to, k->field, row->type->number_size * (row->n > 0 ? row->n : 1));
 }
 
 void object_read_member(const struct value *v, const struct member *row, void *base)

@@ -45,42 +45,15 @@ struct place json_source_place(const struct json_source *source, const char *poi
 	return p;
 }
 
-/* Writes blanks over the member at s, and over the comma that parts it from others. */
-static char *blank_member(char *s, const char *end)
-{
-	char *next = (char *)json_item_end(s, end), *before = s;
-
-	if (next < end && *next == ',') {
-		next++;
-	} else {
-		while (json_is_blank(before[-1]))
-			before--;
-		if (before[-1] == ',')
-			before[-1] = ' ';
-	}
-	memset(s, ' ', (size_t)(next - s));
-	return next;
-}
-
-/* Changes a checked text so that cJSON reads it and takes less memory: blanks members
- * whose names begin with _. A number that is too long for cJSON becomes the shortest text
- * of the same double, filled up with blanks. */
-static void edit_for_cjson(char *s, const char *end)
+/* Changes a checked text so that cJSON reads it: a number that is too long becomes the
+ * shortest text of the same double, filled up with blanks. */
+static void shorten_numbers(char *s, const char *end)
 {
 	char text[NUMBER_MAX], *text_end;
 	double v;
 
 	for (char *next; s < end; s = next) {
-		next = s + 1;
-		if (*s == '"') {
-			const char *after = json_string_end(s, end);
-			const char *colon = json_skip_blanks(after, end);
-
-			next = s[1] == '_' && colon < end && *colon == ':' ?
-			    blank_member(s, end) :
-			    (char *)after;
-			continue;
-		}
+		next = (char *)(*s == '"' ? json_string_end(s, end) : s + 1);
 		if (*s != '-' && (*s < '0' || *s > '9'))
 			continue;
 		next = (char *)number_read(s, end, &v);
@@ -93,20 +66,24 @@ static void edit_for_cjson(char *s, const char *end)
 	}
 }
 
-/* Returns the tree of a checked text without the elements of an array, if array.s is
- * not NULL: cJSON would need 64 bytes for each number. */
-static cJSON *parse_without(const struct json_check *c, struct span array)
+/* Returns the tree of a checked text, which changes, or if array.s is not NULL of a copy
+ * without the elements of the array: cJSON would need 64 bytes for each number. */
+static cJSON *parse_without(const struct json_check *c, char *text, struct span array)
 {
-	const char *rest = array.s != NULL ? array.end - 1 : c->end;
-	size_t n = (size_t)((array.s != NULL ? array.s + 1 : c->end) - c->text),
-	       more = (size_t)(c->end - rest);
-	char *copy = xrealloc(NULL, n + more);
+	char *copy = NULL, *s = text;
+	size_t n = (size_t)(c->end - text);
 
-	memcpy(copy, c->text, n);
-	memcpy(copy + n, rest, more);
-	if (c->needs_edit)
-		edit_for_cjson(copy, copy + n + more);
-	cJSON *parsed = cJSON_ParseWithLength(copy, n + more);
+	if (array.s != NULL) {
+		const size_t before = (size_t)(array.s + 1 - text);
+
+		n = before + (size_t)(c->end - array.end) + 1;
+		s = copy = xrealloc(NULL, n);
+		memcpy(copy, text, before);
+		memcpy(copy + before, array.end - 1, n - before);
+	}
+	if (c->has_long_number)
+		shorten_numbers(s, s + n);
+	cJSON *parsed = cJSON_ParseWithLength(s, n);
 
 	free(copy);
 	/* cJSON takes every text that json_check accepts, unless memory runs out */
@@ -143,7 +120,7 @@ struct value value_parse_document(struct json_source *source, const char *pointe
 	cJSON_Delete(*root);
 	*root = NULL;
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL, c.found.end };
-	*root = parse_without(&c, *array);
+	*root = parse_without(&c, text, *array);
 	return (struct value){ .source = source, .item = *root };
 }
 
@@ -164,23 +141,13 @@ const char *value_peek(struct value *v, const char *s, const char *end)
 struct value value_literal(const char *text)
 {
 	static const struct json_source source;
-	static struct literal {
-		const char *text;
-		const cJSON *item;
-		struct literal *next;
-	} * kept;
-	struct literal *l = kept;
+	static cJSON *item;
 
-	while (l != NULL && l->text != text)
-		l = l->next;
-	if (l == NULL) {
-		l = xrealloc(NULL, sizeof *l);
-		*l = (struct literal){ text, cJSON_Parse(text), kept };
-		kept = l;
-		if (l->item == NULL)
-			die(EXIT_SYSTEM, "out of memory");
-	}
-	return (struct value){ .source = &source, .item = l->item };
+	cJSON_Delete(item);
+	item = cJSON_Parse(text);
+	if (item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return (struct value){ .source = &source, .item = item };
 }
 
 struct value value_child(const struct value *v)

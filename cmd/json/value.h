@@ -81,8 +81,7 @@ struct value value_parse_document(struct json_source *, const char *pointer, cha
  * text. Returns the end of the value, but a wrong end for an array or object. */
 const char *value_peek(struct value *v, const char *s, const char *end);
 
-/* Returns the value of JSON text that the program has as a string literal, such as a
- * default. Each literal is parsed once and kept. */
+/* Returns the value of a JSON text, such as a default, until the next call. */
 struct value value_literal(const char *text);
 
 /* Returns the first element or member of a value, with item NULL if there is none. */
