@@ -131,20 +131,8 @@ static inline const char *find_either(const char *s, const char *end, char a, ch
  * doubled quotes before the closing quote are in it. Other quotes are plain bytes. */
 static void next_of_csv(struct cursor *c, struct field *f)
 {
-	const char *s = c->s, *end = c->end;
+	const char *end = c->end, *s = skip_blanks(c->in, c->s, end);
 
-	/* a field without quotes, and without blanks at its ends */
-	s = find_either(s, end, c->in.separator, '"');
-	if ((s == end || *s == c->in.separator) &&
-	    (s == c->s || (*c->s != ' ' && s[-1] != ' '))) {
-		/* by single words: to load two just after takes long */
-		f->whole.s = f->value.s = c->s;
-		f->whole.end = f->value.end = s;
-		f->next = s < end ? s + 1 : NULL;
-		c->previous_end = s;
-		return;
-	}
-	s = skip_blanks(c->in, c->s, end);
 	f->whole.s = c->s;
 	if (s < end && *s == '"') {
 		s = csv_quote_end(s, end);
@@ -213,29 +201,30 @@ const char *format_read(struct dialect d, const char *s, const char *end, double
 	return after;
 }
 
+/* Returns the first byte in [s, end) that is no digit, or a place from end on. */
+static const char *skip_digits(const char *s, const char *end)
+{
+	for (; s < end; s += 8) {
+		uint64_t x = eight_at(s) ^ ('0' * ones);
+		uint64_t others = (x | (x + 0x76 * ones)) & tops;
+
+		if (others != 0)
+			return s + __builtin_ctzll(others) / 8;
+	}
+	return s;
+}
+
 /* Returns whether f is a number of JSON without exponent, of so few digits that it is
  * finite. */
 static bool is_short_number(struct span f)
 {
-	const char *s = f.s + (f.s < f.end && *f.s == '-'), *from = s;
-	const size_t n = (size_t)(f.end - f.s);
+	const char *whole = f.s + (*f.s == '-'), *s = skip_digits(whole, f.end);
 
-	/* up to 7 digits in one step: most numbers beside coordinates are such */
-	if (n - 1 < 7 && (*f.s > '0' || n == 1)) {
-		uint64_t x = (eight_at(f.s) ^ ('0' * ones)) << (64 - 8 * n);
-
-		if (((x | (x + 0x76 * ones)) & tops) == 0)
-			return true;
-	}
-	while (s < f.end && *s >= '0' && *s <= '9')
-		s++;
-	if (s == from || (*from == '0' && s > from + 1) || f.end - f.s > 99)
+	if (s == whole || (*whole == '0' && s > whole + 1) || f.end - f.s > 99)
 		return false;
-	if (s == f.end || *s != '.')
-		return s == f.end;
-	for (from = ++s; s < f.end && *s >= '0' && *s <= '9';)
-		s++;
-	return s == f.end && s > from;
+	if (*s == '.' && s < f.end - 1)
+		s = skip_digits(s + 1, f.end);
+	return s == f.end;
 }
 
 /* Returns whether the unquoted field f can be copied to the dialect d: to JSON if f is
@@ -356,6 +345,61 @@ char *format_convert(struct dialect in, struct dialect out, struct span f, char 
 	if (!can_copy(out, f))
 		return put_quoted(to, f, 0, at);
 	return put_gap(f.s, (size_t)(f.end - f.s), at);
+}
+
+/* Copies csv with other separators, 16 bytes at a time, from the separator before c->s
+ * to FORMAT_TEXT or tsv, up to a field near a quote or a control character or, for
+ * text, an empty field. */
+static char *put_other_separators(struct cursor *c, struct dialect out, char *at)
+{
+	typedef uint8_t bytes __attribute__((vector_size(16)));
+	typedef uint64_t halves __attribute__((vector_size(16)));
+	const bytes place = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
+	const uint8_t from = (uint8_t)c->in.separator, to = (uint8_t)out.separator;
+	const uint8_t no_empty = format_of(out)->blanks ? 255 : 0;
+	const char *s = c->s - 1;
+
+	for (; s < c->end; s += sizeof(bytes), at += sizeof(bytes)) {
+		const uint8_t n = c->end - s < 16 ? (uint8_t)(c->end - s) : 16;
+		bytes x, before;
+
+		memcpy(&x, s, sizeof x);
+		memcpy(&before, s - 1, sizeof before);
+		const bytes separators = (bytes)(x == from);
+		const halves wrong = (halves)((bytes)(place < n) &
+		    ((bytes)(x == '"') | ((bytes)(x < ' ') & ~separators) |
+			(separators & (bytes)(before == from) & no_empty)));
+
+		if ((wrong[0] | wrong[1]) != 0)
+			break;
+		x ^= separators & (from ^ to);
+		memcpy(at, &x, sizeof x);
+	}
+	const char *done = s < c->end ? s : c->end, *next = done;
+
+	if (done < c->end || (no_empty && done[-1] == c->in.separator))
+		while (next >= c->s && *--next != c->in.separator)
+			continue;
+	c->s = next < c->end ? next + 1 : NULL;
+	return at - (s - next);
+}
+
+char *format_convert_plain(struct cursor *c, struct dialect out, char *at)
+{
+	if (format_of(out)->blanks || out.separator == '\t')
+		return put_other_separators(c, out, at);
+	while (c->s != NULL) {
+		const char *s = find_either(c->s, c->end, c->in.separator, '"');
+		struct span f = { c->s, s };
+
+		if (s < c->end && *s != c->in.separator)
+			break;
+		c->s = s < c->end ? s + 1 : NULL;
+		*at++ = out.separator;
+		at = can_copy(out, f) ? put_gap(f.s, (size_t)(s - f.s), at) :
+					put_quoted(format_of(out), f, 0, at);
+	}
+	return at;
 }
 
 struct cursor value_cursor(struct span value, const char *end)

@@ -101,6 +101,11 @@ const char *format_read(struct dialect, const char *s, const char *end, double *
  * output: at most two quotes, and six bytes for each byte of f (\u0001 in JSON). */
 char *format_convert(struct dialect in, struct dialect out, struct span f, char *at);
 
+/* Converts fields of csv from c->s on, each after a separator, as format_convert does.
+ * Stops before or at a field with a quote or a control character or, for FORMAT_TEXT,
+ * an empty one. */
+char *format_convert_plain(struct cursor *, struct dialect out, char *at);
+
 /* Returns whether text follows a carriage return, out of quotes; if so, writes why. */
 bool format_has_only_cr(struct dialect, struct span line, char reason[REASON_MAX]);
 

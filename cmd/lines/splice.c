@@ -290,6 +290,7 @@ static void put_other_fields(struct splice *w)
 	/* in JSON an empty csv field becomes "", so that fields keep their places */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
+	uint32_t last = 1; /* the place after the last coordinate, or 1 */
 	struct field f;
 
 	if (format_is_binary(l->in.format)) {
@@ -309,8 +310,15 @@ static void put_other_fields(struct splice *w)
 		}
 	} else {
 		c = cursor_of(l, line);
+		for (int i = 0; i < l->reads && !l->output.append; i++)
+			last = line->at[i].to > last ? line->at[i].to : last;
 	}
-	while (cursor_next(&c, &f)) {
+	while (c.s != NULL) {
+		if (in->header && w->fields > 0 && c.previous_end != NULL &&
+		    c.s > line->s + last)
+			w->out = format_convert_plain(&c, l->out, w->out);
+		if (!cursor_next(&c, &f))
+			break;
 		if ((f.whole.s == f.whole.end && !empty) ||
 		    (!l->output.append &&
 			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
