@@ -37,10 +37,11 @@ LDFLAGS ?=
 # doubles, it drops their rounding to float; and it stores the two halves of a span of
 # bytes that it then loads as a whole, which stalls. It addresses some loops from a
 # literal 0, and takes their accesses for unreachable (PR 110702) unless null pointers
-# may be valid.
+# may be valid. -fdata-sections lets LINK put small variables together, by alignment:
+# a call then touches fewer pages of memory.
 FLAGS = -ffp-contract=off -fno-fast-math -fno-unsafe-math-optimizations \
 	-fno-reciprocal-math -fsigned-zeros -fno-tree-slp-vectorize \
-	-fno-delete-null-pointer-checks -pthread -MMD -MP -Wall \
+	-fno-delete-null-pointer-checks -fdata-sections -pthread -MMD -MP -Wall \
 	-Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla \
 	$(if $(WERROR),-Werror)
 C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64 \
@@ -62,7 +63,7 @@ HARDENING = -fPIE $(PROTECTOR) $(call fortify,$1)
 HARDENING_LINK = -pie -Wl,-z,relro -Wl,-z,now
 hardening_link = $(if $(HARDENING),$(HARDENING_LINK))
 # The C compiler links, as the C++ files use no C++ library.
-LINK = $(CC) -pthread $(hardening_link) $(LDFLAGS)
+LINK = $(CC) -pthread -Wl,--sort-section=alignment $(hardening_link) $(LDFLAGS)
 LIBS = -lcjson -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 

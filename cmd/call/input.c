@@ -38,12 +38,13 @@ static int open_file(const char *name)
 	return fd;
 }
 
-bool input_check(const char *name, int fd)
+bool input_check(const char *name)
 {
 	const struct place place = { .file = name };
 	struct stat in, out;
 
-	if (fd >= 0 ? fstat(fd, &in) != 0 : stat(name, &in) != 0)
+	if (input_is_stdin(name) ? fstat(STDIN_FILENO, &in) != 0 :
+				   stat(name, &in) != 0 || access(name, R_OK) != 0)
 		return false;
 	if (S_ISDIR(in.st_mode))
 		die_at(EXIT_USAGE, &place, "is a directory");
@@ -57,7 +58,7 @@ int input_open(const char *name)
 {
 	int fd = input_is_stdin(name) ? STDIN_FILENO : open_file(name);
 
-	if (fd < 0 || !input_check(name, fd))
+	if (fd < 0 || !input_check(name))
 		die_at(EXIT_USAGE, &(struct place){ .file = name }, "%s",
 		    strerror(errno));
 	return fd;

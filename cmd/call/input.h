@@ -18,9 +18,9 @@ bool input_is_stdin(const char *operand);
 /* Returns the first character that is not white space; 0 if there is none. */
 char input_first_char(const char *);
 
-/* Returns false if fstat(fd) or, for fd < 0, stat(name) fails. Refuses, with status 2,
- * a directory, and the file to which standard output goes: it can't be input, too. */
-bool input_check(const char *name, int fd);
+/* Returns whether a file, or standard input for "-", can be read; sets errno. Refuses,
+ * with status 2, a directory, and the file to which standard output goes. */
+bool input_check(const char *name);
 
 /* Returns a descriptor of a file, or of standard input for "-"; refuses with status 2. */
 int input_open(const char *name);

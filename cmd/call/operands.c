@@ -13,14 +13,8 @@
 #include "input.h"
 #include "option_row.h"
 
-static void check_file(const char *name, const char *hint)
-{
-	if (input_is_stdin(name))
-		input_check(name, STDIN_FILENO);
-	else if (!input_check(name, -1) || access(name, R_OK) != 0)
-		die_at(EXIT_USAGE, &(struct place){ .file = name }, "%s; %s",
-		    strerror(errno), hint);
-}
+#define PARAMS_HINT \
+	"PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' shows"
 
 /* Writes the numbers of n_words words, from the first to one that is a file, as a JSON
  * array. Returns false if they are not as many as a point has coordinates. */
@@ -57,58 +51,63 @@ static void check_is_scene(const struct options *o)
 	char list[7 * NUMBER_MAX], *words[] = { (char *)o->params };
 	const char *scene = o->n_points > 0 ? o->points[0] : "scene.json";
 	const bool array = input_first_char(o->params) == '[';
-	const bool object = input_first_char(scene) == '{';
 
 	if (!array && !join_numbers(o, words, 1, list))
 		return;
-	if (command_reads_points(c) &&
-	    (object ||
-		(o->n_points == 0 ? o->ray || o->plane.n > 0 :
-				    access(scene, R_OK) == 0)))
+	if (command_reads_points(c) && (o->n_points > 0 || o->ray || o->plane.n > 0))
 		die_at(EXIT_USAGE, &place,
 		    "points come after PARAMS: projcalc %s%s %s '%.200s'", c->name,
-		    o->ray ? " --ray" : "", object ? "'{...}'" : scene,
+		    o->ray ? " --ray" : "",
+		    input_first_char(scene) == '{' ? "'{...}'" : scene,
 		    array ? o->params : list);
 	die_at(EXIT_USAGE, &place, "PARAMS is an object%s, as in: projcalc %s %s",
 	    command_reads_points(c) ? ", and points come after it" : "", c->name,
 	    c->example);
 }
 
-void operands_check(const struct options *o)
+static void check_params(const struct options *o)
 {
 	const struct command *c = o->command;
-	bool from_stdin = input_is_stdin(o->params);
-	char hint[160], list[7 * NUMBER_MAX];
+	const struct place place = { .file = o->params };
 
-	snprintf(hint, sizeof hint,
-	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' shows",
-	    c->name);
+	/* the shell splits an object without quotes: the first operand lacks } */
+	if (input_first_char(o->params) == '{') {
+		if (o->n_points > 0 && strchr(o->params, '}') == NULL)
+			die_at(EXIT_USAGE, &place, "has no }; " PARAMS_HINT, c->name);
+		return;
+	}
 	if (o->columns.n != 1)
 		check_is_scene(o);
-	/* the shell splits an object without quotes: the first operand lacks } */
-	if (input_first_char(o->params) != '{')
-		check_file(o->params, hint);
-	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
-		die_at(EXIT_USAGE, &(struct place){ .file = o->params }, "has no }; %s",
-		    hint);
-	if (o->n_points > 0 && !command_reads_points(c))
-		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
-	snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
-	    2 * options_coordinates(o) + 1, "1.5,2,3,4",
-	    o->columns.n == 1           ? "; --columns takes a list such as 1,2,3" :
-		c->kind == COMMAND_PICK ? POSITION_HINT :
-					  "");
-	for (int i = 0; i < o->n_points && !o->matrix; i++) {
-		const char *name = o->points[i];
+	if (!input_check(o->params))
+		die_at(EXIT_USAGE, &place, "%s; " PARAMS_HINT, strerror(errno),
+		    c->name);
+}
 
-		if (input_is_stdin(name) && from_stdin)
+void operands_check(const struct options *o)
+{
+	bool from_stdin = input_is_stdin(o->params);
+	char list[7 * NUMBER_MAX];
+
+	check_params(o);
+	if (o->n_points > 0 && !command_reads_points(o->command))
+		die(EXIT_USAGE, "%s reads no points; leave them out", o->command->name);
+	for (int i = 0; i < o->n_points && !o->matrix; i++) {
+		const struct place place = { .file = o->points[i] };
+
+		if (input_is_stdin(place.file) && from_stdin)
 			die(EXIT_USAGE, "standard input is named twice; name a file");
-		from_stdin |= input_is_stdin(name);
+		from_stdin |= input_is_stdin(place.file);
 		if (join_numbers(o, o->points + i, o->n_points - i, list))
-			die_at(EXIT_USAGE, &(struct place){ .file = name },
+			die_at(EXIT_USAGE, &place,
 			    "numbers of POINTS are in brackets: '%s'", list);
-		if (input_first_char(name) != '[')
-			check_file(name, hint);
+		if (input_first_char(place.file) != '[' && !input_check(place.file))
+			die_at(EXIT_USAGE, &place,
+			    "%s; POINTS are a file, - or '[%.*s]'%s", strerror(errno),
+			    2 * options_coordinates(o) + 1, "1.5,2,3,4",
+			    o->columns.n == 1 ?
+				"; --columns takes a list such as 1,2,3" :
+				o->command->kind == COMMAND_PICK ? POSITION_HINT :
+								   "");
 	}
 }
 

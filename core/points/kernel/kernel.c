@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "kernel.h"
 
+#ifdef __x86_64__
+#include <cpuid.h>
+#endif
 #include <string.h>
 
 /* The kernels that this program has, the best first. */
@@ -21,22 +24,31 @@ static const struct {
 static const struct kernels *chosen = &kernels_baseline;
 
 /* Returns true if this processor has all instructions that files for the given kind of
- * processor use, in this folder and in cmd/number/vector. */
+ * processor use, in this folder and in cmd/number/vector. __builtin_cpu_supports would
+ * ask at the start of every call: 50 us on a virtual machine, where cpuid is slow. */
 static bool can_run(enum processor processor)
 {
 #ifdef __x86_64__
-	if (processor != PROCESSOR_BASELINE &&
-	    !(__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")))
+	const unsigned first = bit_FMA | bit_OSXSAVE;
+	unsigned seventh = bit_AVX2, saved = 0x06, a, b, c, d;
+
+	if (processor == PROCESSOR_BASELINE)
+		return true;
+	if (processor == PROCESSOR_AVX512) {
+		seventh |= bit_AVX512F | bit_AVX512BW | bit_AVX512CD | bit_AVX512DQ |
+		    bit_AVX512VL;
+		saved = 0xe6;
+	}
+	if (!__get_cpuid(1, &a, &b, &c, &d) || (c & first) != first ||
+	    !__get_cpuid_count(7, 0, &a, &b, &c, &d) || (b & seventh) != seventh)
 		return false;
-	if (processor == PROCESSOR_AVX512)
-		return __builtin_cpu_supports("avx512f") &&
-		    __builtin_cpu_supports("avx512bw") &&
-		    __builtin_cpu_supports("avx512cd") &&
-		    __builtin_cpu_supports("avx512dq") &&
-		    __builtin_cpu_supports("avx512vl");
-#endif
+	/* the system must save these registers: bits 1, 2 and 5 to 7 of XCR0 */
+	__asm__("xgetbv" : "=a"(a), "=d"(d) : "c"(0));
+	return (a & saved) == saved;
+#else
 	(void)processor;
 	return true;
+#endif
 }
 
 bool kernels_choose(const char *name)
