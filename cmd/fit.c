@@ -38,24 +38,24 @@ static void fit_collect_chunk(const struct job *j, const struct chunk *c)
 		extremes_merge(&fit->extremes, &fit->directions, (const void *)c->out);
 }
 
-static void fit_read_points(const struct options *o, struct document *d)
+static void fit_read_points(const struct options *o, struct document *d, struct job *j)
 {
 	static struct fit fit;
-	static struct job j = { .take_block = fit_take_block,
-		.collect_chunk = fit_collect_chunk,
-		.data = &fit };
 
+	j->take_block = fit_take_block;
+	j->collect_chunk = fit_collect_chunk;
+	j->data = &fit;
 	memset(&fit.extremes, 0, sizeof fit.extremes);
 	if (d->flat) {
-		transform_of_window(&d->scene, FLAT_NDC, FLAT_NDC, &j.transform);
+		transform_of_window(&d->scene, FLAT_NDC, FLAT_NDC, &j->transform);
 		fit_window_directions(&fit.directions);
 	} else {
-		map_identity(&j.transform.map);
-		transform_init(&j.transform, SPACE_MODEL, SPACE_WORLD, false);
+		map_identity(&j->transform.map);
+		transform_init(&j->transform, SPACE_MODEL, SPACE_WORLD, false);
 		document_refuse_if(d,
 		    fit_directions(&d->scene, d->has_eye, &fit.directions));
 	}
-	operands_run_job(o, d, &j);
+	operands_run_job(o, d, SPACE_MODEL, SPACE_WORLD, j);
 	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
 		document_refuse(d, "/bounds: missing, and there are no points");
 }
@@ -78,29 +78,25 @@ static _Noreturn void refuse_fit(const struct options *o, const struct document 
 	die_at(EXIT_INPUT, &place, "%s", reason + n);
 }
 
-void run_fit(const struct options *o)
+void run_fit(const struct options *o, struct document *d, struct job *j)
 {
-	struct document d;
+	const bool points = operands_have_points(o, d);
 
-	params_read_document(o, &d);
-	bool points = operands_have_points(o, &d);
-
-	if (d.scene.answer != NULL)
-		document_refuse(&d,
-		    "/convention: fit prints the scene's; leave -c out");
-	if (d.has_bounds && o->n_points > 0)
-		document_refuse(&d, "/bounds: not together with POINTS; give one");
-	if (!d.has_bounds && !points)
-		document_refuse(&d,
+	if (d->scene.answer != NULL)
+		document_refuse(d, "/convention: fit prints the scene's; leave -c out");
+	if (d->has_bounds && o->n_points > 0)
+		document_refuse(d, "/bounds: not together with POINTS; give one");
+	if (!d->has_bounds && !points)
+		document_refuse(d,
 		    "/bounds: missing; add it ('projcalc help bounds'), POINTS or -");
-	if (!d.flat)
-		notes_say(&d, notes_of_document(&d, 0));
-	if (!d.has_bounds)
-		fit_read_points(o, &d);
-	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :
-				   fit_scene(&d.scene, d.has_eye, &d.bounds);
+	if (!d->flat)
+		notes_say(d, notes_of_document(d, 0));
+	if (!d->has_bounds)
+		fit_read_points(o, d, j);
+	const char *why = d->flat ? fit_window(&d->scene, &d->bounds) :
+				    fit_scene(&d->scene, d->has_eye, &d->bounds);
 
 	if (why != NULL)
-		refuse_fit(o, &d, why);
-	document_print(&d, o->out == FORMAT_JSON);
+		refuse_fit(o, d, why);
+	document_print(d, o->out == FORMAT_JSON);
 }

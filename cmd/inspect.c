@@ -216,25 +216,24 @@ static void put_projection(struct printer *p, const struct document *d,
 	put_close(p, "]");
 }
 
-void run_inspect(const struct options *o)
+void run_inspect(const struct options *o, struct document *d, struct job *j)
 {
 	static char text[(320 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = options_matrix_style(o),
 		.compact = o->out == FORMAT_JSON,
 		.separator = "" };
-	struct document d;
 
-	params_read_document(o, &d);
-	if (d.flat && (o->tolerance > 0 || o->distances.n > 0 || o->textbook))
-		document_refuse(&d,
+	(void)j;
+	if (d->flat && (o->tolerance > 0 || o->distances.n > 0 || o->textbook))
+		document_refuse(d,
 		    "/projection: missing; -t, --distances and --textbook are about "
 		    "the errors and the depth of a projection, not of a window");
 	put_open(&p, "{");
-	if (d.flat)
-		put_window(&p, &d);
+	if (d->flat)
+		put_window(&p, d);
 	else
-		put_projection(&p, &d, o);
+		put_projection(&p, d, o);
 	put_close(&p, "}\n");
 	output_write(text, (size_t)(p.at - text));
 }

@@ -24,7 +24,7 @@
 
 /* The command is for one type of projection. A viewport may determine its aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
-	COMMAND_MATRIX_3D, run_matrix,                                             \
+	COMMAND_MATRIX_3D, run_matrix,                                 \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
 	    .source.implied_type = type },                                 \
 	.from = SPACE_VIEW, .to = SPACE_CLIP
@@ -70,7 +70,7 @@ static const struct command commands[] = {
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
 	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, \"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "take points from any space to any other: to pixels, or back",
-	    COMMAND_PROJECT, run_project,
+	    COMMAND_PROJECT, run_project, check_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "trace", "print points in every space, and the planes that they are outside of",
@@ -78,7 +78,7 @@ static const struct command commands[] = {
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[1,1,1]'" },
 	{ "pick", "print the points within a radius of a device position, nearest first",
-	    COMMAND_PICK, run_pick,
+	    COMMAND_PICK, run_pick, check_pick,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
 	    .example = "--at 320,240 --radius 3 '" SCENE_EXAMPLE
@@ -124,6 +124,8 @@ static void run_help(const struct options *o)
 
 static void run_scenes(const struct options *o)
 {
+	static struct job j;
+	struct document d;
 	jmp_buf refused;
 
 	if (o->scenes && o->keep_going && !format_is_binary(options_out_format(o)))
@@ -131,7 +133,8 @@ static void run_scenes(const struct options *o)
 	if (setjmp(refused) != 0)
 		answer_refused_scene(options_out_format(o));
 	while (params_next_document(o)) {
-		o->command->run(o);
+		params_read_document(o, &d);
+		o->command->run(o, &d, &j);
 		if (ex_has_overflowed())
 			die_at(EXIT_INPUT, &(struct place){ .of_scene = true },
 			    "what is printed is not exact: " SCENE_TOO_WIDE);
@@ -168,6 +171,8 @@ int main(int argc, char **argv)
 	} else if (c->kind == COMMAND_HELP) {
 		run_help(&o);
 	} else {
+		if (c->check != NULL)
+			c->check(&o);
 		operands_check(&o);
 		run_scenes(&o);
 	}

@@ -141,32 +141,22 @@ static void matrix_prepare(const struct options *o, const struct document *d, in
 	j->count_imageless = !planes;
 }
 
-void run_matrix(const struct options *o)
+void run_matrix(const struct options *o, struct document *d, struct job *j)
 {
 	const struct command *c = o->command;
-	struct document d;
-	static struct job j;
-
-	params_read_document(o, &d);
-
-	bool points = !o->matrix && operands_have_points(o, &d);
+	const bool points = !o->matrix && operands_have_points(o, d);
 	const int to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
-
 	const bool flat = c->kind == COMMAND_MATRIX_2D;
 	const enum space from = (enum space)c->from;
 
-	matrix_check_unit_w(o, !points, (enum space)c->from, (enum space)c->to);
-	matrix_prepare(o, &d, to, points, &j);
+	matrix_check_unit_w(o, !points, from, (enum space)c->to);
+	matrix_prepare(o, d, to, points, j);
 	if (!flat)
-		notes_say_of_spaces(&d, from, (enum space)c->to);
+		notes_say_of_spaces(d, from, (enum space)c->to);
 	if (!points) {
-		matrix_print(o, &d, &j.transform);
+		matrix_print(o, d, &j->transform);
 		return;
 	}
-	j.space = c->kind == COMMAND_MATRIX_2D ? flat_names[to] : space_names[to];
-	if (!flat)
-		notes_watch(&d, from, (enum space)to, NULL, &j);
-	operands_run_job(o, &d, &j);
-	if (!flat)
-		notes_say_behind(&d, from, &j);
+	j->space = flat ? flat_names[to] : space_names[to];
+	operands_run_job(o, d, from, (enum space)to, j);
 }

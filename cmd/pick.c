@@ -219,32 +219,34 @@ static void hits_set_circle(const struct document *d, const struct options *o,
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 
-void run_pick(const struct options *o)
+void check_pick(const struct options *o)
 {
-	struct document d;
-	static struct hits hits;
-	static struct job j = { .take_block = hits_take_block,
-		.collect_chunk = hits_collect_chunk,
-		.flush = print_hits,
-		.data = &hits };
-
-	hits.json = o->has_out && o->out == FORMAT_JSON;
-	hits.style = options_matrix_style(o);
-	hits.n = hits.size = 0;
-	params_read_document(o, &d);
-	hits_set_circle(&d, o, &hits);
-	document_refuse_if(&d,
-	    transform_of_scene(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
-		&j.transform));
-	document_refuse_if(&d, frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
-	document_refuse_if(&d, picker_of(&d.scene, &j.transform, &hits.picker));
-	if (o->has_out && !hits.json &&
+	options_matrix_style(o);
+	if (o->has_out && o->out != FORMAT_JSON &&
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE,
 		    "pick prints the lines that it read; leave -o out, or say -o json");
+}
+
+void run_pick(const struct options *o, struct document *d, struct job *j)
+{
+	static struct hits hits;
+
+	j->take_block = hits_take_block;
+	j->collect_chunk = hits_collect_chunk;
+	j->flush = print_hits;
+	j->data = &hits;
+	j->behind.image = &j->transform;
+	hits.json = o->has_out && o->out == FORMAT_JSON;
+	hits.style = options_matrix_style(o);
+	hits.n = hits.size = 0;
+	hits_set_circle(d, o, &hits);
+	document_refuse_if(d,
+	    transform_of_scene(&d->scene, SPACE_MODEL, SPACE_DEVICE, false,
+		&j->transform));
+	document_refuse_if(d, frustum_of(&d->scene, SPACE_MODEL, false, &j->frustum));
+	document_refuse_if(d, picker_of(&d->scene, &j->transform, &hits.picker));
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
-	notes_say_of_spaces(&d, SPACE_MODEL, SPACE_DEVICE);
-	notes_watch(&d, SPACE_MODEL, SPACE_DEVICE, &j.transform, &j);
-	operands_run_job(o, &d, &j);
-	notes_say_behind(&d, SPACE_MODEL, &j);
+	notes_say_of_spaces(d, SPACE_MODEL, SPACE_DEVICE);
+	operands_run_job(o, d, SPACE_MODEL, SPACE_DEVICE, j);
 }

@@ -6,7 +6,7 @@
 #include "call/option_row.h"
 #include "message/message.h"
 
-static void project_check(const struct options *o)
+void check_project(const struct options *o)
 {
 	const bool plane = o->plane.n > 0;
 
@@ -66,44 +66,36 @@ static void project_check_alone(const struct options *o, enum space from, enum s
 	    from == SPACE_DEVICE ? ", or --ray or --plane A,B,C,D for x y" : "");
 }
 
-void run_project(const struct options *o)
+void run_project(const struct options *o, struct document *d, struct job *j)
 {
 	const bool plane = o->plane.n > 0;
 	const enum space from = o->has_from ? o->from :
 	    plane                           ? SPACE_DEVICE :
 					      SPACE_MODEL;
-	struct document d;
-	static struct job j;
-
-	project_check(o);
-	params_read_document(o, &d);
-
 	const enum space to = o->has_to ? o->to :
 	    o->ray || plane             ? SPACE_WORLD :
-	    d.scene.has_viewport        ? SPACE_DEVICE :
+	    d->scene.has_viewport       ? SPACE_DEVICE :
 					  SPACE_NDC;
 
 	if (!o->ray && !plane)
 		project_check_alone(o, from, to);
 	matrix_check_unit_w(o, o->matrix, from, plane ? SPACE_VIEW : to);
 	if (!o->has_to && to == SPACE_NDC &&
-	    d.scene.projection.type != PROJECTION_NONE &&
-	    (d.scene.has_device || d.scene.has_window))
-		document_refuse(&d,
+	    d->scene.projection.type != PROJECTION_NONE &&
+	    (d->scene.has_device || d->scene.has_window))
+		document_refuse(d,
 		    "/viewport: missing; \"device\" and \"window\" are for two "
 		    "dimensions; give \"viewport\", or say --to ndc");
-	document_refuse_if(&d, project_prepare(&d.scene, o, from, to, &j));
-	notes_say_of_spaces(&d, from, to);
-	if (!o->has_from && !o->has_to && (d.scene.has_camera || d.scene.has_world) &&
-	    d.scene.projection.type == PROJECTION_NONE)
-		notes_say(&d, 1u << NOTE_NO_PROJECTION);
+	document_refuse_if(d, project_prepare(&d->scene, o, from, to, j));
+	notes_say_of_spaces(d, from, to);
+	if (!o->has_from && !o->has_to && (d->scene.has_camera || d->scene.has_world) &&
+	    d->scene.projection.type == PROJECTION_NONE)
+		notes_say(d, 1u << NOTE_NO_PROJECTION);
 	if (o->matrix) {
-		matrix_print(o, &d, &j.transform);
+		matrix_print(o, d, &j->transform);
 		return;
 	}
-	notes_watch(&d, o->homogeneous ? SPACE_CLIP : from, to, NULL, &j);
-	j.from = from != SPACE_MODEL ? space_names[from] : NULL;
-	j.space = space_names[to];
-	operands_run_job(o, &d, &j);
-	notes_say_behind(&d, from, &j);
+	j->from = from != SPACE_MODEL ? space_names[from] : NULL;
+	j->space = space_names[to];
+	operands_run_job(o, d, o->homogeneous ? SPACE_CLIP : from, to, j);
 }

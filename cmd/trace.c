@@ -139,29 +139,27 @@ static void trace_collect_chunk(const struct job *j, const struct chunk *c)
 	trace->printed = true;
 }
 
-void run_trace(const struct options *o)
+void run_trace(const struct options *o, struct document *d, struct job *j)
 {
 	static struct trace trace;
-	static struct job j = { .take_block = trace_take_block,
-		.collect_chunk = trace_collect_chunk,
-		.data = &trace };
-	struct document d;
 
-	params_read_document(o, &d);
+	j->take_block = trace_take_block;
+	j->collect_chunk = trace_collect_chunk;
+	j->data = &trace;
+	j->behind.image = &trace.to[SPACE_NDC];
 	trace = (struct trace){ .n_spaces = SPACES };
-	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
+	if (!d->scene.has_viewport && o->from != SPACE_DEVICE)
 		trace.n_spaces--;
 	for (int s = 0; s < trace.n_spaces; s++)
-		document_refuse_if(&d,
-		    distance_transform(&d.scene, o->from, (enum space)s, &trace.to[s]));
-	document_refuse_if(&d, frustum_of(&d.scene, o->from, false, &j.frustum));
-	j.transform = trace.to[SPACE_CLIP];
+		document_refuse_if(d,
+		    distance_transform(&d->scene, o->from, (enum space)s,
+			&trace.to[s]));
+	document_refuse_if(d, frustum_of(&d->scene, o->from, false, &j->frustum));
+	j->transform = trace.to[SPACE_CLIP];
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],
 		    o->out == FORMAT_JSON ? "\"%s\":" : "%-8s", space_names[s]);
-	notes_say_of_spaces(&d, SPACE_MODEL,
-	    d.scene.has_viewport ? SPACE_DEVICE : SPACE_NDC);
-	notes_watch(&d, o->from, SPACE_NDC, &trace.to[SPACE_NDC], &j);
-	operands_run_job(o, &d, &j);
-	notes_say_behind(&d, o->from, &j);
+	notes_say_of_spaces(d, SPACE_MODEL,
+	    d->scene.has_viewport ? SPACE_DEVICE : SPACE_NDC);
+	operands_run_job(o, d, o->from, SPACE_NDC, j);
 }

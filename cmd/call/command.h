@@ -7,6 +7,7 @@
 
 #include "../scene/document.h"
 
+struct job;
 struct options;
 
 /* Commands of one kind take the same options. Each kind is a bit, so that the member
@@ -27,8 +28,11 @@ struct command {
 	const char *name;
 	const char *about; /* one line of help */
 	enum command_kind kind;
-	/* Reads the scene and prints the answer. Does not return after an error. */
-	void (*run)(const struct options *);
+	/* Prints the answer for a document; the job is zero at the first call. Does not
+	 * return after an error. */
+	void (*run)(const struct options *, struct document *, struct job *);
+	/* Refuses options that do not go together, before documents are read; or NULL. */
+	void (*check)(const struct options *);
 	/* params_read_document adds to a copy what the options need. */
 	struct document_wants wants;
 	/* The spaces of the matrix: of enum space for COMMAND_MATRIX_3D, which prints
@@ -38,12 +42,14 @@ struct command {
 	const char *example;
 };
 
-void run_matrix(const struct options *);
-void run_project(const struct options *);
-void run_trace(const struct options *);
-void run_pick(const struct options *);
-void run_fit(const struct options *);
-void run_inspect(const struct options *);
+void run_matrix(const struct options *, struct document *, struct job *);
+void run_project(const struct options *, struct document *, struct job *);
+void run_trace(const struct options *, struct document *, struct job *);
+void run_pick(const struct options *, struct document *, struct job *);
+void run_fit(const struct options *, struct document *, struct job *);
+void run_inspect(const struct options *, struct document *, struct job *);
+void check_project(const struct options *);
+void check_pick(const struct options *);
 
 /* Returns the command called `name` in the table c, which a NULL name ends; or NULL. */
 static inline const struct command *command_find(const struct command *c,

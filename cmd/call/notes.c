@@ -124,12 +124,11 @@ void notes_say_of_spaces(const struct document *d, enum space from, enum space t
 }
 
 void notes_watch(const struct document *d, enum space from, enum space to,
-    const struct transform *image, struct job *j)
+    struct job *j)
 {
 	const struct scene *s = &d->scene;
 
 	j->behind.n = 0;
-	j->behind.image = image;
 	j->behind.watched = !d->written.convention && from <= SPACE_VIEW &&
 	    to >= SPACE_NDC && s->projection.type != PROJECTION_NONE &&
 	    (!s->has_camera || s->camera.way == CAMERA_MATRIX);

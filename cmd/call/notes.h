@@ -18,9 +18,7 @@ void notes_say(const struct document *, unsigned notes);
 /* Says the notes on those members that map from one space to the other. */
 void notes_say_of_spaces(const struct document *, enum space from, enum space to);
 
-/* Makes the job remember points that have no image, if NOTE_BEHIND may be due. `image`
- * tells whether a point has one; NULL: the job's own images do. notes_say_behind, after
- * the points, says the note if it is due. */
-void notes_watch(const struct document *, enum space from, enum space to,
-    const struct transform *image, struct job *);
+/* Makes the job remember points that have no image, if NOTE_BEHIND may be due.
+ * notes_say_behind, after the points, says the note if it is due. */
+void notes_watch(const struct document *, enum space from, enum space to, struct job *);
 void notes_say_behind(const struct document *, enum space from, struct job *);

@@ -11,6 +11,7 @@
 #include "../message/message.h"
 #include "../number/number.h"
 #include "input.h"
+#include "notes.h"
 #include "option_row.h"
 
 #define PARAMS_HINT \
@@ -51,14 +52,16 @@ static void check_is_scene(const struct options *o)
 	char list[7 * NUMBER_MAX], *words[] = { (char *)o->params };
 	const char *scene = o->n_points > 0 ? o->points[0] : "scene.json";
 	const bool array = input_first_char(o->params) == '[';
+	const bool object = input_first_char(scene) == '{';
 
 	if (!array && !join_numbers(o, words, 1, list))
 		return;
-	if (command_reads_points(c) && (o->n_points > 0 || o->ray || o->plane.n > 0))
+	if (command_reads_points(c) &&
+	    (o->n_points == 0 ? o->ray || o->plane.n > 0 :
+				object || access(scene, R_OK) == 0))
 		die_at(EXIT_USAGE, &place,
 		    "points come after PARAMS: projcalc %s%s %s '%.200s'", c->name,
-		    o->ray ? " --ray" : "",
-		    input_first_char(scene) == '{' ? "'{...}'" : scene,
+		    o->ray ? " --ray" : "", object ? "'{...}'" : scene,
 		    array ? o->params : list);
 	die_at(EXIT_USAGE, &place, "PARAMS is an object%s, as in: projcalc %s %s",
 	    command_reads_points(c) ? ", and points come after it" : "", c->name,
@@ -307,9 +310,11 @@ static void run_operand(const struct options *o, struct job *j, int i)
 	}
 }
 
-void operands_run_job(const struct options *o, const struct document *d, struct job *j)
+void operands_run_job(const struct options *o, const struct document *d,
+    enum space from, enum space to, struct job *j)
 {
 	prepare_job(j, o);
+	notes_watch(d, from, to, j);
 	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {
 		const struct place p = json_source_place(&d->source, "/points");
 
@@ -323,4 +328,5 @@ void operands_run_job(const struct options *o, const struct document *d, struct 
 			run_operand(o, j, i);
 	if (j->flush != NULL)
 		j->flush(j);
+	notes_say_behind(d, from, j);
 }

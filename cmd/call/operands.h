@@ -17,5 +17,7 @@ bool operands_have_points(const struct options *, const struct document *);
 
 /* Completes the job by the options, and does it on the points of the operands; without
  * operands, on those of the document or, if it has none, of standard input. The caller
- * has set job.transform, or job.rays and job.ray. --scenes reads operands only once. */
-void operands_run_job(const struct options *, const struct document *, struct job *);
+ * has set job.transform, or job.rays and job.ray. --scenes reads operands only once. A
+ * note is due if points of `from` without image in `to` are behind the camera. */
+void operands_run_job(const struct options *, const struct document *, enum space from,
+    enum space to, struct job *);

@@ -37,12 +37,6 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	(void)format;
 }
 
-void say_note(const struct place *place, const char *format, ...)
-{
-	(void)place;
-	(void)format;
-}
-
 bool note_is_new(unsigned kind)
 {
 	return kind == 0;

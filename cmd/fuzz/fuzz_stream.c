@@ -122,12 +122,6 @@ bool note_is_new(unsigned kind)
 	return kind == 0;
 }
 
-void say_note(const struct place *place, const char *format, ...)
-{
-	(void)place;
-	(void)format;
-}
-
 struct message_state message_state;
 
 void die_at(int status, const struct place *place, const char *format, ...)

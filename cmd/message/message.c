@@ -57,17 +57,16 @@ static void add_escaped(const char *s)
 	    strnlen(s, MESSAGE_MAX), message_state.json, "");
 }
 
-/* Adds the message to `line` as text after its level, "" or "note: "; the place is last
- * if p->before_place is set. */
-static void add_text(int status, const char *level, const struct place *p,
-    struct scene_place scene, const char *message)
+/* Adds the message to `line` as text; the place is last if p->before_place is set. */
+static void add_text(int status, const struct place *p, struct scene_place scene,
+    const char *message)
 {
 	static const char *const colors[] = { "\033[1m", "\033[1;31m" };
 	bool colored = output_is_colored(STDERR_FILENO);
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
 
 	addf("%sprojcalc:%s %s", colored ? colors[status > 0] : "",
-	    colored ? "\033[0m" : "", level);
+	    colored ? "\033[0m" : "", status == SAY_NOTE ? "note: " : "");
 	if (p->before_place != NULL) {
 		add_escaped(message);
 		addf("%s", p->before_place);
@@ -136,8 +135,8 @@ static void add_json(int status, const struct place *p, struct scene_place scene
 		add_member("hint", hint);
 }
 
-static void print_line(int status, const char *level, const struct place *place,
-    const char *format, va_list args)
+static void print_line(int status, const struct place *place, const char *format,
+    va_list args)
 {
 	static const struct place nowhere;
 	const struct place *p = place != NULL ? place : &nowhere;
@@ -150,9 +149,9 @@ static void print_line(int status, const char *level, const struct place *place,
 	if (message_state.json)
 		add_json(status, p, scene, message);
 	else
-		add_text(status, level, p, scene, message);
+		add_text(status, p, scene, message);
 	if (message_state.json)
-		addf(",\"status\":%d}", status);
+		addf(",\"status\":%d}", status > 0 ? status : EXIT_OK);
 	addf("\n");
 	fwrite(line.s, 1, line.n, stderr);
 	funlockfile(stderr);
@@ -163,7 +162,7 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	print_line(status, "", place, format, args);
+	print_line(status, place, format, args);
 	va_end(args);
 }
 
@@ -174,15 +173,6 @@ bool note_is_new(unsigned kind)
 
 	said |= 1u << kind;
 	return is_new;
-}
-
-void say_note(const struct place *place, const char *format, ...)
-{
-	va_list args;
-
-	va_start(args, format);
-	print_line(EXIT_OK, "note: ", place, format, args);
-	va_end(args);
 }
 
 /* Returns in the first thread that calls it, and never in another: if several threads
@@ -198,11 +188,11 @@ static void wait_unless_first(void)
 void vdie_at(int status, const struct place *place, const char *format, va_list args)
 {
 	if (place != NULL && place->of_scene && message_state.on_refusal != NULL) {
-		print_line(EXIT_INPUT, "", place, format, args);
+		print_line(EXIT_INPUT, place, format, args);
 		longjmp(*message_state.on_refusal, 1);
 	}
 	wait_unless_first();
-	print_line(status, "", place, format, args);
+	print_line(status, place, format, args);
 	exit(status);
 }
 

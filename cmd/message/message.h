@@ -7,7 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
+/* SAY_NOTE is no exit status: say_at then prints a note. */
+enum { SAY_NOTE = -1, EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 
 /* The place of a document that --scenes reads. */
 struct scene_place {
@@ -31,17 +32,14 @@ struct place {
 };
 
 /* Prints one line: "projcalc: ", the place, which may be NULL, and the message: what is
- * wrong and, after "; ", a hint. status is the exit status; 0: the level is "note". */
+ * wrong and, after "; ", a hint. status is the exit status; below 1 the level is "note",
+ * which text says before the place if status is SAY_NOTE. */
 void say_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Returns whether to say a note of this kind, from 0 to 31: true at the first call for
  * each kind, unless message_state.quiet is set. */
 bool note_is_new(unsigned kind);
-
-/* Prints a note as say_at does, with "note: " before the place. */
-void say_note(const struct place *, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
 
 /* The choices of --color: whether messages and help are coloured. */
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };

@@ -291,7 +291,7 @@ void document_note(const struct document *d, const char *pointer, const char *te
 	const struct place place = document_place(d, pointer, strlen(pointer),
 	    of_document);
 
-	say_note(&place, "%s", text);
+	say_at(SAY_NOTE, &place, "%s", text);
 }
 
 void document_refuse_if(const struct document *d, const char *reason)

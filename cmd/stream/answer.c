@@ -198,7 +198,7 @@ static void note_comment(struct job *j, struct place p)
 	p.line = (long long)j->layout.seen.comment_line;
 	j->layout.seen.note = false;
 	if (note_is_new(NOTE_COMMENT))
-		say_note(&p,
+		say_at(SAY_NOTE, &p,
 		    "this comment may name the columns, and the first ones are read; "
 		    "leave out its # or say --columns by number, or --no-header");
 }

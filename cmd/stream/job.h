@@ -18,19 +18,14 @@ struct behind {
 };
 
 struct job {
-	struct transform transform;
+	const char *space;    /* the name of the space of images, for --append */
+	const char *from;     /* the name of the space of points, or NULL */
+	bool visible;         /* print only points in the view volume */
+	bool rays;            /* print rays instead of images */
+	bool keep_going;      /* after bad lines */
+	bool count_imageless; /* report points without image at the end */
+	int threads;          /* the most; 0: one for each processor */
 	enum precision precision;
-	struct layout layout;
-	const char *space;      /* the name of the space of images, for --append */
-	const char *from;       /* the name of the space of points, or NULL */
-	struct frustum frustum; /* used if layout.flags or visible is set */
-	struct ray_maker ray;   /* used if rays is set */
-	bool visible;           /* print only points in the view volume */
-	bool rays;              /* print rays instead of images */
-	bool keep_going;        /* after bad lines */
-	struct behind behind;   /* changed only by answer_chunk */
-	bool count_imageless;   /* report points without image at the end */
-	int threads;            /* the most; 0: one for each processor */
 
 	/* Functions of a command that does not print a line for each point, or NULL.
 	 * take_block gets each block before it is transformed, in any thread; it may
@@ -40,6 +35,12 @@ struct job {
 	void (*collect_chunk)(const struct job *, const struct chunk *);
 	void (*flush)(const struct job *);
 	void *data; /* data for these functions */
+
+	struct transform transform;
+	struct layout layout;
+	struct frustum frustum; /* used if layout.flags or visible is set */
+	struct ray_maker ray;   /* used if rays is set */
+	struct behind behind;   /* changed only by answer_chunk */
 };
 
 /* Does the job on the chunk's piece and writes the output to the chunk's out. Stops at

@@ -7,29 +7,29 @@
 
 /* The image of p is (p, 1) times the matrix of map, divided by its w if `divide`. */
 struct transform {
-	struct map map;
-	/* Exact images are (p - origin, 1) times `relative`: rows 0 to 2 of the map and
-	 * its image of `origin`. `origin` is map.origin, or 0 if the image of 0 has the
-	 * smaller error, as it has if the translation, not the eye, is given. */
-	struct sum relative[4][4];
-	double origin[3];
-	/* If `staged`, an exact image is from_view's image of the point in view space.
-	 * `relative` and `origin` are then those of the map to view space. So angles,
-	 * which are in from_view, multiply differences that have no error. */
-	bool staged;
-	struct map from_view;
 	int in, out; /* coordinates of a point and its image: 2, 3 or 4 */
 	bool divide;
 	/* If `front` is set, a point has an image if its w is above 0: it is in front
 	 * of the eye. If not, a point has an image if its w is not 0. */
 	bool front;
 	bool reciprocal; /* points are device positions x y z 1/w */
+	/* If `staged`, an exact image is from_view's image of the point in view space.
+	 * `relative` and `origin` are then those of the map to view space. So angles,
+	 * which are in from_view, multiply differences that have no error. */
+	bool staged;
+	enum kernel_kind kernel;
 	/* In a perspective z of the device may be a distance Z (distance.h). A point
 	 * u v Z of DISTANCE_IN is (u w, v w, unit, w) times the map, with w = Z length.
 	 * An image of DISTANCE_OUT has Z = unit w / (length z), of columns w and z. */
 	enum { DISTANCE_NONE, DISTANCE_IN, DISTANCE_OUT } distance;
+	struct map map;
+	/* Exact images are (p - origin, 1) times `relative`: rows 0 to 2 of the map and
+	 * its image of `origin`. `origin` is map.origin, or 0 if the image of 0 has the
+	 * smaller error, as it has if the translation, not the eye, is given. */
+	struct sum relative[4][4];
+	double origin[3];
+	struct map from_view;
 	struct sum length, unit;
-	enum kernel_kind kernel;
 	struct kernel_map for_kernel;
 };
 
