@@ -11,6 +11,6 @@ if (system('echo "int LLVMFuzzerTestOneInput(void) { return 0; }" | ' .
     'clang -fsanitize=fuzzer,address -x c -o /dev/null - 2>/dev/null') != 0) {
 	plan skip_all => 'no clang with libFuzzer';
 }
-my $said = `make -s fuzz FUZZ_SECONDS=8 2>&1`;
+my $said = `make -s BUILD='$build' fuzz FUZZ_SECONDS=8 2>&1`;
 is($?, 0, 'make fuzz') ? note($said) : diag($said);
 done_testing();

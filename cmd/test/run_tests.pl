@@ -12,7 +12,7 @@ my $harness = TAP::Harness->new({
 	jobs => $jobs,
 	exec => sub {
 		my ($harness, $file) = @_;
-		return $file =~ /\.t$/ ? [$^X, $file] : ["./$file"];
+		return $file =~ /\.t$/ ? [$^X, $file] : [$file];
 	},
 });
 my $sum = $harness->runtests(@ARGV);
