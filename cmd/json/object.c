@@ -171,33 +171,29 @@ static void offer_members(const struct value *v, const struct member *table,
 	    words_join(list, names, " and ", "\""));
 }
 
-/* Returns the row of a member v or, if v is unknown, NULL. Ignores $schema, names that
- * begin with _ and, in the outermost object, members that any document may have: then
- * sets *ignored. */
-static const struct member *find_row(const struct value *v, const struct member *table,
-    int variant, bool *ignored)
+/* Returns whether an unknown member is no error: $schema, a name that begins with _ and,
+ * in the outermost object, a member that any document may have. */
+static bool is_ignored(const struct value *v)
 {
-	const struct member *row = member_named(table, variant, v->name, false);
+	const struct member *row = member_named(v->source->scene_members, 0, v->name,
+	    false);
 
-	*ignored = *v->name == '_' || strcmp(v->name, "$schema") == 0;
-	if (row != NULL || v->parent->parent != NULL)
-		return row;
-	const struct member *of_scene = member_named(v->source->scene_members, 0,
-	    v->name, false);
-
-	*ignored |= of_scene != NULL && of_scene->in_any_document;
-	return NULL;
+	return *v->name == '_' || strcmp(v->name, "$schema") == 0 ||
+	    (row != NULL && row->in_any_document && v->parent->parent == NULL);
 }
 
-/* The unknown members of a document: told so far, and all; 0: they are counted now. */
+/* The unknown members of a document. The message about the last is held back, as the
+ * program ends with it. */
 struct unknown {
-	const struct cJSON *found; /* the one that was found; NULL: it was met */
-	size_t told, all;
+	size_t n;
+	const struct cJSON *found; /* the one that was found first; NULL: it is told */
+	struct place place;
+	char pointer[POINTER_ROOM], remedy[REMEDY_ROOM];
 };
 
 enum { UNKNOWN_TOLD_MAX = 10 };
 
-/* Counts the unknown member v, or tells what it may mean, ten times at most. */
+/* Tells what the unknown member before v may mean, and finds what v may mean. */
 static void tell_unknown(const struct value *v, const struct member *table, int variant,
     struct unknown *u)
 {
@@ -205,12 +201,13 @@ static void tell_unknown(const struct value *v, const struct member *table, int 
 
 	if (u->found == v->item)
 		u->found = NULL;
-	if (u->told++ >= UNKNOWN_TOLD_MAX || u->all == 0)
+	if (u->n > 0 && u->n <= UNKNOWN_TOLD_MAX)
+		say_at(EXIT_INPUT, &u->place, "unknown member; %s", u->remedy);
+	if (++u->n > UNKNOWN_TOLD_MAX)
 		return;
 	offer_members(v, table, variant, &g);
-	if (u->told == u->all)
-		value_refuse(v, "unknown member; %s", g.remedy);
-	value_say(v, "unknown member; %s", g.remedy);
+	strcpy(u->remedy, g.remedy);
+	u->place = value_place(v, u->pointer);
 }
 
 /* Returns the variant of the object v by the table's first row. */
@@ -228,13 +225,12 @@ static int find_variant(const struct value *v, const struct member *table)
 	return ANY_VARIANT;
 }
 
-/* Calls tell_unknown for the unknown members of v, of objects in it, and of those in
- * arrays. The row is that of v, or of the array around it. */
+/* Tells the unknown members of v, of objects in it, and of those in arrays. The row is
+ * that of v, or of the array around it. */
 static void walk_unknown(const struct value *v, const struct member *row,
     struct unknown *u)
 {
 	const bool object = value_is(v, JSON_OBJECT);
-	bool ignored;
 
 	if (row == NULL || row->members == NULL ||
 	    (!object && !value_is(v, JSON_ARRAY)))
@@ -243,12 +239,12 @@ static void walk_unknown(const struct value *v, const struct member *row,
 
 	for (struct value m = value_child(v); m.item != NULL; value_next(&m)) {
 		const struct member *known = object ?
-		    find_row(&m, row->members, variant, &ignored) :
+		    member_named(row->members, variant, m.name, false) :
 		    row;
 
 		if (known != NULL)
 			walk_unknown(&m, known, u);
-		else if (!ignored)
+		else if (!is_ignored(&m))
 			tell_unknown(&m, row->members, variant, u);
 	}
 }
@@ -258,19 +254,17 @@ static void walk_unknown(const struct value *v, const struct member *row,
 static _Noreturn void refuse_unknown(const struct value *v, const struct member *table,
     int variant)
 {
-	struct unknown u = { v->item, 0, 0 };
+	struct unknown u = { .found = v->item };
 	const struct value *root = v;
 
 	while (root->parent != NULL)
 		root = root->parent;
 	walk_unknown(root, root->source->row, &u);
-	const bool apart = u.found != NULL;
-
-	u = (struct unknown){ NULL, 0, u.told + apart };
-	if (apart)
+	if (u.found != NULL)
 		tell_unknown(v, table, variant, &u);
-	walk_unknown(root, root->source->row, &u);
-	value_refuse(root, "%zu unknown members", u.all);
+	if (u.n > UNKNOWN_TOLD_MAX)
+		value_refuse(root, "%zu unknown members", u.n);
+	die_at(EXIT_INPUT, &u.place, "unknown member; %s", u.remedy);
 }
 
 /* Reads the default of a row to a field; keeps it for the next object. */
@@ -457,15 +451,13 @@ struct found object_read(const struct value *v, const struct member *row, int va
 	struct value m = value_child(v), first;
 
 	for (; m.item != NULL; value_next(&m)) {
-		bool ignored;
-		const struct member *known = find_row(&m, table, variant, &ignored);
+		const struct member *known = member_named(table, variant, m.name,
+		    false);
 
-		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
-			continue;
-		if (known == NULL && !ignored)
+		if (known == NULL && !is_ignored(&m))
 			refuse_unknown(&m, table, variant);
 		value_member(v, m.name, &first);
-		if (first.item != m.item)
+		if (first.item != m.item && *m.name != '_')
 			value_refuse(&m, "repeated; give it once");
 		if (known == NULL)
 			continue;

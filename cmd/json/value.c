@@ -10,7 +10,6 @@
 
 #include "../../core/scene/scene.h"
 #include "../number/number.h"
-#include "check.h"
 #include "text.h"
 
 const struct value_range range_any = { -SCENE_MAGNITUDE_MAX, SCENE_MAGNITUDE_MAX,
@@ -191,10 +190,6 @@ size_t value_count(const struct value *v)
 	return value_is(v, JSON_ARRAY) ? (size_t)cJSON_GetArraySize(v->item) : 0;
 }
 
-/* A pointer has a token for each level of brackets. A token with its / has at most
- * TOKEN_MAX bytes: a longer name is cut. */
-enum { TOKEN_MAX = 64 };
-
 /* Returns the end. In a name, ~ becomes ~0 and / becomes ~1 (RFC 6901). */
 static char *write_pointer(const struct value *v, char *out)
 {
@@ -216,10 +211,7 @@ static char *write_pointer(const struct value *v, char *out)
 	return out;
 }
 
-enum { POINTER_ROOM = JSON_LEVELS_MAX * TOKEN_MAX + 1 };
-
-/* Returns the place of v, whose pointer it writes. */
-static struct place value_place(const struct value *v, char pointer[POINTER_ROOM])
+struct place value_place(const struct value *v, char pointer[POINTER_ROOM])
 {
 	*write_pointer(v, pointer) = '\0';
 	return json_source_place(v->source, pointer);
@@ -234,18 +226,6 @@ void value_refuse(const struct value *v, const char *format, ...)
 	va_start(args, format);
 	vdie_at(EXIT_INPUT, &place, format, args);
 	va_end(args);
-}
-
-void value_say(const struct value *v, const char *format, ...)
-{
-	char pointer[POINTER_ROOM], text[REMEDY_ROOM + 64];
-	const struct place place = value_place(v, pointer);
-	va_list args;
-
-	va_start(args, format);
-	vsnprintf(text, sizeof text, format, args);
-	va_end(args);
-	say_at(EXIT_INPUT, &place, "%s", text);
 }
 
 void value_refuse_type(const struct value *v, const char *wanted)

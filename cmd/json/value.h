@@ -9,6 +9,7 @@
 #include "../message/message.h"
 #include "../message/utf8.h"
 #include "../message/words.h"
+#include "check.h"
 
 /* What a document is read for, which decides the members that it may lack: fit finds
  * some of them, and --plane needs neither near nor far. */
@@ -111,13 +112,15 @@ size_t value_count(const struct value *); /* elements of an array; else 0 */
  * of the object or array that lacks it. */
 struct place json_source_place(const struct json_source *, const char *pointer);
 
+/* Writes the pointer to a value, and returns the value's place. The pointer has a token
+ * for each level of brackets. A token with its / has at most TOKEN_MAX bytes: a longer
+ * name is cut. */
+enum { TOKEN_MAX = 64, POINTER_ROOM = JSON_LEVELS_MAX * TOKEN_MAX + 1 };
+struct place value_place(const struct value *, char pointer[POINTER_ROOM]);
+
 /* Prints "projcalc: NAME: /pointer: ..." and exits with 1 or, by --keep-going, goes on
  * with the next document of --scenes. */
 _Noreturn void value_refuse(const struct value *, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-/* Prints what value_refuse prints, and returns: the value is not the last to refuse. */
-void value_say(const struct value *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Refuses a value of the wrong type: "is a string; a number is wanted". */

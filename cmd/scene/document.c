@@ -258,8 +258,6 @@ char *document_read_points(const char *name, char *text, size_t size, int coordi
 	return (char *)points.s;
 }
 
-enum { POINTER_ROOM = 1024 };
-
 /* Returns the place to which the first n bytes of s, a JSON pointer, lead, and writes
  * the pointer. If the document is a camera, "/camera/up" becomes "/up". */
 static struct place document_place(const struct document *d, const char *s, size_t n,

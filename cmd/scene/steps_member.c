@@ -161,24 +161,14 @@ static void read_inverse(const struct value *v, const struct member *row, void *
 	*(int *)out = reading->n - n;
 }
 
-/* Returns whether an array is a list of steps: it is empty, or an element is an object
- * or, where a list is wrongly in a list, an array of something else than numbers. */
+/* Returns whether an array is a list of steps: it is empty, or begins with an object or,
+ * where a list is wrongly in a list, with an array that does. */
 static bool is_list(const struct value *v)
 {
-	struct value e = value_child(v), inner;
+	const struct value first = value_child(v);
 
-	if (e.item == NULL)
-		return true;
-	for (; e.item != NULL; value_next(&e)) {
-		if (value_is(&e, JSON_OBJECT))
-			return true;
-		if (value_is(&e, JSON_ARRAY)) {
-			inner = value_child(&e);
-			if (value_is(&inner, JSON_OBJECT))
-				return true;
-		}
-	}
-	return false;
+	return first.item == NULL || value_is(&first, JSON_OBJECT) ||
+	    (value_count(&first) > 0 && is_list(&first));
 }
 
 /* Refuses an object that is a step: only the list of it is a value. */
