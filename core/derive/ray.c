@@ -8,6 +8,21 @@
 #include "../points/point.h"
 #include "../points/points.h"
 
+/* Divides a map by a power of two so that the largest element is about 1: the kernel
+ * squares vectors, whose lengths do not matter. */
+static void scale_to_one(struct map *r)
+{
+	int most = -EX_RANGE;
+
+	for (int i = 0; i < 16; i++) {
+		const int e = ex_exponent(&r->m[i / 4][i % 4].value);
+
+		most = e > most ? e : most;
+	}
+	sum_set(&r->divisor, 1);
+	map_divide(r, sum_of_power(most));
+}
+
 /* Makes the map from device x and y to a vector along the ray. Its points are P / P_w,
  * where P is the sum of q_i m_i, with q = (x, y, z, 1) and the rows m_i of the map to
  * view space. As z grows, they move along
@@ -33,6 +48,8 @@ static const char *set_direction_map(const struct scene *s, bool depth_falls,
 	for (int i = 0; i < 12 && why == NULL; i++)
 		if (i / 3 != 2)
 			sum_dot(3, d[i / 3], &m.m[0][i % 3], 4, &r->m[i / 3][i % 3]);
+	if (why == NULL)
+		scale_to_one(r);
 	return why;
 }
 
@@ -63,7 +80,6 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 		why = set_direction_map(s, depth_falls, &r->direction.map);
 	if (why != NULL)
 		return why;
-	sum_set(&r->direction.map.divisor, 1);
 	map_set_origin(&r->direction.map,
 	    (double[3]){ r->to_world.map.origin[0], r->to_world.map.origin[1] });
 	if (projection_is_open(&s->projection))
