@@ -65,9 +65,49 @@ static void shorten_numbers(char *s, const char *end)
 	}
 }
 
+/* The memory of cJSON's trees, which the next document takes back. */
+static struct block {
+	struct block *next;
+	size_t n, room;
+	_Alignas(max_align_t) char bytes[];
+} * blocks;
+
+static void *block_take(size_t size)
+{
+	const size_t align = _Alignof(max_align_t), least = 1 << 14,
+		     n = (size + align - 1) / align * align;
+
+	if (blocks == NULL || blocks->room - blocks->n < n) {
+		const size_t room = n > least ? n : least;
+		struct block *b = xrealloc(NULL, sizeof *b + room);
+
+		*b = (struct block){ .next = blocks, .room = room };
+		blocks = b;
+	}
+	blocks->n += n;
+	return blocks->bytes + blocks->n - n;
+}
+
+static void block_keep(void *p)
+{
+	(void)p;
+}
+
+static void take_back(void)
+{
+	cJSON_InitHooks(&(cJSON_Hooks){ block_take, block_keep });
+	for (struct block *b; blocks != NULL && blocks->next != NULL; blocks = b) {
+		b = blocks->next;
+		free(blocks);
+	}
+	if (blocks != NULL)
+		blocks->n = 0;
+}
+
 /* Returns the tree of a checked text, which changes, or if array.s is not NULL of a copy
  * without the elements of the array: cJSON would need 64 bytes for each number. */
-static cJSON *parse_without(const struct json_check *c, char *text, struct span array)
+static const cJSON *parse_without(const struct json_check *c, char *text,
+    struct span array)
 {
 	char *copy = NULL, *s = text;
 	size_t n = (size_t)(c->end - text);
@@ -82,20 +122,16 @@ static cJSON *parse_without(const struct json_check *c, char *text, struct span 
 	}
 	if (c->has_long_number)
 		shorten_numbers(s, s + n);
-	cJSON *parsed = cJSON_ParseWithLength(s, n);
+	/* cJSON takes every text that json_check accepts */
+	const cJSON *parsed = cJSON_ParseWithLength(s, n);
 
 	free(copy);
-	/* cJSON takes every text that json_check accepts, unless memory runs out */
-	if (parsed == NULL)
-		die(EXIT_SYSTEM, "out of memory");
 	return parsed;
 }
 
 struct value value_parse_document(struct json_source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
-	/* static: the next call frees them, even after a refusal by longjmp */
-	static cJSON *parsed[2];
 	static char *texts[2];
 	char **kept = &texts[source->is_operand];
 	struct json_check c = { .text = text,
@@ -114,13 +150,11 @@ struct value value_parse_document(struct json_source *source, const char *pointe
 
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
-	cJSON **root = &parsed[source->is_operand];
-
-	cJSON_Delete(*root);
-	*root = NULL;
+	if (!source->is_operand)
+		take_back();
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL, c.found.end };
-	*root = parse_without(&c, text, *array);
-	return (struct value){ .source = source, .item = *root };
+	return (
+	    struct value){ .source = source, .item = parse_without(&c, text, *array) };
 }
 
 const char *value_peek(struct value *v, const char *s, const char *end)
@@ -140,13 +174,8 @@ const char *value_peek(struct value *v, const char *s, const char *end)
 struct value value_literal(const char *text)
 {
 	static const struct json_source source;
-	static cJSON *item;
 
-	cJSON_Delete(item);
-	item = cJSON_Parse(text);
-	if (item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	return (struct value){ .source = &source, .item = item };
+	return (struct value){ .source = &source, .item = cJSON_Parse(text) };
 }
 
 struct value value_child(const struct value *v)

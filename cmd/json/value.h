@@ -71,7 +71,7 @@ struct value_range {
 extern const struct value_range range_any, range_positive;
 
 /* Parses a document and returns its value; refuses text that is not JSON. The values
- * are valid until the next call with the same is_operand. If the pointer leads to an
+ * are valid until the next document that is no operand. If the pointer leads to an
  * array, its elements are not parsed, and *array becomes its text; otherwise array->s
  * becomes NULL. A byte order mark in text becomes blanks. */
 struct value value_parse_document(struct json_source *, const char *pointer, char *text,
@@ -82,7 +82,7 @@ struct value value_parse_document(struct json_source *, const char *pointer, cha
  * text. Returns the end of the value, but a wrong end for an array or object. */
 const char *value_peek(struct value *v, const char *s, const char *end);
 
-/* Returns the value of a JSON text, such as a default, until the next call. */
+/* Returns the value of a JSON text, such as a default, until a document is parsed. */
 struct value value_literal(const char *text);
 
 /* Returns the first element or member of a value, with item NULL if there is none. */

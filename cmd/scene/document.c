@@ -96,9 +96,15 @@ static unsigned find_members(struct document *d, struct json_source *source,
 
 	if (!value_is(root, JSON_OBJECT))
 		value_refuse_type(root, "an object, {...},");
-	for (int i = 0; i < SCENE_MEMBERS; i++)
-		if (value_member(root, scene_members[i].name, &m[i]))
-			seen |= 1u << i;
+	for (struct value e = value_child(root); e.item != NULL; value_next(&e)) {
+		const struct member *row = member_named(scene_members, 0, e.name,
+		    false);
+
+		if (row != NULL && m[row - scene_members].item == NULL) {
+			m[row - scene_members] = e;
+			seen |= 1u << (row - scene_members);
+		}
+	}
 	source->seen = seen;
 	source->used = document_used_members(w);
 	if (w->lone_member == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
@@ -207,7 +213,7 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 	source.row = &scene_row;
 	struct value root = value_parse_document(&source, "/points", text, size,
 	    &points);
-	struct value m[SCENE_MEMBERS];
+	struct value m[SCENE_MEMBERS] = { { .item = NULL } };
 	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
 	*d = (struct document){ .source = source };
