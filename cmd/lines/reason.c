@@ -551,6 +551,8 @@ void reason_text_header(const struct layout *l, struct span line,
 {
 	struct cursor c = line_cursor(l->in, line);
 	char remedy[REASON_MAX] = "";
+	uint32_t numbers = 0;
+	struct names names;
 	struct field f;
 	double v;
 
@@ -560,7 +562,12 @@ void reason_text_header(const struct layout *l, struct span line,
 	    say_remedy(l, f.value, remedy))
 		return;
 	strcpy(reason, "looks like a header");
-	say_more(reason,
-	    "%s leave it out by sed %zud, with --columns if x is not first",
+	say_more(reason, "%s leave it out by sed %zud",
 	    say_mend(l, line, frequent, reason) ? ", or" : ";", l->seen.first_line);
+	copy_names(line_cursor(l->in, line), &names);
+	say_more(reason, "%s",
+	    isalpha((unsigned char)*names.name[0]) &&
+		    say_guess(&names, l->reads, &numbers, remedy) ?
+		remedy :
+		", with --columns if x is not first");
 }

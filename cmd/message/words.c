@@ -77,6 +77,8 @@ static const struct {
 	{ CALL, "world view ndc device", "--to *" },
 	{ VALUE, "float", "--precision single" },
 
+	{ WORD_COMMAND, "depth",
+	    ": project --to view prints z of points, and inspect the steps of depth" },
 	{ WORD_OPTION, "depth", "--to view, or \"viewport\": {\"depth\": \"distance\"}" },
 	{ REMARK, "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ REMARK, "clip", ": project --visible leaves out points that are outside; project "
@@ -143,6 +145,8 @@ static const struct {
 
 	{ WORD_JSON, "nan none undefined",
 	    ": write a number, or leave the member out; only points may have null" },
+	{ WORD_JSON, "imagewidth imageheight cameramatrix header",
+	    ": is it ROS's? 'A CameraInfo of ROS' in 'man projcalc-scene' reads YAML" },
 	{ WORD_JSON, "P0 P1 P2 P3 Tr calibtime",
 	    ": is it KITTI's? 'The lidar of KITTI' in 'man projcalc-scene' reads calib.txt" },
 	{ WORD_JSON, "infinity inf",

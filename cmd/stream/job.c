@@ -180,6 +180,14 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 {
 	static const char utf16[] =
 	    "is UTF-16; iconv -f UTF-16 -t UTF-8 makes it UTF-8";
+	static const char pcd[] =
+	    "is PCD; sed 1,/^DATA/d keeps its points, if DATA is ascii";
+	static const char picture[] =
+	    "is a picture; lines of x, y and depth are wanted, as for 'A depth "
+	    "picture of RealSense' in 'man projcalc-scene'";
+	static const char colmap[] =
+	    "is a table of images or cameras, no points; 'A model of COLMAP' in "
+	    "'man projcalc-scene' reads it";
 	static const char *const others[][2] = {
 		{ "\xff\xfe", utf16 },
 		{ "\xfe\xff", utf16 }, /* high bytes come first */
@@ -189,6 +197,13 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "ply\n", "is PLY; sed 1,/end_header/d | head -n N keeps N points" },
 		{ "<?xm", "is XML; make a line of numbers of each point" },
 		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
+		{ "solid ", "is STL; grep vertex keeps corners, for --columns 2,3,4" },
+		{ "# .PCD", pcd },
+		{ "VERSION ", pcd },
+		{ "\x89PNG", picture },
+		{ "\xff\xd8\xff", picture },
+		{ "# Image list with", colmap },
+		{ "# Camera list with", colmap },
 	};
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = c->piece.size; /* also after the last whole line */

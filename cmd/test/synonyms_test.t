@@ -98,6 +98,7 @@ for my $row (grep { $_->[2] =~ /^: / } @rows) {
 	for my $word (split / /, $words) {
 		my ($status, $said) = try($places eq 'VALUE' ? "lookat -c '$word'" :
 		    $places eq 'WORD_JSON' ? "lookat '{\"eye\":[$word,0,0]}'" :
+		    $places eq 'WORD_COMMAND' ? $word :
 		    $places eq 'CALL' ? "lookat '--$word'" : "lookat '{\"$word\":1}'");
 		ok($status > 0 && index($said, substr($hint, 2)) >= 0, "$places $word") or
 		    diag($said);
