@@ -31,7 +31,7 @@ const char *distance_of(const struct scene *s, struct distance *d)
 }
 
 /* Makes the map l from view space to x, y and w of the device. Its third column is the
- * distance if the projection is parallel, else 1. */
+ * distance times w, which is constant, if the projection is parallel, else 1. */
 static const char *device_columns(const struct scene *s, struct distance *d,
     struct map *l)
 {
@@ -42,7 +42,7 @@ static const char *device_columns(const struct scene *s, struct distance *d,
 	if (why != NULL)
 		return why;
 	for (int i = 0; i < 4; i++)
-		l->m[i][2] = d->parallel ? sum_mul(l->divisor, d->column[i]) :
+		l->m[i][2] = d->parallel ? sum_mul(l->m[3][3], d->column[i]) :
 					   sum_of_double(0);
 	if (d->parallel) {
 		l->m[4][2] = l->m[3][2];

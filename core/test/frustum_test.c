@@ -25,66 +25,6 @@ static void onto_planes(const struct scene *s, enum space from, struct block *b)
 			b->in[j][i] = image.out[j][i];
 }
 
-static struct sized sized_limit(real limit)
-{
-	return (struct sized){ limit, magnitude(limit) };
-}
-
-/* Returns whether depth is reversed. The near plane of a matrix, as the manual says,
- * has the smaller positive w or, if w is constant, comes first along the gaze or, if
- * the matrix contains a camera, has the smaller depth. Depth is linear in 1/w. */
-static bool is_reversed(const struct scene *s)
-{
-	struct truth back = { 0 };
-	const double near[4] = { 0, 0, truth_answer(s)->depth_minus_one ? -1 : 0, 1 };
-	const double far[4] = { 0, 0, 1, 1 };
-
-	if (s->projection.type != PROJECTION_MATRIX)
-		return s->projection.reverse_z;
-	truth_scene(s, SPACE_CLIP, SPACE_VIEW, &back);
-	struct sized w = sized_sub(truth_column(&back, 3, near),
-	    truth_column(&back, 3, far));
-
-	if (truth_sign(w, NULL) != 0)
-		return truth_sign(w, NULL) < 0;
-	/* w is constant, of either sign */
-	struct sized z = sized_sub(truth_column(&back, 2, far),
-	    truth_column(&back, 2, near));
-	const double(*m)[4] = s->projection.matrix;
-
-	/* such a matrix contains a camera: its depth is not reversed */
-	if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0)
-		return false;
-	int along = truth_sign(sized_mul(z, truth_column(&back, 3, near)), NULL);
-
-	return along == -truth_gaze_sign(truth_answer(s));
-}
-
-/* Sets plane to the functions of the planes left, right, bottom, top, near and far at
- * the point q of clip space. They are not negative inside. */
-static void planes_of(const struct scene *s, const struct sized q[4],
-    struct sized plane[6])
-{
-	bool reversed = is_reversed(s);
-	real limits[2];
-
-	truth_limits(s, limits);
-	for (int k = 0; k < 6; k++) {
-		bool high = k & 1;
-		struct sized limit = k < 4 ? sized_limit(limits[k / 2]) : sized_of(1);
-
-		if ((k == 2 || k == 3) && truth_answer(s)->ndc_y_down)
-			high = !high;
-		if (k >= 4 && reversed)
-			high = !high;
-		if (k >= 4 && !high && !truth_answer(s)->depth_minus_one)
-			limit = sized_of(0);
-		limit = sized_mul(limit, q[3]);
-		plane[k] = high ? sized_sub(limit, q[k / 2]) :
-				  sized_add(limit, q[k / 2]);
-	}
-}
-
 struct count {
 	size_t planes, on, doubtful;
 };
@@ -107,7 +47,7 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	assert_int_equal(out == OUT_BEHIND, w <= 0);
 	if (w <= 0)
 		return;
-	planes_of(s, q, plane);
+	truth_planes(s, q, plane);
 	if (projection_is_open(&s->projection))
 		assert_false(out & (OUT_NEAR | OUT_FAR));
 	for (int k = 0; k < (projection_is_open(&s->projection) ? 4 : 6); k++) {

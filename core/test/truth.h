@@ -50,6 +50,11 @@ void truth_matrix(const struct scene *, enum space from, enum space to, real m[4
  * scene. */
 void truth_limits(const struct scene *, real limit[2]);
 
+/* Sets column to the distance that inspect prints as near and far, a function on view
+ * space: from the eye along the gradient of w or, if w is constant, from the origin
+ * along the gaze or, of a matrix, from near to far. Returns whether w is constant. */
+bool truth_distance(const struct scene *, real column[4]);
+
 /* A value that is a sum. Its size is the sum of the magnitudes of its terms. */
 struct sized {
 	real value, size;
@@ -71,6 +76,10 @@ struct sized truth_w_gradient(const struct projection *);
 /* Returns the product of the row vector p and column j of the matrix. */
 struct sized truth_column(const struct truth *, int j, const double p[4]);
 struct sized truth_element(const struct truth *, int i, int j);
+
+/* Sets plane to the functions of the planes left, right, bottom, top, near and far at
+ * the point q of clip space. They are not negative inside. */
+void truth_planes(const struct scene *, const struct sized q[4], struct sized plane[6]);
 
 /* Returns the sign of the value, or 0 if only rounding errors are left of it. Sets
  * *doubtful, unless it is NULL, to whether the value is within TRUTH_TOLERANCE times

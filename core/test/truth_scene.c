@@ -489,3 +489,84 @@ void truth_flat(const struct scene *s, enum flat_space from, enum flat_space to,
 		invert_stages(t);
 	truth_compose(t);
 }
+
+static struct sized sized_limit(real limit)
+{
+	return (struct sized){ limit, magnitude(limit) };
+}
+
+/* Returns whether depth is reversed. The near plane of a matrix, as the manual says,
+ * has the smaller positive w or, if w is constant, comes first along the gaze or, if
+ * the matrix contains a camera, has the smaller depth. Depth is linear in 1/w. */
+static bool is_reversed(const struct scene *s)
+{
+	struct truth back = { 0 };
+	const double near[4] = { 0, 0, truth_answer(s)->depth_minus_one ? -1 : 0, 1 };
+	const double far[4] = { 0, 0, 1, 1 };
+
+	if (s->projection.type != PROJECTION_MATRIX)
+		return s->projection.reverse_z;
+	truth_scene(s, SPACE_CLIP, SPACE_VIEW, &back);
+	struct sized w = sized_sub(truth_column(&back, 3, near),
+	    truth_column(&back, 3, far));
+
+	if (truth_sign(w, NULL) != 0)
+		return truth_sign(w, NULL) < 0;
+	/* w is constant, of either sign */
+	struct sized z = sized_sub(truth_column(&back, 2, far),
+	    truth_column(&back, 2, near));
+	const double(*m)[4] = s->projection.matrix;
+
+	/* such a matrix contains a camera: its depth is not reversed */
+	if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0)
+		return false;
+	int along = truth_sign(sized_mul(z, truth_column(&back, 3, near)), NULL);
+
+	return along == -truth_gaze_sign(truth_answer(s));
+}
+
+void truth_planes(const struct scene *s, const struct sized q[4], struct sized plane[6])
+{
+	bool reversed = is_reversed(s);
+	real limits[2];
+
+	truth_limits(s, limits);
+	for (int k = 0; k < 6; k++) {
+		bool high = k & 1;
+		struct sized limit = k < 4 ? sized_limit(limits[k / 2]) : sized_of(1);
+
+		if ((k == 2 || k == 3) && truth_answer(s)->ndc_y_down)
+			high = !high;
+		if (k >= 4 && reversed)
+			high = !high;
+		if (k >= 4 && !high && !truth_answer(s)->depth_minus_one)
+			limit = sized_of(0);
+		limit = sized_mul(limit, q[3]);
+		plane[k] = high ? sized_sub(limit, q[k / 2]) :
+				  sized_add(limit, q[k / 2]);
+	}
+}
+
+bool truth_distance(const struct scene *s, real column[4])
+{
+	const bool matrix = s->projection.type == PROJECTION_MATRIX;
+	struct truth t;
+	bool parallel = true;
+
+	truth_scene(s, SPACE_VIEW, SPACE_CLIP, &t);
+	for (int i = 0; i < 3; i++)
+		parallel &= truth_sign(truth_element(&t, i, 3), NULL) == 0;
+	const bool falls = is_reversed(s) != (mpfr_sgn(t.product.m[3][3]) < 0);
+
+	set_reals(column, 4, NULL);
+	column[2] = real_of(truth_gaze_sign(truth_answer(s)));
+	for (int i = 0; i < 3 && parallel && matrix; i++)
+		column[i] = mul(real_of(falls ? -1 : 1), t.product.m[i][2]);
+	for (int i = 0; i < 4 && !parallel; i++)
+		column[i] = t.product.m[i][3];
+	real length = root(dot(column, column, 3));
+
+	for (int i = 0; i < 4; i++)
+		column[i] = divide(column[i], length);
+	return parallel;
+}
