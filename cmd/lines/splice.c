@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* convert_point writes points in another format without --append, convert_line other
- * lines, and LINE_LOST. append_values copies a line; splice_values goes field by field.
+ * lines, and LINE_LOST. splice_values copies a line field by field.
  * Value k of a point is its number k or, for FLAGS, the word of --flags. */
 #include <math.h>
 #include <string.h>
@@ -104,12 +104,17 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
+static int coordinate_at(const struct splice *w, const struct field *f)
+{
+	return coordinate_in(w, f->whole.s, f->value.s);
+}
+
 /* Returns the value that replaces the field f, or -1: a coordinate its own, without
  * --append; an added value a member of its name, if f is not inside a value (outer). */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
 	const bool keeps = w->l->output.append;
-	int i = keeps ? -1 : coordinate_in(w, f->whole.s, f->value.s);
+	int i = keeps ? -1 : coordinate_at(w, f);
 
 	if (i >= 0 || f->name.s == NULL || !outer)
 		return i;
@@ -181,10 +186,9 @@ static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 
 			splice_fields(w, &inside, false);
 		}
-		if (!outer || k < 0 || k >= w->l->reads)
-			continue;
-		w->separator = separator_at(w->l, &f);
-		if (k == w->last) {
+		if (outer && coordinate_at(w, &f) >= 0)
+			w->separator = separator_at(w->l, &f);
+		if (outer && k >= 0 && k == w->last) {
 			copy_to(w, trimmed(c->in, f.whole).end);
 			put_values(w, w->l->reads, false);
 		}
@@ -206,40 +210,25 @@ static struct cursor cursor_of(const struct layout *l, const struct line *line)
 	return c;
 }
 
+/* By --append all values follow the fields. */
 static void splice_values(struct splice *w)
 {
 	const struct layout *l = w->l;
 	struct cursor c = cursor_of(l, w->line);
+	const char *end;
 
 	w->last = (l->reads < l->writes ? l->reads : l->writes) - 1;
 	for (int i = 0; i < l->reads; i++)
-		if (part_is_missing(w->line->at[i]) || c.members)
+		if (part_is_missing(w->line->at[i]) || c.members || l->output.append)
 			w->last = -1;
 	splice_fields(w, &c, true);
-	copy_to(w, c.previous_end != NULL ? c.previous_end : c.bracket);
+	end = c.previous_end != NULL ? c.previous_end : c.bracket;
+	if (l->output.append && c.bracket == NULL) /* blanks can end a field of csv */
+		end = format_of(l->in)->header ?
+		    c.end - (c.end > w->line->s && c.end[-1] == '\r') :
+		    trimmed(l->in, line_text(w->line)).end;
+	copy_to(w, end);
 	put_values(w, 0, c.members);
-}
-
-/* Copies the line, and adds all values at its end, in JSON before the last bracket. */
-static void append_values(struct splice *w)
-{
-	const struct format_row *in = format_of(w->l->in);
-	struct span s = line_text(w->line);
-	struct cursor c = cursor_of(w->l, w->line);
-	struct field f;
-
-	if (in->header) /* blanks at the end of csv belong to a field */
-		s.end -= s.end > s.s && s.end[-1] == '\r';
-	else
-		s = trimmed(c.in, s);
-	if (*in->close != '\0')
-		s = trimmed(c.in, (struct span){ s.s, s.end - 1 });
-	w->fields = *in->close == '\0' || s.end - s.s > 1;
-	while (in->blanks && cursor_next(&c, &f))
-		if (coordinate_in(w, f.whole.s, f.value.s) >= 0)
-			w->separator = separator_at(w->l, &f);
-	copy_to(w, s.end);
-	put_values(w, 0, w->line->object);
 }
 
 static void cursor_after(struct cursor *c, const char *s)
@@ -374,8 +363,6 @@ char *splice_line(const struct layout *l, const struct line *line,
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
-	/* in a bad object, splice_values replaces members with names of values */
-	bool appends = l->output.append && !(line->object && line_is_bad(line));
 
 	if (line->kind == LINE_POINT && !same && !l->output.append)
 		return convert_point(l, line, *numbers, l->output.flags ? flags : NULL,
@@ -398,7 +385,7 @@ char *splice_line(const struct layout *l, const struct line *line,
 		convert_line(&w);
 	} else {
 		if (line->kind != LINE_COPY)
-			(appends ? append_values : splice_values)(&w);
+			splice_values(&w);
 		copy_to(&w, line->s + line->size);
 	}
 	*w.out = '\n';
