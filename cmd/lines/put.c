@@ -1,17 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "put.h"
 
-#include <math.h>
 #include <string.h>
-
-char *put_rare_number(const struct layout *l, int k, double v, char *out)
-{
-	if (isnan(v))
-		return stpcpy(out, format_of(l->out)->nan_text);
-	return l->output.single ?
-	    number_write_float(out, (float)v, l->output.style[k]) :
-	    number_write(out, v, l->output.style[k]);
-}
 
 const struct flags *flags_word(struct flag_words *words, unsigned outside)
 {

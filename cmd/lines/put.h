@@ -2,6 +2,8 @@
 /* Puts the values of a point into a line: its numbers, and the word of --flags. */
 #pragma once
 
+#include <math.h>
+
 #include "../number/vector/loops.h"
 #include "layout.h"
 
@@ -26,9 +28,6 @@ struct flag_words {
 
 const struct flags *flags_word(struct flag_words *, unsigned outside);
 
-/* Writes v, for which number_texts made no text; nan as nan_text. Returns the end. */
-char *put_rare_number(const struct layout *, int k, double v, char *out);
-
 static inline char *put_flags_word(const struct layout *l, const struct flags *w,
     char *out)
 {
@@ -47,8 +46,8 @@ static inline char *put_coordinate(const struct layout *l, struct image_numbers 
 	const struct number_text *text = &n.text[(size_t)k * n.text_stride];
 	double v = n.v[(size_t)k * n.stride];
 
-	if (__builtin_expect(text->layout == 0, 0))
-		return put_rare_number(l, k, v, out);
+	if (__builtin_expect(text->layout == 0, 0) && isnan(v))
+		return stpcpy(out, format_of(l->out)->nan_text);
 	return number_text_put(out, text, v, l->output.single, l->output.style[k]);
 }
 
