@@ -7,8 +7,8 @@
 
 #define LOOPS number_loops_avx2
 
-#define I __m256i
-#define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
+typedef uint64_t lanes __attribute__((vector_size(8 * WIDTH)));
+typedef uint16_t quarters __attribute__((vector_size(8 * WIDTH)));
 
 #define IN_SET(set, s) ((uint64_t)in_set(set, (s) + 32) << 32 | in_set(set, s))
 #define MATCH(x, c)                      \
@@ -34,7 +34,7 @@ static inline uint32_t in_set(const struct byte_set *set, const char *s)
 }
 
 /* Joins digits to numbers of two, then four, then eight digits, by multiply-adds. */
-static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
+static inline void join_digits(const uint8_t *rows, int half, lanes *high, lanes *low)
 {
 	__m256i x[2], y;
 
@@ -48,22 +48,20 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 	y = _mm256_madd_epi16(_mm256_packus_epi32(x[0], x[1]),
 	    _mm256_set1_epi32(0x00012710));
 	y = _mm256_permute4x64_epi64(y, _MM_SHUFFLE(3, 1, 2, 0));
-	*high = y & ALL_BITS(0xffffffff);
-	*low = _mm256_srli_epi64(y, 32);
+	*high = (lanes)y & 0xffffffff;
+	*low = (lanes)y >> 32;
 }
 
 #define STORE_INTS(p, a) _mm_storeu_si128((__m128i *)(p), _mm256_cvtpd_epi32(a))
 #define FLOOR(a) _mm256_floor_pd(a)
 #define NEAREST(a) _mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
 #define REGISTER "x"
-#define SHR(a, n) _mm256_srli_epi64(a, n)
-#define SHR16(a, n) _mm256_srli_epi16(a, n)
-#define MUL32(a, b) _mm256_mul_epu32(a, b)
-#define SUB(a, b) _mm256_sub_epi64(a, b)
-#define MUL16(a, b) _mm256_mullo_epi16(a, b)
-#define HIGH16(a, b) _mm256_mulhi_epu16(a, b)
-#define BYTES_LOW(a) _mm256_unpacklo_epi8(_mm256_setzero_si256(), a)
-#define BYTES_HIGH(a) _mm256_unpackhi_epi8(_mm256_setzero_si256(), a)
+#define MUL32(a, n) ((lanes)_mm256_mul_epu32((__m256i)(a), _mm256_set1_epi64x(n)))
+#define HIGH16(a, n) ((quarters)_mm256_mulhi_epu16((__m256i)(a), _mm256_set1_epi16(n)))
+#define BYTES_LOW(a) \
+	((quarters)_mm256_unpacklo_epi8(_mm256_setzero_si256(), (__m256i)(a)))
+#define BYTES_HIGH(a) \
+	((quarters)_mm256_unpackhi_epi8(_mm256_setzero_si256(), (__m256i)(a)))
 
 /* Looks 10^scale up as hi + lo. Four loads take less time than two gathers. */
 static inline void power_of_ten(V scale, V *hi, V *lo)
@@ -81,9 +79,11 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 }
 
 #define TEXT_AT(i) ((__m128i *)(to + (i)*step))
-static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a, I b)
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, quarters even,
+    quarters odd)
 {
-	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
+	__m256i a = (__m256i)even, b = (__m256i)odd;
+	const __m256i zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
 	/* a has the digits of numbers 0 and 2, b the digits of 1 and 3 */
 	int in_a = _mm256_movemask_epi8(_mm256_cmpgt_epi8(a, zero));
 	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));

@@ -8,8 +8,8 @@
 
 #define LOOPS number_loops_avx512
 
-#define I __m512i
-#define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
+typedef uint64_t lanes __attribute__((vector_size(8 * WIDTH)));
+typedef uint16_t quarters __attribute__((vector_size(8 * WIDTH)));
 
 /* Two numbers stand side by side in a row, so that one mask has 64 bits for both. */
 enum { ROW_NUMBERS = 2 };
@@ -53,7 +53,7 @@ static inline uint64_t in_set(const struct byte_set *set, const char *s)
 }
 
 /* Joins digits to numbers of two, then four, then eight digits, by multiply-adds. */
-static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
+static inline void join_digits(const uint8_t *rows, int half, lanes *high, lanes *low)
 {
 	const __m512i order = _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7);
 	__m512i x[2], y;
@@ -70,8 +70,8 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 	y = _mm512_madd_epi16(_mm512_packus_epi32(x[0], x[1]),
 	    _mm512_set1_epi32(0x00012710));
 	y = _mm512_permutexvar_epi64(order, y);
-	*high = y & ALL_BITS(0xffffffff);
-	*low = _mm512_srli_epi64(y, 32);
+	*high = (lanes)y & 0xffffffff;
+	*low = (lanes)y >> 32;
 }
 
 #define STORE_INTS(p, a) _mm256_storeu_si256((__m256i *)(p), _mm512_cvtpd_epi32(a))
@@ -79,14 +79,12 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define NEAREST(a) \
 	_mm512_roundscale_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
 #define REGISTER "v"
-#define SHR(a, n) _mm512_srli_epi64(a, n)
-#define SHR16(a, n) _mm512_srli_epi16(a, n)
-#define MUL32(a, b) _mm512_mul_epu32(a, b)
-#define SUB(a, b) _mm512_sub_epi64(a, b)
-#define MUL16(a, b) _mm512_mullo_epi16(a, b)
-#define HIGH16(a, b) _mm512_mulhi_epu16(a, b)
-#define BYTES_LOW(a) _mm512_unpacklo_epi8(_mm512_setzero_si512(), a)
-#define BYTES_HIGH(a) _mm512_unpackhi_epi8(_mm512_setzero_si512(), a)
+#define MUL32(a, n) ((lanes)_mm512_mul_epu32((__m512i)(a), _mm512_set1_epi64(n)))
+#define HIGH16(a, n) ((quarters)_mm512_mulhi_epu16((__m512i)(a), _mm512_set1_epi16(n)))
+#define BYTES_LOW(a) \
+	((quarters)_mm512_unpacklo_epi8(_mm512_setzero_si512(), (__m512i)(a)))
+#define BYTES_HIGH(a) \
+	((quarters)_mm512_unpackhi_epi8(_mm512_setzero_si512(), (__m512i)(a)))
 
 /* power_of_ten looks 10^scale up in registers: compilers load the table outside of the
  * caller's loop. The lowest bits of the double 2^52 + index are the index. */
@@ -94,10 +92,10 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, LOAD(powers[8 * (i) + 4]))
 static inline void power_of_ten(V scale, V *hi, V *lo)
 {
-	const I even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
-	const I odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);
-	I k = (I)(scale + ALL(0x1p52 - (double)POWER_MIN));
-	M upper = _mm512_test_epi64_mask(k, ALL_BITS(16));
+	const __m512i even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
+	const __m512i odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);
+	__m512i k = (__m512i)(scale + ALL(0x1p52 - (double)POWER_MIN));
+	M upper = _mm512_test_epi64_mask(k, _mm512_set1_epi64(16));
 
 	*lo = _mm512_maskz_permutex2var_pd((M)~upper, POWERS_AT(0, odd), k,
 	    POWERS_AT(1, odd));
@@ -107,9 +105,11 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 }
 
 #define TEXT_AT(i) ((__m128i *)(to + (i)*step))
-static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a, I b)
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, quarters even,
+    quarters odd)
 {
-	const I zeros = _mm512_set1_epi8('0');
+	__m512i a = (__m512i)even, b = (__m512i)odd;
+	const __m512i zeros = _mm512_set1_epi8('0');
 	/* a has the digits of numbers 0, 2, 4, 6, b the digits of 1, 3, 5, 7 */
 	__mmask64 in_a = _mm512_test_epi8_mask(a, a);
 	__mmask64 in_b = _mm512_test_epi8_mask(b, b);

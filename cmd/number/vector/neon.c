@@ -7,8 +7,8 @@
 
 #define LOOPS number_loops_neon
 
-#define I uint64x2_t
-#define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))
+typedef uint64_t lanes __attribute__((vector_size(8 * WIDTH)));
+typedef uint16_t quarters __attribute__((vector_size(8 * WIDTH)));
 
 #define IN_SET(set, s)                                                        \
 	((uint64_t)mask(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
@@ -61,34 +61,28 @@ static inline uint64x2_t join_row(const uint8_t *row)
 	return vpaddlq_u32(fours);
 }
 
-static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
+static inline void join_digits(const uint8_t *rows, int half, lanes *high, lanes *low)
 {
-	I a = join_row(rows + 16 * half), b = join_row(rows + 32 + 16 * half);
+	uint64x2_t a = join_row(rows + 16 * half);
+	uint64x2_t b = join_row(rows + 32 + 16 * half);
 
-	*high = vzip1q_u64(a, b);
-	*low = vzip2q_u64(a, b);
+	*high = (lanes)vzip1q_u64(a, b);
+	*low = (lanes)vzip2q_u64(a, b);
 }
 
 #define STORE_INTS(p, a) vst1_s32(p, vmovn_s64(vcvtq_s64_f64(a)))
 #define FLOOR(a) vrndmq_f64(a)
 #define NEAREST(a) vrndnq_f64(a)
 #define REGISTER "w"
-#define SHR(a, n) vshrq_n_u64(a, n)
-#define QUARTERS(a) vreinterpretq_u16_u64(a)
-#define LANES(a) vreinterpretq_u64_u16(a)
-#define SHR16(a, n) LANES(vshrq_n_u16(QUARTERS(a), n))
-#define MUL32(a, b) vmull_u32(vmovn_u64(a), vmovn_u64(b))
-#define SUB(a, b) vsubq_u64(a, b)
-#define MUL16(a, b) LANES(vmulq_u16(QUARTERS(a), QUARTERS(b)))
-#define HIGH16(a, b) LANES(upper_product_halves(QUARTERS(a), QUARTERS(b)))
-#define BYTES(a) vreinterpretq_u8_u64(a)
-#define BYTES_LOW(a) vreinterpretq_u64_u8(vzip1q_u8(vdupq_n_u8(0), BYTES(a)))
-#define BYTES_HIGH(a) vreinterpretq_u64_u8(vzip2q_u8(vdupq_n_u8(0), BYTES(a)))
+#define MUL32(a, n) ((lanes)vmull_n_u32(vmovn_u64((uint64x2_t)(a)), n))
+#define HIGH16(a, n) ((quarters)upper_product_halves((uint16x8_t)(a), n))
+#define BYTES_LOW(a) ((quarters)vzip1q_u8(vdupq_n_u8(0), (uint8x16_t)(a)))
+#define BYTES_HIGH(a) ((quarters)vzip2q_u8(vdupq_n_u8(0), (uint8x16_t)(a)))
 
-static inline uint16x8_t upper_product_halves(uint16x8_t a, uint16x8_t b)
+static inline uint16x8_t upper_product_halves(uint16x8_t a, uint16_t n)
 {
-	uint32x4_t low = vmull_u16(vget_low_u16(a), vget_low_u16(b));
-	uint32x4_t high = vmull_high_u16(a, b);
+	uint32x4_t low = vmull_n_u16(vget_low_u16(a), n);
+	uint32x4_t high = vmull_high_n_u16(a, n);
 
 	return vuzp2q_u16(vreinterpretq_u16_u32(low), vreinterpretq_u16_u32(high));
 }
@@ -114,12 +108,15 @@ static inline uint16_t nonzero_bits(uint8x16_t digits)
 	    uint16_t)(vaddv_u8(vget_low_u8(bits)) | vaddv_u8(vget_high_u8(bits)) << 8);
 }
 
-static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a, I b)
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, quarters even,
+    quarters odd)
 {
-	nonzero[0] = nonzero_bits(BYTES(a));
-	nonzero[1] = nonzero_bits(BYTES(b));
-	vst1q_u8((uint8_t *)to, vorrq_u8(BYTES(a), vdupq_n_u8('0')));
-	vst1q_u8((uint8_t *)to + step, vorrq_u8(BYTES(b), vdupq_n_u8('0')));
+	uint8x16_t a = (uint8x16_t)even, b = (uint8x16_t)odd;
+
+	nonzero[0] = nonzero_bits(a);
+	nonzero[1] = nonzero_bits(b);
+	vst1q_u8((uint8_t *)to, vorrq_u8(a, vdupq_n_u8('0')));
+	vst1q_u8((uint8_t *)to + step, vorrq_u8(b, vdupq_n_u8('0')));
 }
 
 #include "read_body.h"

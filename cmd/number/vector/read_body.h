@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads plain numbers (loops.h) on one kind of processor. A file that includes this one
  * has the vectors of doubles that core/points/kernel/copy.h describes, and vectors of
- * integers, I, that write_body.h describes, and defines:
+ * integers, lanes, that write_body.h describes, and defines:
  *
  *	IN_SET(set, s)	a mask of 64 bytes; bit i is set if s[i] is in the set
  *	join_digits(rows, half, &high, &low)	reads the first (half 0) or last 16
@@ -30,9 +30,9 @@ static inline unsigned different_lanes(V a, V b)
 }
 
 /* Returns u < 2^52 as doubles. The bits of u and of 2^52 make the double 2^52 + u. */
-static inline V double_of(I u)
+static inline V double_of(lanes u)
 {
-	return (V)(u | ALL_BITS(0x4330000000000000)) - ALL(0x1p52);
+	return (V)(u | 0x4330000000000000) - ALL(0x1p52);
 }
 
 /* An integer hi + lo in each lane. Bit i of `bad` is set if lane i is not read. */
@@ -45,7 +45,7 @@ struct integer {
  * the product and the sum are exact. */
 static inline struct integer short_integer(const struct digit_rows *r, size_t i)
 {
-	I high, low;
+	lanes high, low;
 
 	join_digits(r->digits[i], 1, &high, &low);
 	return (struct integer){
@@ -62,10 +62,10 @@ static inline struct integer short_integer(const struct digit_rows *r, size_t i)
 static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 {
 	struct integer m;
-	I high, low;
+	lanes high, low;
 
 	join_digits(r->digits[i], 0, &high, &low);
-	V more = (V)((high > ALL_BITS(0)) | (low > ALL_BITS(999999)));
+	V more = (V)((high > 0) | (low > 999999));
 
 	m.bad = different_lanes(more, ALL(0)); /* all bits set make a nan */
 	V first = double_of(low), top = first * ALL(1e16);
@@ -94,7 +94,7 @@ static inline V divide_rounded(struct integer *m, V p)
 	V first = q + (c - off), second = q + (c + off);
 
 	m->bad |= different_lanes(first, second);
-	return (V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* restores -0 */
+	return (V)((lanes)first | ((lanes)p & 1ull << 63)); /* restores -0 */
 }
 
 static inline unsigned nondigit_lanes(const struct digit_rows *r, size_t i)

@@ -7,15 +7,12 @@
  * core/points/kernel/copy.h describes, and defines:
  *
  *	LOOPS		the name of its struct number_loops
- *	I		a vector of integers of 64 bits, as large as a V, with & | << >
+ *	lanes, quarters	vectors of integers of 64 and 16 bits, as large as a V
  *	STORE_INTS(p, a) stores whole numbers, the lanes of a V, as int32_t
  *	FLOOR, NEAREST	round to a whole number, NEAREST with ties to even
- *	ALL_BITS(a)	a in each lane of an I
- *	REGISTER	the constraint of asm for a register of an I
- *	SHR, SHR16(a, n) shift lanes, or quarters of 16 bits, right; zeros follow
- *	SUB(a, b)	a - b modulo 2^64
- *	MUL32(a, b)	the products of the lower halves of lanes
- *	MUL16, HIGH16	the lower and the upper halves of products of quarters
+ *	REGISTER	the constraint of asm for a register of a vector
+ *	MUL32(a, n)	the products of the lower halves of lanes and n
+ *	HIGH16(a, n)	the upper halves of the products of quarters and n
  *	power_of_ten(scale, &hi, &lo)	looks 10^scale up in powers.h as hi + lo
  *	BYTES_LOW, BYTES_HIGH(a)
  *			the bytes of the lanes 0, 2, ... or of 1, 3, ..., each in
@@ -31,10 +28,11 @@
 /* The number of zeros that are stored before the WHOLE_DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
 
-/* Hides a constant factor from gcc, which replaces MUL16 by up to five operations. */
-#define OPAQUE(c) opaque(ALL_BITS(c))
-INLINE I opaque(I c)
+/* Hides a constant factor from gcc, which would make up to five operations of it. */
+INLINE quarters opaque(uint16_t n)
 {
+	quarters c = (quarters){ 0 } + n;
+
 	__asm__("" : "+" REGISTER(c));
 	return c;
 }
@@ -45,29 +43,27 @@ INLINE I opaque(I c)
  *
  * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and x
  * - 10^4 a, in two quarters. Lanes are doubles 2^52 + x; x << 16 drops the 2^52. */
-INLINE I split_8(I x)
+INLINE lanes split_8(lanes x)
 {
-	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
+	lanes a = MUL32(x, 109951163) >> 40;
 
-	return SUB(x << 16, MUL32(a, ALL_BITS((10000 << 16) - 1)));
+	return (x << 16) - MUL32(a, (10000 << 16) - 1);
 }
 
 /* Returns four digits in each quarter as two numbers of two, in the quarter's bytes. */
-INLINE I split_4(I x)
+INLINE quarters split_4(quarters x)
 {
-	const uint64_t each_quarter = 0x0001000100010001;
-	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each_quarter)), 3);
+	quarters a = HIGH16(x, 5243) >> 3;
 
-	return a | SUB(x, MUL16(a, OPAQUE(100 * each_quarter))) << 8;
+	return a | (x - a * opaque(100)) << 8;
 }
 
 /* Returns two digits in the upper byte of each quarter as one digit in each byte. */
-INLINE I split_2(I x)
+INLINE quarters split_2(quarters x)
 {
-	const uint64_t each_quarter = 0x0001000100010001;
-	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each_quarter)), 8);
+	quarters a = HIGH16(x, 6554) >> 8;
 
-	return SUB(x, MUL16(a, OPAQUE(((10 << 8) - 1) * each_quarter)));
+	return x - a * opaque((10 << 8) - 1);
 }
 
 /* Writes the WHOLE_DIGITS digits of f->whole < 10^16 at place `at`. FLOOR gives the
@@ -84,8 +80,8 @@ INLINE void write_digits(struct number_text *t, size_t at, uint16_t *nonzero,
 		V whole = LOAD(f->whole + i);
 		V high = FLOOR(whole * ALL(1e-8));
 		V low = FMA(high, ALL(-1e8), whole);
-		I x = split_4(split_8((I)(high + lowest_bits)) |
-		    (split_8((I)(low + lowest_bits)) << 32));
+		quarters x = split_4((quarters)(split_8((lanes)(high + lowest_bits)) |
+		    split_8((lanes)(low + lowest_bits)) << 32));
 
 		store_digits(t[i].chars + at, sizeof *t, nonzero + i,
 		    split_2(BYTES_LOW(x)), split_2(BYTES_HIGH(x)));

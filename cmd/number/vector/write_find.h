@@ -77,14 +77,14 @@ struct digits {
 /* Returns log2 of a power of two, less `place`: a shift moves its biased exponent. */
 INLINE V log2_of_power(V power, double place)
 {
-	V biased = (V)(SHR((I)(power), 52) | (I)(ALL(0x1p52)));
+	V biased = (V)((lanes)power >> 52 | (lanes)ALL(0x1p52));
 
 	return biased - ALL(0x1p52 + 1023 + place);
 }
 
 INLINE V power_of_two_up_to(V a)
 {
-	return (V)((I)(a) & (I)(ALL((double)INFINITY)));
+	return (V)((lanes)a & (lanes)ALL((double)INFINITY));
 }
 
 INLINE void store_lanes(struct batch_digits *f, size_t i, V v, struct digits d, V scale)
