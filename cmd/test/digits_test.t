@@ -81,9 +81,9 @@ sub claims {
 		half => qr/top \* ALL\(single \? \S+ : (\S+)\)/,
 		place_float => qr/log2_of_power\(top, single \? (\d+) :/,
 		place => qr/log2_of_power\(top, single \? \d+ : (\d+)\)/,
-		fours => qr/MUL32\(x, ALL_BITS\((\d+)\)\), 40/,
-		twos => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 3/,
-		ones => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 8/,
+		fours => qr/MUL32\(x, (\d+)\) >> 40/,
+		twos => qr/HIGH16\(x, (\d+)\) >> 3/,
+		ones => qr/HIGH16\(x, (\d+)\) >> 8/,
 		least_unit => qr/q \+ scale >= (-\d+)/,
 		eight => qr/FLOOR\(whole \* ALL\((\S+)\)\)/,
 	);
