@@ -41,15 +41,14 @@ static void put_rows(struct printer *p, const char *name, const double *v, int r
 	put_close(p, "]");
 }
 
-/* Puts an object with members names[0..sides): numbers or, if n > 0, arrays of n. */
-static void put_sides(struct printer *p, const char *name, int sides, const double *v,
-    int n)
-{
-	static const char *const names[] = { "left", "right", "bottom", "top", "near",
-		"far" };
+static const char *const sides[] = { "left", "right", "bottom", "top", "near", "far" };
 
+/* Puts an object with members names[0..count): numbers or, if n > 0, arrays of n. */
+static void put_object(struct printer *p, const char *name, const char *const *names,
+    int count, const double *v, int n)
+{
 	put_open(put_name(p, name), "{");
-	for (int k = 0; k < sides; k++)
+	for (int k = 0; k < count; k++)
 		put_vector(put_name(p, names[k]), v + k * (n > 0 ? n : 1), n);
 	put_close(p, "}");
 }
@@ -73,9 +72,9 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_number(put_name(p, "aspect"), r->aspect);
 	put_name(p, "reverse_z");
 	put_literal(p, no_near ? "null" : r->reverse_z ? "true" : "false");
-	put_sides(p, "planes", 4, r->near_edge, 0);
+	put_object(p, "planes", sides, 4, r->near_edge, 0);
 	put_rows(p, "frustum", t->corner[0], 8, 3, false);
-	put_sides(p, "frustum_planes", 6, r->frustum_plane[0], 4);
+	put_object(p, "frustum_planes", sides, 6, r->frustum_plane[0], 4);
 	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3, isnan(r->intrinsics[0][0]));
 }
 
@@ -165,13 +164,11 @@ static void put_bounds(struct printer *p, const struct document *d)
 
 static void put_textbook_error(struct printer *p, const struct document *d)
 {
+	static const char *const types[] = { "float", "double" };
 	double error[2];
 
 	document_refuse_if(d, textbook_errors(&d->scene, error));
-	put_open(put_name(p, "textbook_error"), "{");
-	put_number(put_name(p, "float"), error[0]);
-	put_number(put_name(p, "double"), error[1]);
-	put_close(p, "}");
+	put_object(p, "textbook_error", types, 2, error, 0);
 }
 
 static void put_window(struct printer *p, const struct document *d)
@@ -180,7 +177,7 @@ static void put_window(struct printer *p, const struct document *d)
 	struct window_extent w;
 
 	document_refuse_if(d, scene_window_extent(s, &w));
-	put_sides(p, "window", 4, w.edge, 0);
+	put_object(p, "window", sides, 4, w.edge, 0);
 	put_name(p, "device");
 	if (s->has_device)
 		put_device(p, &s->device);

@@ -122,28 +122,24 @@ static bool check_escape(struct json_check *s)
 	return true;
 }
 
-static bool check_character(struct json_check *s)
-{
-	unsigned code;
-	int n = s->is_line ? 1 : utf8_read(s->at, s->end, &code);
-
-	if (*s->at == '\\')
-		return check_escape(s);
-	if (n == 0 || (unsigned char)*s->at < ' ')
-		return refuse(s, "text or '\"' in a string",
-		    "write a control character as this escape");
-	s->at += n;
-	return true;
-}
-
 static bool check_string(struct json_check *s)
 {
-	s->at++;
-	while (!next_is(s, '"')) {
+	static const char wanted[] = "text or '\"' in a string";
+	unsigned code;
+	int n;
+
+	for (s->at++; !next_is(s, '"'); s->at += n) {
 		if (s->at == s->end)
-			return refuse(s, "text or '\"' in a string", NULL);
-		if (!check_character(s))
-			return false;
+			return refuse(s, wanted, NULL);
+		n = s->is_line ? 1 : utf8_read(s->at, s->end, &code);
+		if (n == 0 || (unsigned char)*s->at < ' ')
+			return refuse(s, wanted,
+			    "write a control character as this escape");
+		if (*s->at == '\\') {
+			if (!check_escape(s))
+				return false;
+			n = 0;
+		}
 	}
 	s->at++;
 	return true;

@@ -31,17 +31,17 @@ const struct member *member_named(const struct member *row, int variant,
 	return NULL;
 }
 
-/* The members that a list of names has, as bits: all, and those with each mark. */
-enum mark { MARK_OPTIONAL, MARK_FITTED, MARK_LEFT, MARK_NEVER, MARKS };
-struct way_bits {
-	uint64_t all, marked[MARKS];
+/* The members of a list of names, as bits: those without !, those that an object of the
+ * way must have, those that it may leave to the scene, and those with !. */
+struct way {
+	uint64_t all, required, left, never;
 };
 
-static struct way_bits way_find(const struct member *table, int variant,
+/* `fit`: the members with ~ may be missing. */
+static struct way way_find(const struct member *table, int variant, bool fit,
     const char *names)
 {
-	static const char marks[] = "?~|!"; /* in the order of enum mark */
-	struct way_bits way = { 0 };
+	struct way way = { 0 };
 	char name[ESCAPED_MAX];
 
 	for (; *names != '\0'; names += *names == ' ') {
@@ -49,20 +49,25 @@ static struct way_bits way_find(const struct member *table, int variant,
 
 		memcpy(name, names, n);
 		name[n] = '\0';
+		names += n;
 		const struct member *row = member_named(table, variant, name, false);
-		uint64_t bit = row != NULL ? UINT64_C(1) << (row - table) : 0;
+		const uint64_t bit = row != NULL ? UINT64_C(1) << (row - table) : 0;
+		const bool fitted = *names == '~' && fit;
 
-		way.all |= bit;
-		for (names += n; *names > ' '; names++)
-			if (strchr(marks, *names) != NULL)
-				way.marked[strchr(marks, *names) - marks] |= bit;
+		names += *names == '~';
+		*(*names == '!' ? &way.never : &way.all) |= bit;
+		if (*names == '|' && !fitted)
+			way.left |= bit;
+		else if (*names <= ' ' && !fitted)
+			way.required |= bit;
+		names += strcspn(names, " ");
 	}
 	return way;
 }
 
 uint64_t member_bits(const struct member *table, int variant, const char *names)
 {
-	return way_find(table, variant, names).all;
+	return way_find(table, variant, false, names).all;
 }
 
 const char *member_type_name(const struct member *row, char out[LIST_ROOM])
@@ -293,54 +298,48 @@ void object_read_member(const struct value *v, const struct member *row, void *b
 		*(bool *)((char *)base + row->flag - 1) = true;
 }
 
-/* A rule for one variant of object. In a set of members, bit i is row i of the table. */
+/* A rule for one variant of object, for the task of fit or for others. In a set of
+ * members, bit i is row i of the table. */
 struct rule_bits {
 	struct rule_bits *next;
 	const struct rule *rule;
 	const struct member *table;
 	int variant;
-	uint64_t all;         /* members of all ways */
-	struct way_bits with; /* of rule->with */
+	bool fit;
+	uint64_t all;    /* members of all ways */
+	struct way with; /* of rule->with */
 	size_t n;
-	struct way_bits way[];
+	struct way way[];
 };
 
-/* Returns the bits of a rule for a variant, which are found once and kept. */
+/* Returns the bits of a rule, which are found once and kept. */
 static const struct rule_bits *rule_find(const struct rule *rule,
-    const struct member *table, int variant)
+    const struct member *table, int variant, bool fit)
 {
 	static struct rule_bits *kept;
 	struct rule_bits *b = kept;
 	size_t n = 0;
 
-	while (b != NULL && (b->rule != rule || b->variant != variant))
+	while (b != NULL && (b->rule != rule || b->variant != variant || b->fit != fit))
 		b = b->next;
 	if (b != NULL)
 		return b;
 	while (rule->ways[n] != NULL)
 		n++;
 	b = xrealloc(NULL, sizeof *b + n * sizeof *b->way);
-	*b = (struct rule_bits){ kept, rule, table, variant, .n = n };
+	*b = (struct rule_bits){ kept, rule, table, variant, fit, .n = n };
 	kept = b;
 	if (rule->with != NULL)
-		b->with = way_find(table, variant, rule->with);
+		b->with = way_find(table, variant, fit, rule->with);
 	for (size_t i = 0; i < n; i++) {
-		b->way[i] = way_find(table, variant, rule->ways[i]);
+		b->way[i] = way_find(table, variant, fit, rule->ways[i]);
 		b->all |= b->way[i].all;
 	}
 	return b;
 }
 
-static uint64_t way_required(const struct way_bits *way, bool fit)
-{
-	return way->all &
-	    ~(way->marked[MARK_OPTIONAL] | way->marked[MARK_LEFT] |
-		(fit ? way->marked[MARK_FITTED] : 0));
-}
-
 /* Writes all ways: "give A and B, or C". Omits optional members that are not given. */
-static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, bool fit,
-    uint64_t given)
+static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, uint64_t given)
 {
 	const char *names[MEMBERS_MAX + 1];
 	char all[LIST_ROOM];
@@ -348,7 +347,7 @@ static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, bool fit,
 
 	for (size_t i = 0; i < b->n && n < LIST_ROOM; i++) {
 		list_names(b->table, b->variant,
-		    b->way[i].all & (way_required(&b->way[i], fit) | given), names);
+		    b->way[i].all & (b->way[i].required | given), names);
 		words_join(all, names, " and ", "\"");
 		n += (size_t)snprintf(out + n, LIST_ROOM - n, "%s%s",
 		    i > 0 ? ", or " : "give ", *all != '\0' ? all : "none of them");
@@ -358,7 +357,7 @@ static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, bool fit,
 /* Refuses v because of the first of `members`. If `way` is 0, v lacks it; if not, it is
  * not of the way that v has, of which `way` has the given members. */
 static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *b,
-    bool fit, uint64_t given, uint64_t members, uint64_t way)
+    uint64_t given, uint64_t members, uint64_t way)
 {
 	const int first = __builtin_ctzll(members);
 	const struct value *m = VALUE_MISSING(v, b->table[first].name);
@@ -366,7 +365,7 @@ static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *
 	char ways[LIST_ROOM], rivals[LIST_ROOM];
 	uint64_t others = way;
 
-	write_ways(ways, b, fit, given);
+	write_ways(ways, b, given);
 	if (way == 0)
 		value_refuse(m, "missing; %s",
 		    b->rule->hint != NULL ? b->rule->hint : ways);
@@ -380,14 +379,13 @@ static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *
 }
 
 /* Returns the index of the way that the members `given` of v are. */
-static size_t find_way(const struct value *v, const struct rule_bits *b, bool fit,
-    uint64_t given)
+static size_t find_way(const struct value *v, const struct rule_bits *b, uint64_t given)
 {
 	uint64_t extra = 0, lacking = 0, way = 0;
 
 	given &= b->all;
 	for (size_t i = 0; i < b->n; i++) {
-		const uint64_t required = way_required(&b->way[i], fit);
+		const uint64_t required = b->way[i].required;
 		uint64_t missing = required & ~given, in = b->way[i].all & given;
 
 		if (missing == 0 && in == given)
@@ -400,8 +398,8 @@ static size_t find_way(const struct value *v, const struct rule_bits *b, bool fi
 			lacking = missing;
 	}
 	if (extra == 0 && lacking == 0)
-		lacking = way_required(&b->way[0], fit);
-	refuse_way(v, b, fit, given, extra != 0 ? extra : lacking, way);
+		lacking = b->way[0].required;
+	refuse_way(v, b, given, extra != 0 ? extra : lacking, way);
 }
 
 /* Returns the members that v leaves to another member of the scene. */
@@ -409,25 +407,21 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
     const struct member *table, int variant, uint64_t given, void *base)
 {
 	const enum task task = v->unused ? TASK_WHOLE : v->source->task;
-	const bool fit = task == TASK_FIT;
 
 	if (!has_variant(rule->variants, variant) ||
 	    !has_variant(rule->tasks, (int)task))
 		return 0;
-	const struct rule_bits *b = rule_find(rule, table, variant);
+	const struct rule_bits *b = rule_find(rule, table, variant, task == TASK_FIT);
 
-	const uint64_t with = b->with.all & ~b->with.marked[MARK_NEVER];
-
-	if ((with != 0 && (with & given) == 0) ||
-	    (b->with.marked[MARK_NEVER] & given) != 0)
+	if ((b->with.all != 0 && (b->with.all & given) == 0) ||
+	    (b->with.never & given) != 0)
 		return 0;
-	const size_t way = find_way(v, b, fit, given);
+	const size_t way = find_way(v, b, given);
 
 	if (base != NULL && rule->field != 0)
 		*(unsigned *)(void *)((char *)base + rule->field - 1) = rule->way_0 +
 		    (unsigned)way;
-	return b->way[way].marked[MARK_LEFT] &
-	    ~(given | (fit ? b->way[way].marked[MARK_FITTED] : 0));
+	return b->way[way].left & ~given;
 }
 
 struct found object_read(const struct value *v, const struct member *row, int variant,
@@ -498,7 +492,7 @@ void object_print(struct printer *p, const struct member *row, int variant,
 	for (; r != NULL && r->ways != NULL; r++) {
 		if (r->field == 0 || !has_variant(r->variants, variant))
 			continue;
-		const struct rule_bits *b = rule_find(r, row->members, variant);
+		const struct rule_bits *b = rule_find(r, row->members, variant, false);
 		const unsigned *way = (const void *)(at + r->field - 1);
 
 		bits &= ~b->all | b->way[*way - r->way_0].all;

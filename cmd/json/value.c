@@ -261,11 +261,9 @@ void value_refuse_type(const struct value *v, const char *wanted)
 {
 	static const char *const names[] = { "false", "true", "null", "a number",
 		"a string", "an array", "an object" };
-	int type = JSON_FALSE;
 
-	while (!value_is(v, (enum json_type)type))
-		type++;
-	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
+	value_refuse(v, "is %s; %s is wanted",
+	    names[__builtin_ctz((unsigned)v->item->type)], wanted);
 }
 
 /* In radians, limits of 180 and 90 degrees become the doubles PI and PI / 2, which are

@@ -161,14 +161,16 @@ static void read_inverse(const struct value *v, const struct member *row, void *
 	*(int *)out = reading->n - n;
 }
 
-/* Returns whether an array is a list of steps: it is empty, or begins with an object or,
- * where a list is wrongly in a list, with an array that does. */
+/* Returns whether an array is a list of steps: it is empty, or an element is an object
+ * or, where a list is wrongly in a list, such an array. */
 static bool is_list(const struct value *v)
 {
-	const struct value first = value_child(v);
+	struct value e = value_child(v);
+	bool is = e.item == NULL;
 
-	return first.item == NULL || value_is(&first, JSON_OBJECT) ||
-	    (value_count(&first) > 0 && is_list(&first));
+	for (; e.item != NULL && !is; value_next(&e))
+		is = value_is(&e, JSON_OBJECT) || (value_count(&e) > 0 && is_list(&e));
+	return is;
 }
 
 /* Refuses an object that is a step: only the list of it is a value. */
@@ -223,13 +225,8 @@ static void put_step_value(struct printer *p, const struct value *v)
 			if (array || (*e.name != '_' && *e.name != '$'))
 				put_step_value(array ? p : put_name(p, e.name), &e);
 		put_close(p, array ? "]" : "}");
-	} else if (value_string(v) != NULL) {
-		put_string(p, value_string(v));
 	} else {
-		put_literal(p,
-		    value_is(v, JSON_NULL)      ? "null" :
-			value_is(v, JSON_FALSE) ? "false" :
-						  "true");
+		put_string(p, value_string(v));
 	}
 }
 

@@ -10,9 +10,15 @@ const char *const angle_unit_names[] = { "degrees", "radians", NULL };
 
 static void read_numbers(const struct value *v, const struct member *row, void *out)
 {
+	static const char *const words[] = { "infinity", NULL };
 	const struct value_range *range = row->range != NULL ? row->range : &range_any;
+	const bool is_far = row->type == &type_far;
 
-	if (row->n == 0)
+	if (is_far && value_is(v, JSON_NULL))
+		value_refuse_type(v, "a number or \"infinity\"");
+	if (is_far && value_string(v) != NULL && value_word(v, words) == 0)
+		*(double *)out = HUGE_VAL;
+	else if (row->n == 0)
 		*(double *)out = value_number(v, range);
 	else
 		value_numbers(v, range, row->n, out);
@@ -20,11 +26,16 @@ static void read_numbers(const struct value *v, const struct member *row, void *
 
 static void print_numbers(struct printer *p, const struct member *row, const void *at)
 {
-	put_numbers(p, at, (int)row->n);
+	if (row->n == 0)
+		put_distance(p, *(const double *)at);
+	else
+		put_numbers(p, at, (int)row->n);
 }
 
 const struct member_type type_numbers = { NULL, read_numbers, print_numbers,
 	sizeof(double) };
+const struct member_type type_far = { "size or \"infinity\"", read_numbers,
+	print_numbers, sizeof(double) };
 
 static void read_flag(const struct value *v, const struct member *row, void *out)
 {
@@ -60,27 +71,6 @@ static void print_word(struct printer *p, const struct member *row, const void *
 const struct member_type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
 const struct member_type type_points = { "a point or a list", NULL, NULL, 0 };
-
-static void read_far(const struct value *v, const struct member *row, void *out)
-{
-	static const char *const words[] = { "infinity", NULL };
-
-	if (value_string(v) != NULL && value_word(v, words) == 0)
-		*(double *)out = HUGE_VAL;
-	else if (value_is(v, JSON_NULL))
-		value_refuse_type(v, "a number or \"infinity\"");
-	else
-		read_numbers(v, row, out);
-}
-
-static void print_far(struct printer *p, const struct member *row, const void *at)
-{
-	(void)row;
-	put_distance(p, *(const double *)at);
-}
-
-const struct member_type type_far = { "size or \"infinity\"", read_far, print_far,
-	sizeof(double) };
 
 const char *const vector_names[] = { "row", "column", NULL };
 
