@@ -2,6 +2,7 @@
 #include "textbook.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "../points/point.h"
 
@@ -22,32 +23,20 @@ static double program_rounded(const struct program *g, double a)
 	return g->single ? (double)(float)a : a;
 }
 
-/* Returns the sum of n products a[k] b[k * 4], from left to right. */
-static double dot(const struct program *g, int n, const double *a, const double *b)
+/* Returns the sum of four products a[k] b[k * 4], from left to right. */
+static double dot(const struct program *g, const double *a, const double *b)
 {
 	double r = program_rounded(g, a[0] * b[0]);
 
-	for (int k = 1; k < n; k++)
+	for (int k = 1; k < 4; k++)
 		r = program_rounded(g, r + program_rounded(g, a[k] * b[k * 4]));
 	return r;
 }
 
-/* Multiplies the program's matrix by that of the next map, rounded. */
-static void take_map(struct program *g, const struct map *next)
-{
-	double a[4][4], b[4][4];
-
-	for (int i = 0; i < 16; i++) {
-		a[i / 4][i % 4] = g->m[i / 4][i % 4];
-		b[i / 4][i % 4] = map_element_nearest(next, i / 4, i % 4, g->single);
-	}
-	for (int i = 0; i < 16; i++)
-		g->m[i / 4][i % 4] = dot(g, 4, a[i / 4], &b[0][i % 4]);
-}
-
-/* Makes the program of a scene; a scene's absent members have no matrix in it, but a
- * change of the view axes by -c has one without a camera, too. */
-static const char *program_of(const struct scene *s, struct program *g)
+/* Makes the program of a scene, whose maps the caller has made before: a scene's absent
+ * members have no matrix in it, but a change of the view axes by -c has one without a
+ * camera, too. */
+static void set_program(const struct scene *s, struct program *g)
 {
 	const struct convention *from = &s->convention,
 				*to = scene_answer_convention(s);
@@ -55,46 +44,38 @@ static const char *program_of(const struct scene *s, struct program *g)
 	    convention_looks_back(from) != convention_looks_back(to);
 	const bool has[3] = { s->has_world, s->has_camera || turns,
 		s->projection.type != PROJECTION_NONE };
+	double a[4][4], b[4][4];
 	struct map m;
 
-	for (int k = 0; k < 4; k++)
-		g->m[k][k] = 1;
 	for (int k = 0; k < 3; k++) {
-		const char *why = has[k] ?
-		    scene_map_factor(s, (enum space)k, (enum space)(k + 1), &m) :
-		    NULL;
-
-		if (why != NULL)
-			return why;
-		if (has[k])
-			take_map(g, &m);
+		if (!has[k])
+			continue;
+		scene_map_factor(s, (enum space)k, (enum space)(k + 1), &m);
+		memcpy(a, g->m, sizeof a);
+		for (int i = 0; i < 16; i++)
+			b[i / 4][i % 4] = map_element_nearest(&m, i / 4, i % 4,
+			    g->single);
+		for (int i = 0; i < 16; i++)
+			g->m[i / 4][i % 4] = dot(g, a[i / 4], &b[0][i % 4]);
 	}
-	map_identity(&m);
-	const char *why = s->has_viewport ?
-	    scene_map_factor(s, SPACE_NDC, SPACE_DEVICE, &m) :
-	    NULL;
-
+	scene_map_factor(s, SPACE_NDC, s->has_viewport ? SPACE_DEVICE : SPACE_NDC, &m);
 	for (int k = 0; k < 2; k++) {
 		g->scale[k] = map_element_nearest(&m, k, k, g->single);
 		g->offset[k] = map_element_nearest(&m, 3, k, g->single);
 	}
-	return why;
 }
 
 /* Computes the program's x and y of a point. Returns whether w is positive, and all
  * numbers are finite. */
-static bool run_program(const struct program *g, const double p[4], double image[2],
-    bool has_viewport)
+static bool run_program(const struct program *g, const double p[4], double image[2])
 {
-	const double w = dot(g, 4, p, &g->m[0][3]);
+	const double w = dot(g, p, &g->m[0][3]);
 
 	for (int k = 0; k < 2; k++) {
-		double x = program_rounded(g, dot(g, 4, p, &g->m[0][k]) / w);
+		double x = program_rounded(g, dot(g, p, &g->m[0][k]) / w);
 
-		if (has_viewport)
-			x = program_rounded(g,
-			    program_rounded(g, x * g->scale[k]) + g->offset[k]);
-		image[k] = x;
+		x = program_rounded(g, x * g->scale[k]);
+		image[k] = program_rounded(g, x + g->offset[k]);
 	}
 	return w > 0 && isfinite(w) && isfinite(image[0]) && isfinite(image[1]);
 }
@@ -105,8 +86,6 @@ static void squared_error(const struct transform *t, const double p[4],
 {
 	struct sum w = point_column(t, 3, p), e[2];
 
-	if (!t->divide)
-		sum_copy(&w, &t->map.divisor);
 	for (int k = 0; k < 2; k++) {
 		struct sum at = point_column(t, k, p);
 
@@ -152,8 +131,7 @@ static double program_error(const struct scene *s, const struct program *g,
 	for (int i = 0; i < STEPS * STEPS * STEPS; i++) {
 		if (!volume_point(s, back, i, g->single, p))
 			continue;
-		if (!isfinite(p[0]) || !isfinite(p[1]) || !isfinite(p[2]) ||
-		    !run_program(g, p, image, s->has_viewport))
+		if (!run_program(g, p, image))
 			return (double)NAN;
 		squared_error(t, p, image, &square);
 		if (sum_compare(square, most) > 0)
@@ -175,10 +153,10 @@ const char *textbook_errors(const struct scene *s, double error[2])
 	    scene_map_factor(s, SPACE_NDC, SPACE_MODEL, &back) != NULL)
 		return why;
 	for (int k = 0; k < 2; k++) {
-		struct program g = { .single = k == 0 };
+		struct program g = { .single = k == 0,
+			.m = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } } };
 
-		if ((why = program_of(s, &g)) != NULL)
-			return why;
+		set_program(s, &g);
 		error[k] = program_error(s, &g, &t, &back);
 	}
 	return NULL;
