@@ -9,30 +9,6 @@
 	"/bounds: the scene that fit computes has numbers beyond 1e150 or " \
 	"sizes below 1e-150; choose another unit"
 
-/* Sets the gaze and up of c to those without roll; for a matrix, those of the nearest
- * rotation. Takes an eye that is not given from to_world, the map from view space. */
-static const char *gaze_from_axes(struct camera *c, const struct convention *convention,
-    struct map *to_world)
-{
-	double along = convention_looks_back(convention) ? -1 : 1;
-	double upward = convention->view_y_down ? -1 : 1;
-	struct camera turned = *c;
-
-	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION; k++)
-		c->eye[k] = map_element_nearest(to_world, 3, k, false);
-	if (c->way >= CAMERA_POSE)
-		c->roll = 0;
-	turned.roll = 0;
-	turned.orthonormalize = true;
-	const char *why = camera_map(&turned, convention, true, to_world);
-
-	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = along * map_element_nearest(to_world, 2, k, false);
-		c->up[k] = upward * map_element_nearest(to_world, 1, k, false);
-	}
-	return why;
-}
-
 /* Replaces c->at by the gaze at - eye, rounded, and halved if it is out of range. */
 static void gaze_from_at(struct camera *c)
 {
@@ -47,23 +23,36 @@ static void gaze_from_at(struct camera *c)
 }
 
 /* Gives the camera the form CAMERA_GAZE, with rounded numbers. Without a camera, one at
- * the origin looks along the z axis of view space. */
+ * the origin looks along the z axis of view space. The gaze and up of a matrix are those
+ * of the nearest rotation. */
 static const char *make_gaze_camera(struct scene *s)
 {
-	struct camera *c = &s->camera;
 	const struct convention *convention = &s->convention;
+	const double along = convention_looks_back(convention) ? -1 : 1;
+	const double upward = convention->view_y_down ? -1 : 1;
+	struct camera *c = &s->camera;
 	struct map to_world;
 
 	if (!s->has_camera)
-		*c = (struct camera){ .way = CAMERA_GAZE,
-			.at = { 0, 0, convention_looks_back(convention) ? -1 : 1 },
-			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
+		*c = (struct camera){ .way = CAMERA_ORIENTATION,
+			.orientation = { [3] = 1 } };
 	s->has_camera = true;
+	struct camera turned = *c;
 	const char *why = camera_map(c, convention, true, &to_world);
 
-	if (why == NULL && c->way >= CAMERA_ORIENTATION)
-		why = gaze_from_axes(c, convention, &to_world);
-	else if (c->way == CAMERA_AT)
+	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION && why == NULL; k++)
+		c->eye[k] = map_element_nearest(&to_world, 3, k, false);
+	if (c->way >= CAMERA_POSE)
+		c->roll = 0;
+	turned.roll = 0;
+	turned.orthonormalize = true;
+	if (c->way >= CAMERA_ORIENTATION && why == NULL)
+		why = camera_map(&turned, convention, true, &to_world);
+	for (int k = 0; k < 3 && c->way >= CAMERA_ORIENTATION && why == NULL; k++) {
+		c->at[k] = along * map_element_nearest(&to_world, 2, k, false);
+		c->up[k] = upward * map_element_nearest(&to_world, 1, k, false);
+	}
+	if (c->way == CAMERA_AT)
 		gaze_from_at(c);
 	c->way = CAMERA_GAZE;
 	return why;
