@@ -53,13 +53,6 @@ static bool is_radians(double x)
 	    0.5 / unit * (1 + 0x1p-20) + 0x1p-51 * size;
 }
 
-/* Returns whether an angle of view in degrees is likely in radians: 0.2 to 3.2 with
- * three decimals or more. */
-static bool is_view_in_radians(double x)
-{
-	return x >= 0.2 && x <= 3.2 && rint(x * 100) / 100 != x;
-}
-
 /* Returns whether a list of steps, if there is one, has an angle as of radians. */
 static bool steps_have_radians(const struct steps *l)
 {
@@ -70,41 +63,34 @@ static bool steps_have_radians(const struct steps *l)
 	return false;
 }
 
+/* An angle of view in degrees is likely in radians, too, if it is 0.2 to 3.2 with three
+ * decimals or more. */
 static bool has_radians(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
-	const struct projection_section *c = &p->section;
+	const enum projection_family family = projection_family(p);
+	const bool persp = family == FAMILY_PERSP;
 	bool found = (s->has_world && steps_have_radians(&s->world)) ||
 	    (s->has_camera && steps_have_radians(&s->camera.steps));
+	double view = 0;
 
 	if (s->has_camera && s->camera.unit == ANGLE_DEGREES &&
 	    s->camera.way <= CAMERA_RVEC_TRANSLATION)
 		found |= is_radians(s->camera.roll);
 	if (p->unit != ANGLE_DEGREES)
 		return found;
-	switch (projection_family(p)) {
-	case FAMILY_PERSP:
-		if (c->way <= SECTION_VIEW_ANGLE)
-			return found || is_radians(c->angle) ||
-			    is_view_in_radians(c->angle);
-		for (int i = 0; i < 4 && c->way == SECTION_ANGLES; i++)
-			found |= is_radians(c->angles[i]);
-		return found;
-	case FAMILY_PARALLEL:
-		return found ||
-		    (p->type == PROJECTION_OBLIQUE &&
-			(is_radians(p->shear.direction) ||
-			    (p->shear.kind == OBLIQUE_ANGLE &&
-				is_radians(p->shear.projector_angle))));
-	case FAMILY_VOLUME:
-		return found ||
-		    (p->volume.eye_given_by == EYE_BY_ANGLE &&
-			(is_radians(p->volume.view_angle) ||
-			    is_view_in_radians(p->volume.view_angle)));
-	case FAMILY_FIXED:
-		break;
-	}
-	return found;
+	if (persp && p->section.way <= SECTION_VIEW_ANGLE)
+		view = p->section.angle;
+	if (family == FAMILY_VOLUME && p->volume.eye_given_by == EYE_BY_ANGLE)
+		view = p->volume.view_angle;
+	for (int i = 0; i < 4 && persp && p->section.way == SECTION_ANGLES; i++)
+		found |= is_radians(p->section.angles[i]);
+	if (p->type == PROJECTION_OBLIQUE)
+		found |= is_radians(p->shear.direction) ||
+		    (p->shear.kind == OBLIQUE_ANGLE &&
+			is_radians(p->shear.projector_angle));
+	return found || is_radians(view) ||
+	    (view >= 0.2 && view <= 3.2 && rint(view * 100) / 100 != view);
 }
 
 /* Returns whether |x| or |y| is within a relative 2^-20 of |cot(k / 2)|, k whole from 4
