@@ -95,8 +95,9 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 	    &f->sides.map, &f->ends.map);
 
 	if (why == NULL && by_distance) {
-		why = distance_planes(s, &f->sides);
-		return why != NULL ? why : distance_planes(s, &f->ends);
+		why = distance_by_view(s, from, SPACE_CLIP, &f->sides);
+		return why != NULL ? why :
+				     distance_by_view(s, from, SPACE_CLIP, &f->ends);
 	}
 	if (why != NULL)
 		return why;

@@ -58,75 +58,44 @@ static const char *device_columns(const struct scene *s, struct distance *d,
 	return NULL;
 }
 
-/* Sets the members of t for a map to or from the columns in t->from_view. */
-static void set_distance(const struct distance *d, bool back, enum space to,
+const char *distance_by_view(const struct scene *s, enum space from, enum space to,
     struct transform *t)
 {
-	if (d->parallel)
-		return;
-	t->distance = back ? DISTANCE_IN : DISTANCE_OUT;
-	t->length = d->length;
-	t->unit = t->from_view.divisor;
-	t->kernel = KERNEL_NONE;
-	t->divide = !back || to == SPACE_NDC;
-}
-
-/* Makes t, whose member map leads from view space to `to`, the transform from the
- * device to `to`. */
-static const char *from_device(const struct scene *s, enum space to,
-    struct transform *t)
-{
+	const bool back = from == SPACE_DEVICE;
 	struct distance d;
 	struct map inverse;
 	const char *why = device_columns(s, &d, &t->from_view);
 
 	if (why != NULL)
 		return why;
-	if (!map_invert(&t->from_view, &inverse))
+	if (back && !map_invert(&t->from_view, &inverse))
 		return "/projection: singular; it can't be inverted";
-	map_multiply(&t->map, &inverse, true);
-	why = scene_map_refuse_range(s, &t->map);
-	transform_init(t, SPACE_DEVICE, to, false);
-	set_distance(&d, true, to, t);
-	return why != NULL ? why : transform_check(s, t);
-}
-
-static const char *to_device(const struct scene *s, enum space from,
-    struct transform *t)
-{
-	struct distance d;
-	const char *why = scene_map_factor(s, from, SPACE_VIEW, &t->map);
-
-	if (why == NULL)
-		why = device_columns(s, &d, &t->from_view);
-	if (why != NULL)
-		return why;
 	if (from <= SPACE_VIEW) {
-		why = transform_by_view(s, from, SPACE_DEVICE, false, t);
+		why = transform_by_view(s, from, to, false, t);
 	} else {
-		map_multiply(&t->map, &t->from_view, false);
+		map_multiply(&t->map, back ? &inverse : &t->from_view, back);
 		why = scene_map_refuse_range(s, &t->map);
-		transform_init(t, from, SPACE_DEVICE, false);
+		transform_init(t, from, to, false);
 	}
-	set_distance(&d, false, SPACE_DEVICE, t);
+	if (!d.parallel) {
+		t->distance = back ? DISTANCE_IN : DISTANCE_OUT;
+		t->length = d.length;
+		t->unit = t->from_view.divisor;
+		t->kernel = KERNEL_NONE;
+		t->divide = !back || to == SPACE_NDC;
+	}
 	return why != NULL ? why : transform_check(s, t);
-}
-
-const char *distance_planes(const struct scene *s, struct transform *t)
-{
-	return from_device(s, SPACE_CLIP, t);
 }
 
 const char *distance_transform(const struct scene *s, enum space from, enum space to,
     struct transform *t)
 {
-	const bool device = (from == SPACE_DEVICE) != (to == SPACE_DEVICE);
+	const bool back = from == SPACE_DEVICE;
 
-	if (!device || !s->has_viewport || !s->viewport.distance)
+	if (back == (to == SPACE_DEVICE) || !s->has_viewport || !s->viewport.distance)
 		return transform_of_scene(s, from, to, false, t);
-	if (to == SPACE_DEVICE)
-		return to_device(s, from, t);
-	const char *why = scene_map_factor(s, SPACE_VIEW, to, &t->map);
+	const char *why = scene_map_factor(s, back ? SPACE_VIEW : from,
+	    back ? to : SPACE_VIEW, &t->map);
 
-	return why != NULL ? why : from_device(s, to, t);
+	return why != NULL ? why : distance_by_view(s, from, to, t);
 }

@@ -23,6 +23,8 @@ const char *distance_of(const struct scene *, struct distance *);
 const char *distance_transform(const struct scene *, enum space from, enum space to,
     struct transform *);
 
-/* Makes t, whose member map leads from view space to the columns of planes, a transform
- * from a device whose z is the distance. Returns NULL, or the member and why. */
-const char *distance_planes(const struct scene *, struct transform *t);
+/* Makes t, whose member map leads from `from` to view space, or from view space to `to` if
+ * `from` is a device whose z is a distance, the transform from `from` to `to`. Returns
+ * NULL, or the member at fault and why. */
+const char *distance_by_view(const struct scene *, enum space from, enum space to,
+    struct transform *t);
