@@ -197,7 +197,7 @@ static void put_projection(struct printer *p, const struct document *d,
 	check_distances(d, o, &r.depth);
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
-	put_error_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
+	put_error_bounds(p, r.error_bound, o->tolerance.n > 0 ? *o->tolerance.v : 0.5);
 	if (o->textbook)
 		put_textbook_error(p, d);
 	put_bounds(p, d);
@@ -222,7 +222,7 @@ void run_inspect(const struct options *o, struct document *d, struct job *j)
 		.separator = "" };
 
 	(void)j;
-	if (d->flat && (o->tolerance > 0 || o->distances.n > 0 || o->textbook))
+	if (d->flat && (o->tolerance.n > 0 || o->distances.n > 0 || o->textbook))
 		document_refuse(d,
 		    "/projection: missing; -t, --distances and --textbook are about "
 		    "the errors and the depth of a projection, not of a window");

@@ -212,11 +212,11 @@ static void hits_set_circle(const struct document *d, const struct options *o,
 
 	if (o->pick_at.n == 0 && !p->has_at)
 		document_refuse(d, "/pick/at: missing; give \"at\": [x,y] or --at X,Y");
-	if (!(o->radius > 0) && !(p->radius > 0))
+	if (o->radius.n == 0 && !(p->radius > 0))
 		document_refuse(d, "/pick/radius: missing; give it or --radius R");
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
-	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
+	h->picker.radius = o->radius.n > 0 ? *o->radius.v : p->radius;
 }
 
 void check_pick(const struct options *o)

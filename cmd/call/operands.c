@@ -197,9 +197,9 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		if (rows[i].refused)
 			die(EXIT_USAGE, "%s", rows[i].message);
-	if (o->styles.n > l->writes)
+	if (o->decimals.n + o->digits.n > l->writes)
 		die(EXIT_USAGE, "--decimals or --digits: %d numbers for %d coordinates",
-		    o->styles.n, l->writes);
+		    o->decimals.n + o->digits.n, l->writes);
 }
 
 /* Tests choose the kernels by PROJCALC_CPU; else they are the processor's fastest. */
@@ -254,12 +254,13 @@ static void prepare_job(struct job *j, const struct options *o)
 	j->layout.columns.by_default = o->columns.n == 0;
 	for (int k = 0; k < 4 && j->layout.columns.by_default; k++)
 		j->layout.columns.name[k] = coordinate_name(k);
-	memcpy(j->layout.output.style, o->styles.style, sizeof o->styles.style);
+	for (int k = 0; k < COORDINATES_MAX; k++)
+		j->layout.output.style[k] = options_style(o, k);
 	name_numbers(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs;
+	j->threads = (int)*o->jobs.v;
 	answer_start_progress(o->progress);
 	pipe_enlarge(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();

@@ -44,12 +44,6 @@ static int whole_number(const struct option_row *r, const char *word, int min, i
 	return (int)n;
 }
 
-static void option_read_whole_number(struct options *o, const struct option_row *r,
-    char *word)
-{
-	*(int *)((char *)o + r->offset) = whole_number(r, word, r->min, r->max);
-}
-
 static void option_read_format(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -67,35 +61,26 @@ static void option_read_format(struct options *o, const struct option_row *r,
 	option_read_word(o, r, word);
 }
 
-static void option_read_size(struct options *o, const struct option_row *r, char *word)
-{
-	const char *end = word + strlen(word);
-	double *v = (void *)((char *)o + r->offset);
-
-	if (number_read(word, end, v) != end ||
-	    !(*v >= SCENE_SIZE_MIN && *v <= SCENE_MAGNITUDE_MAX))
-		die(EXIT_USAGE, "--%s: '%s' is not a number from 1e-150 to 1e150",
-		    r->name, word);
-}
-
+/* Reads r->min to r->max numbers with commas between them. */
 static void option_read_numbers(struct options *o, const struct option_row *r,
     char *word)
 {
 	struct number_list *list = (void *)((char *)o + r->offset);
 	const char *at = word, *end = word + strlen(word);
+	double v;
 
-	for (int n = 0; n < r->max; n++) {
-		at = number_read(at, end, &list->v[n]);
-		if (at == NULL || !(fabs(list->v[n]) <= SCENE_MAGNITUDE_MAX))
+	for (list->n = 0; list->n < r->max; at++) {
+		at = number_read(at, end, &v);
+		if (at == NULL || !(v >= r->least && v <= r->most) ||
+		    (r->whole && v != floor(v)))
 			break;
-		list->n = n + 1;
+		list->v[list->n++] = v;
 		if (at == end && list->n >= r->min)
 			return;
-		if (*at++ != ',')
+		if (*at != ',')
 			break;
 	}
-	die(EXIT_USAGE, "--%s: '%s' is not %s, numbers up to 1e150 as in --%s %s",
-	    r->name, word, r->argument, r->name, r->example);
+	die(EXIT_USAGE, "--%s: '%s' is not %s", r->name, word, r->wanted);
 }
 
 /* Reads the word tab, or a character that can't be part of a number or a name. */
@@ -124,24 +109,6 @@ static char *cut_word(char **list)
 	if (*list != NULL)
 		*(*list)++ = '\0';
 	return word;
-}
-
-static void option_read_styles(struct options *o, const struct option_row *r,
-    char *list)
-{
-	enum number_kind kind = r->letter == 'd' ? NUMBER_DECIMALS : NUMBER_DIGITS;
-	struct styles *s = &o->styles;
-
-	if (s->n > 0 && s->style[0].kind != kind)
-		die(EXIT_USAGE, "--decimals and --digits exclude each other");
-	for (s->n = 0; list != NULL; s->n++) {
-		int n = whole_number(r, cut_word(&list), r->min, r->max);
-
-		if (s->n == COORDINATES_MAX)
-			die(EXIT_USAGE, "--%s: more than six numbers", r->name);
-		for (int k = s->n; k < COORDINATES_MAX; k++)
-			s->style[k] = (struct number_style){ .kind = kind, .n = n };
-	}
 }
 
 /* Reads a list of fields of a line, each by its number, from 1, or its name: "2,z". */
@@ -186,6 +153,15 @@ enum {
 #define OFFSET(member) .offset = offsetof(struct options, member)
 
 /* clang-format off */
+/* What option_read_numbers reads: up to n whole numbers; a size; min to max numbers. */
+#define WHOLE(n, a, b) .min = 1, .max = n, .least = a, .most = b, .whole = true
+#define A_SIZE \
+	.min = 1, .max = 1, .least = SCENE_SIZE_MIN, .most = SCENE_MAGNITUDE_MAX, \
+	.wanted = "a number from 1e-150 to 1e150"
+#define NUMBERS(a, b, name, example) \
+	.min = a, .max = b, .least = -SCENE_MAGNITUDE_MAX, .most = SCENE_MAGNITUDE_MAX, \
+	.wanted = name ", numbers up to 1e150 as in " example
+
 const struct option_row option_rows[] = {
 	{ "convention", 'c', ALL_BUT_HELP,
 	    "answer in this convention: d3d, gl, vulkan, webgpu or opencv",
@@ -208,20 +184,22 @@ const struct option_row option_rows[] = {
 	    "find coordinates in these fields: 2,3,4, or names in csv and JSON",
 	    "LIST", .read = option_read_columns, .points_only = true },
 	{ "decimals", 'd', PRINT_NUMBERS, "print N decimals; for points a list may have one N for each coordinate",
-	    "N,...", option_read_styles, .min = 0, .max = 100 },
+	    "N,...", option_read_numbers, OFFSET(decimals), WHOLE(6, 0, 100),
+	    .wanted = "a whole number from 0 to 100, or a list of up to six" },
 	{ "digits", 0, PRINT_NUMBERS,
 	    "print at most N significant digits; a list as for -d",
-	    "N,...", option_read_styles, .min = 1, .max = 100 },
+	    "N,...", option_read_numbers, OFFSET(digits), WHOLE(6, 1, 100),
+	    .wanted = "a whole number from 1 to 100, or a list of up to six" },
 	{ "precision", 'p', PRINT_IMAGES,
 	    "compute points in exact (default), double or single arithmetic",
 	    "NAME", option_read_word, OFFSET(precision), .words = precision_names },
 	{ "tolerance", 't', COMMAND_INSPECT,
 	    "name the cheapest precision whose error is at most T; default 0.5",
-	    "T", option_read_size, OFFSET(tolerance) },
+	    "T", option_read_numbers, OFFSET(tolerance), A_SIZE },
 	{ "distances", 0, COMMAND_INSPECT,
 	    "print depth_step also at these distances, from near to far",
-	    "D,...", option_read_numbers, OFFSET(distances), .min = 1,
-	    .max = NUMBER_LIST_MAX, .example = "10,1000" },
+	    "D,...", option_read_numbers, OFFSET(distances),
+	    NUMBERS(1, NUMBER_LIST_MAX, "D,...", "--distances 10,1000") },
 	{ "textbook", 0, COMMAND_INSPECT,
 	    "print textbook_error: what programs get that work in float or double",
 	    FLAG(textbook) },
@@ -239,17 +217,17 @@ const struct option_row option_rows[] = {
 	    "divide the printed matrix so that the element from z to w is 1 or -1",
 	    FLAG(unit_w) },
 	{ "at", 0, COMMAND_PICK, "find points around this position on the device",
-	    "X,Y", option_read_numbers, OFFSET(pick_at), .min = 2, .max = 2,
-	    .example = "320,240" },
+	    "X,Y", option_read_numbers, OFFSET(pick_at),
+	    NUMBERS(2, 2, "X,Y", "--at 320,240") },
 	{ "radius", 0, COMMAND_PICK, "find points within this radius, in device units",
-	    "R", option_read_size, OFFSET(radius) },
+	    "R", option_read_numbers, OFFSET(radius), A_SIZE },
 	{ "ray", 0, COMMAND_PROJECT,
 	    "read x y on the device; print a point of the ray, and its direction",
 	    FLAG(ray) },
 	{ "plane", 0, COMMAND_PROJECT,
 	    "read x y; print where the ray meets a x + b y + c z + d = 0",
-	    "A,B,C,D", option_read_numbers, OFFSET(plane), .min = 4, .max = 4,
-	    .example = "0,0,1,0" },
+	    "A,B,C,D", option_read_numbers, OFFSET(plane),
+	    NUMBERS(4, 4, "A,B,C,D", "--plane 0,0,1,0") },
 	{ "append", 0, COMMAND_MATRIX_3D | COMMAND_PROJECT | COMMAND_MATRIX_2D,
 	    "keep each line whole and add the image behind it",
 	    FLAG(append), .points_only = true },
@@ -262,7 +240,8 @@ const struct option_row option_rows[] = {
 	    "go on after a wrong scene or a bad line; print nan for the line",
 	    FLAG(keep_going) },
 	{ "jobs", 'j', READ_POINTS, "use N threads; default one for each processor",
-	    "N", option_read_whole_number, OFFSET(jobs), .min = 1, .max = 256 },
+	    "N", option_read_numbers, OFFSET(jobs), WHOLE(1, 1, 256),
+	    .wanted = "a whole number from 1 to 256" },
 	{ "progress", 0, READ_POINTS, "report on standard error how many lines are done",
 	    FLAG(progress) },
 	{ "quiet", 'q', ALL_BUT_HELP,

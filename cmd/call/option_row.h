@@ -18,8 +18,11 @@ struct option_row {
 	size_t offset;            /* in struct options, of what `read` sets */
 	unsigned *global;         /* a variable to set instead of the member; or NULL */
 	const char *const *words; /* possible arguments; NULL ends them */
-	int min, max; /* range of a whole number, or of the length of a list */
-	const char *example;
+	/* of a list of numbers: its length, their range, and what is wanted, in words */
+	int min, max;
+	double least, most;
+	bool whole;
+	const char *wanted;
 	size_t flag;      /* offset in struct options of a bool to set; or 0 */
 	bool points_only; /* the option is for points only */
 };

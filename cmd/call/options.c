@@ -16,23 +16,25 @@ static const struct option_row *find_long_option(const struct command *c,
     const char *word)
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
-	const struct option_row *named = option_find(name);
+	const struct option_row *found = NULL;
 	const size_t n = strlen(name);
 	char list[LIST_ROOM];
 	int count = 0;
 
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (option_is_for(r, c) && strncmp(r->name, name, n) == 0)
+		if (option_is_for(r, c) && strncmp(r->name, name, n) == 0) {
+			if (r->name[n] == '\0')
+				return r;
 			names[count++] = r->name;
+			found = r;
+		}
 	names[count] = NULL;
-	if (named != NULL && option_is_for(named, c) && strcmp(named->name, name) == 0)
-		return named;
-	if (named != NULL || n == 0 || count == 0)
+	if (n == 0 || count == 0 || option_find(name) != NULL)
 		unknown_check_option(c, word, name, true);
 	if (count > 1)
 		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name, word,
 		    words_join(list, names, " or ", ""));
-	return option_find(names[0]);
+	return found;
 }
 
 static const struct option_row *find_letter_option(const struct command *c, char letter)
@@ -165,6 +167,8 @@ void options_read(struct options *o, char **words)
 		choose_input(o);
 	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
 		choose_output(o);
+	if (o->decimals.n > 0 && o->digits.n > 0)
+		die(EXIT_USAGE, "--decimals and --digits exclude each other");
 	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
 		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
 	if (o->out_record > 0 &&
@@ -203,11 +207,23 @@ enum format options_out_format(const struct options *o)
 	return o->has_out ? o->out : o->in;
 }
 
+struct number_style options_style(const struct options *o, int k)
+{
+	const bool decimals = o->decimals.n > 0;
+	const struct number_list *list = decimals ? &o->decimals : &o->digits;
+
+	if (list->n == 0)
+		return (struct number_style){ NUMBER_SHORTEST, 0 };
+	return (struct number_style){ decimals ? NUMBER_DECIMALS : NUMBER_DIGITS,
+		(int)list->v[k < list->n ? k : list->n - 1] };
+}
+
 struct number_style options_matrix_style(const struct options *o)
 {
-	if (o->styles.n > 1)
+	const int n = o->decimals.n + o->digits.n;
+
+	if (n > 1)
 		die(EXIT_USAGE,
-		    "--decimals or --digits: one number is wanted here, not %d",
-		    o->styles.n);
-	return o->styles.style[0];
+		    "--decimals or --digits: one number is wanted here, not %d", n);
+	return options_style(o, 0);
 }

@@ -8,16 +8,9 @@
 #include "../lines/layout.h"
 #include "command.h"
 
-/* The list of --decimals or --digits: a style for each printed coordinate. The last
- * style of the list also holds for all further coordinates. */
-struct styles {
-	int n; /* styles in the list; 0: neither option was given */
-	struct number_style style[COORDINATES_MAX];
-};
-
 enum { NUMBER_LIST_MAX = 32 };
 
-/* An option's argument that is a list of numbers, each at most 1e150 in magnitude. */
+/* An option's argument that is a number or a list of numbers. */
 struct number_list {
 	int n; /* 0: the option was not given */
 	double v[NUMBER_LIST_MAX];
@@ -35,17 +28,14 @@ struct options {
 	char separator;            /* of csv, a comma by default */
 	bool header, no_header;    /* neither: the first line's fields decide */
 	struct columns columns;    /* of POINTS, by --columns */
-	struct styles styles;      /* of --decimals or --digits */
+	struct number_list decimals, digits;
 	enum precision precision;
-	double tolerance;             /* by --tolerance; 0: not given */
-	struct number_list distances; /* by --distances */
+	struct number_list tolerance, distances;
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, unit_w, textbook, ray, append, flags, visible,
 	    keep_going, progress, quiet;
-	int jobs;                          /* threads; 0: one for each processor */
-	struct number_list pick_at, plane; /* by --at, by --plane */
-	double radius;                     /* by --radius; 0: not given */
+	struct number_list jobs, pick_at, plane, radius;
 	/* the name of a given option that is for points only; or NULL */
 	const char *points_only_option;
 	bool scenes;        /* params has any number of documents */
@@ -68,6 +58,10 @@ int options_coordinates(const struct options *);
 
 /* Returns the format of printed points: `out` if has_out, else the input's format. */
 enum format options_out_format(const struct options *);
+
+/* Returns the style of coordinate k, from 0, by --decimals or --digits. The last of a
+ * list also holds for all further coordinates. */
+struct number_style options_style(const struct options *, int k);
 
 /* Returns the style of the numbers in a matrix and in the output of inspect and pick.
  * Refuses a list of several styles. */

@@ -113,7 +113,7 @@ static void add_member(const char *name, const char *s)
 	addf("\"");
 }
 
-/* Adds the message to `line` as a JSON object without its end: status and bracket. */
+/* Adds the message to `line` as a JSON object. */
 static void add_json(int status, const struct place *p, struct scene_place scene,
     char *message)
 {
@@ -133,6 +133,7 @@ static void add_json(int status, const struct place *p, struct scene_place scene
 	add_member("reason", message);
 	if (hint != NULL)
 		add_member("hint", hint);
+	addf(",\"status\":%d}", status > 0 ? status : EXIT_OK);
 }
 
 static void print_line(int status, const struct place *place, const char *format,
@@ -150,8 +151,6 @@ static void print_line(int status, const struct place *place, const char *format
 		add_json(status, p, scene, message);
 	else
 		add_text(status, p, scene, message);
-	if (message_state.json)
-		addf(",\"status\":%d}", status > 0 ? status : EXIT_OK);
 	addf("\n");
 	fwrite(line.s, 1, line.n, stderr);
 	funlockfile(stderr);
