@@ -89,37 +89,33 @@ static const struct value_range height_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE
 		.aliases = "h imageheight", .unit = "device units",                  \
 		.about = "height of the rectangle, required")
 
-/* The fields `scale` and `scales` of struct viewport, both set by "scale" in JSON. */
-struct scale_value {
-	unsigned by; /* SCALE_FILL, ... of struct viewport */
-	double units[2];
+/* "scale" in JSON sets the fields `scale` and `scales` of struct viewport. */
+enum {
+	TO_SCALES = offsetof(struct viewport, scales) - offsetof(struct viewport, scale)
 };
-
-_Static_assert(offsetof(struct viewport, scales) ==
-	offsetof(struct viewport, scale) + offsetof(struct scale_value, units),
-    "scales is next to scale");
 
 static void read_scale(const struct value *v, const struct member *row, void *out)
 {
-	struct scale_value *s = out;
+	unsigned *by = out;
 
-	s->by = SCALE_GIVEN;
+	*by = SCALE_GIVEN;
 	if (value_is(v, JSON_ARRAY))
-		value_numbers(v, &range_positive, 2, s->units);
+		value_numbers(v, &range_positive, 2,
+		    (double *)(void *)((char *)out + TO_SCALES));
 	else if (value_string(v) == NULL)
 		value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
 	else
-		s->by = (unsigned)value_word(v, row->words);
+		*by = (unsigned)value_word(v, row->words);
 }
 
 static void print_scale(struct printer *p, const struct member *row, const void *at)
 {
-	const struct scale_value *s = at;
+	const unsigned by = *(const unsigned *)at;
 
-	if (s->by == SCALE_GIVEN)
-		put_numbers(p, s->units, 2);
+	if (by == SCALE_GIVEN)
+		put_numbers(p, (const void *)((const char *)at + TO_SCALES), 2);
 	else
-		put_string(p, row->words[s->by]);
+		put_string(p, row->words[by]);
 }
 
 static const struct member_type type_scale = { "fill, uniform or 2 sizes", read_scale,

@@ -162,14 +162,17 @@ static void read_inverse(const struct value *v, const struct member *row, void *
 }
 
 /* Returns whether an array is a list of steps: it is empty, or an element is an object
- * or, where a list is wrongly in a list, such an array. */
+ * or, where a list is wrongly in a list, an array that begins with one. */
 static bool is_list(const struct value *v)
 {
 	struct value e = value_child(v);
 	bool is = e.item == NULL;
 
-	for (; e.item != NULL && !is; value_next(&e))
-		is = value_is(&e, JSON_OBJECT) || (value_count(&e) > 0 && is_list(&e));
+	for (; e.item != NULL && !is; value_next(&e)) {
+		const struct value first = value_count(&e) > 0 ? value_child(&e) : e;
+
+		is = value_is(&first, JSON_OBJECT);
+	}
 	return is;
 }
 
