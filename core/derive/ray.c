@@ -91,7 +91,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 }
 
 static void ray_direction(const struct ray_maker *r, const double in[4], bool single,
-    double direction[3])
+    double *const direction[3], size_t i)
 {
 	struct sum to[3];
 
@@ -102,41 +102,43 @@ static void ray_direction(const struct ray_maker *r, const double in[4], bool si
 	for (int j = 0; j < 3; j++) {
 		double q = sum_ratio_nearest(&to[j], &length, single);
 
-		direction[j] = isfinite(q) ? q : (double)NAN;
+		direction[j][i] = isfinite(q) ? q : (double)NAN;
 	}
 }
 
 static void round_to_floats(const struct ray_maker *r, const double in[4],
-    double point[3], double direction[3])
+    double *const point[3], double *const direction[3], size_t i)
 {
-	for (int j = 0; j < 3; j++) {
-		float p = point_exact_float(&r->to_world, in, j, point[j]);
+	bool midway = false;
 
-		point[j] = isfinite(p) ? (double)p : (double)NAN;
+	for (int j = 0; j < 3; j++) {
+		float p = point_exact_float(&r->to_world, in, j, point[j][i]);
+
+		point[j][i] = isfinite(p) ? (double)p : (double)NAN;
+		midway |= is_midway(direction[j][i]);
 	}
-	if (is_midway(direction[0]) || is_midway(direction[1]) ||
-	    is_midway(direction[2]))
-		ray_direction(r, in, true, direction);
+	if (midway)
+		ray_direction(r, in, true, direction, i);
 	for (int j = 0; j < 3; j++)
-		direction[j] = (double)(float)direction[j];
+		direction[j][i] = (double)(float)direction[j][i];
 }
 
-/* Completes a ray that a kernel left undecided. If all of `point` is nan, there is a
+/* Completes ray i, which a kernel left undecided. If all of its point is nan, there is a
  * ray only if w is positive: its point is then beyond the range of doubles. */
 static void ray_finish(const struct ray_maker *r, const double in[4], bool single,
-    double point[3], double direction[3])
+    double *const point[3], double *const direction[3], size_t i)
 {
-	if (isnan(point[0]) && isnan(point[1]) && isnan(point[2]) &&
+	if (isnan(point[0][i]) && isnan(point[1][i]) && isnan(point[2][i]) &&
 	    (isnan(in[0]) || isnan(in[1]) ||
 		sum_sign(point_column(&r->to_world, 3, in)) <= 0)) {
 		for (int j = 0; j < 3; j++)
-			direction[j] = (double)NAN;
+			direction[j][i] = (double)NAN;
 		return;
 	}
-	if (isnan(direction[0]))
-		ray_direction(r, in, false, direction);
+	if (isnan(direction[0][i]))
+		ray_direction(r, in, false, direction, i);
 	if (single)
-		round_to_floats(r, in, point, direction);
+		round_to_floats(r, in, point, direction, i);
 }
 
 bool rays_cast(const struct ray_maker *r, bool single, const double *const at[2],
@@ -154,22 +156,10 @@ bool rays_cast(const struct ray_maker *r, bool single, const double *const at[2]
 		direction, n) &&
 	    finite && !single)
 		return true;
-	for (size_t i = 0; i < n; i++) {
-		const double p[4] = { at[0][i], at[1][i], r->depth, 1 };
-		double ray[2][3];
-
-		if (!single && !isnan(point[0][i]) && !isnan(direction[0][i]))
-			continue;
-		for (int j = 0; j < 3; j++) {
-			ray[0][j] = point[j][i];
-			ray[1][j] = direction[j][i];
-		}
-		ray_finish(r, p, single, ray[0], ray[1]);
-		for (int j = 0; j < 3; j++) {
-			point[j][i] = ray[0][j];
-			direction[j][i] = ray[1][j];
-		}
-	}
+	for (size_t i = 0; i < n; i++)
+		if (single || isnan(point[0][i]) || isnan(direction[0][i]))
+			ray_finish(r, (double[4]){ at[0][i], at[1][i], r->depth, 1 },
+			    single, point, direction, i);
 	return false;
 }
 
