@@ -52,6 +52,23 @@ static void set_points(struct lens *l)
 	}
 }
 
+/* Sets to_world. A camera with an eye is a rotation, whose inverse is its transpose. */
+static const char *set_to_world(struct lens *l)
+{
+	const struct scene *s = &l->scene;
+	struct map *r = &l->to_world;
+
+	if (!s->has_camera || s->camera.way >= CAMERA_TRANSLATION)
+		return scene_map(s, SPACE_VIEW, SPACE_WORLD, r);
+	map_copy(r, &l->to_view);
+	for (int i = 0; i < 9; i++)
+		sum_copy(&r->m[i / 3][i % 3], &l->to_view.m[i % 3][i / 3]);
+	for (int k = 0; k < 3; k++)
+		r->m[3][k] = sum_scale(r->divisor, s->camera.eye[k]);
+	map_set_origin(r, NULL);
+	return scene_map_refuse_range(s, r);
+}
+
 const char *lens_of(const struct scene *s, struct lens *l)
 {
 	const struct convention *c = scene_answer_convention(s);
@@ -63,7 +80,7 @@ const char *lens_of(const struct scene *s, struct lens *l)
 	if (why == NULL)
 		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view);
 	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &l->to_world);
+		why = set_to_world(l);
 	if (why != NULL)
 		return why;
 	l->scene.known[SPACE_WORLD][false] = &l->to_view;
