@@ -23,8 +23,9 @@ static const char *set_corners(const struct bounds *b, int dimensions,
 
 	c->n = 1 << dimensions;
 	for (int k = 0; k < c->n && why == NULL; k++) {
-		struct sum p[4] = { [3] = sum_of_double(1) };
+		struct sum p[4];
 
+		sum_set(&p[3], 1);
 		for (int i = 0; i < 3; i++) {
 			const double radius = i < dimensions ? h.radius : 0;
 
@@ -46,14 +47,14 @@ static void widen(double *min, double *max, const struct sum *n, const struct su
 	*max = fmax(*max, v);
 }
 
-static const char *set_distances(const struct scene *s, const struct corners *c,
+static void set_distances(const struct scene *s, const struct corners *c,
     double distance[2])
 {
 	struct distance d;
 	struct sum v, length;
-	const char *why = distance_of(s, &d);
 
-	for (int k = 0; k < c->n && why == NULL; k++) {
+	distance_of(s, &d);
+	for (int k = 0; k < c->n; k++) {
 		sum_dot(4, c->at[k], d.column, 1, &v);
 		length = sum_mul(d.length, c->at[k][3]);
 		widen(&distance[0], &distance[1], &v, &length);
@@ -61,7 +62,6 @@ static const char *set_distances(const struct scene *s, const struct corners *c,
 	for (int i = 0; i < 2; i++)
 		if (isinf(distance[i]))
 			distance[i] = (double)NAN;
-	return why;
 }
 
 /* Sets what depends on the planes in `sides` and, unless it is NULL, `ends`. */
@@ -127,11 +127,12 @@ static void find_rectangle(const struct corners *c, struct box *r)
 		r->min[k] = r->max[k] = (double)NAN;
 }
 
-const char *box_of(const struct scene *s, const struct bounds *b, bool flat,
+const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
     struct box *r)
 {
+	struct scene scene = *given, *s = &scene;
 	struct corners c;
-	struct map m, ends;
+	struct map m, ends, to_clip;
 	const char *why = NULL;
 
 	for (int k = 0; k < 2; k++)
@@ -142,17 +143,23 @@ const char *box_of(const struct scene *s, const struct bounds *b, bool flat,
 	if (why == NULL)
 		why = set_corners(b, flat ? 2 : 3, &m, &c);
 	if (why == NULL && !flat)
-		why = set_distances(s, &c, r->distance);
-	if (why == NULL)
-		why = flat ? scene_flat_map(s, FLAT_WINDOW,
-				 s->has_device ? FLAT_DEVICE : FLAT_NDC, &m) :
-			     scene_map_factor(s, SPACE_VIEW,
-				 s->has_viewport ? SPACE_DEVICE : SPACE_NDC, &m);
+		why = scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &to_clip);
+	if (why != NULL)
+		return why;
+	if (!flat) {
+		s->known[SPACE_VIEW][false] = &to_clip;
+		set_distances(s, &c, r->distance);
+	}
+	why = flat ?
+	    scene_flat_map(s, FLAT_WINDOW, s->has_device ? FLAT_DEVICE : FLAT_NDC, &m) :
+	    scene_map_factor(s, SPACE_VIEW, s->has_viewport ? SPACE_DEVICE : SPACE_NDC,
+		&m);
 	if (why != NULL)
 		return why;
 	for (int k = 0; k < c.n; k++) {
 		for (int j = 0; j < 4; j++)
-			map_image(&m, j, c.at[k], &c.image[k][j]);
+			if (j != 2)
+				map_image(&m, j, c.at[k], &c.image[k][j]);
 		sum_set(&c.image[k][2], 1);
 	}
 	why = flat ? frustum_window_planes(s, FLAT_WINDOW, &m) :
