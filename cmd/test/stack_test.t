@@ -1,14 +1,14 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Checks the program with a stack limit of 512 KB, which is also that of threads that do
-# not set their own: runs the transcripts, and streams of every format through threads.
+# Checks the program with a stack limit of 256 KB, half of that of threads that do not set
+# their own: runs the transcripts, and streams of every format through threads.
 use strict;
 use warnings;
 use FindBin;
 use lib $FindBin::Bin;
 use Projcalc;
 
-my $limit = 512;
+my $limit = 256;
 plan skip_all => 'a sanitizer needs a large stack'
     if system("grep -q '__[at]san_init' $build/projcalc") == 0;
 mkdir "$tmp/small" or die "$tmp/small: $!\n";

@@ -133,7 +133,8 @@ const char *hull_extents(const struct hull *h, const struct scene *s, struct ext
 
 unsigned hull_outside(const struct hull *h, const struct scene *s)
 {
-	struct map sides, ends;
+	/* static: fit calls this deep in its stack, which may have only 256 KB */
+	static struct map sides, ends;
 	unsigned out = 0;
 
 	if (frustum_planes(s, SPACE_MODEL, &sides, &ends) != NULL)

@@ -293,20 +293,21 @@ static const char *describe(const struct scene *s, struct lens *l, struct pictur
 	return NULL;
 }
 
+/* static: too large for a stack of 256 KB. Only one thread describes pictures. */
+static struct lens lens;
+
 unsigned picture_notes(const struct scene *s)
 {
-	struct lens l;
 	struct picture p;
 
-	return describe(s, &l, &p) != NULL ?
+	return describe(s, &lens, &p) != NULL ?
 	    0 :
 	    p.notes & ~(1u << NOTE_RADIANS) & ((1u << NOTES_SAID) - 1);
 }
 
 const char *picture_of(const struct scene *s, struct picture *p)
 {
-	struct lens l;
-	const char *why = describe(s, &l, p);
+	const char *why = describe(s, &lens, p);
 
-	return why != NULL ? why : error_bound_of(&l, p->error_bound);
+	return why != NULL ? why : error_bound_of(&lens, p->error_bound);
 }
