@@ -3,9 +3,30 @@
  * coordinates; vector code reads the numbers. line_read reads all other lines. */
 #pragma once
 
+#include "../number/vector/loops.h"
 #include "line.h"
-#include "stretch.h"
-#include "walk_paths.h"
+
+/* A stretch is text with an index of its stops, which are the bytes that can end a field
+ * or make a line not simple. The text is the caller's. A stretch stays in the
+ * first-level cache, and the place of a stop fits into 16 bits. */
+enum { STRETCH_MAX = 1 << 14 };
+
+struct stretch {
+	const char *readable;             /* vector code may read from here on */
+	const char *text;                 /* the beginning of the stretch */
+	uint32_t at;                      /* the place of the next line */
+	uint32_t end;                     /* the place after the last line */
+	const uint16_t *next;             /* the first stop at or after `at` */
+	uint16_t stop[STRETCH_MAX + 128]; /* the places of the stops */
+};
+
+/* The paths from a JSON value to coordinates, by names and indexes with / between. path[i]
+ * leads to coordinate i. Its first name or index has size[i] bytes; SIZE_MAX: coordinate
+ * i is elsewhere. */
+struct walk_paths {
+	const char *path[4];
+	size_t size[4];
+};
 
 /* The properties of simple lines, and the way to their n coordinates. */
 struct walk {
@@ -25,6 +46,11 @@ struct walk {
 
 /* Sets the walk for a layout. Returns false if no line of the layout is simple. */
 bool walk_plan(const struct layout *, struct walk *);
+
+/* Begins a stretch at text and makes its index, by vector code. Returns false if it has
+ * no newline before a NUL. */
+bool stretch_open(struct stretch *, const struct byte_set *stops, const char *text,
+    const char *end);
 
 /* Walks up to n <= PLAIN_BATCH lines, and returns how many; 0 at the end. Stores places
  * of coordinate k in element k. Sets bit i of *left if line_read has to read line i. */

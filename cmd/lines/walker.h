@@ -4,7 +4,7 @@
 #pragma once
 
 #include "../json/text.h"
-#include "stretch.h"
+#include "walk.h"
 
 /* INLINE functions are compiled once for each format, so that the compiler removes the
  * branches of other formats. */
@@ -145,4 +145,38 @@ INLINE bool has_no_decimal_comma(struct walker *p, struct dialect d, int n, bool
 		return comma || !stop_is(p, ',');
 	pass_separator(p, d);
 	return stop_is(p, '\n') || p->comma == comma;
+}
+
+static inline struct walk_paths paths_inside(const struct walk_paths *t, unsigned leads)
+{
+	struct walk_paths rest;
+
+	for (int i = 0; i < 4; i++) {
+		bool set = (leads >> i & 1) != 0;
+
+		rest.path[i] = set ? t->path[i] + t->size[i] + 1 : "";
+		rest.size[i] = set ? strcspn(rest.path[i], "/") : SIZE_MAX;
+	}
+	return rest;
+}
+
+/* Returns the coordinate whose path ends at the field with this name or index, or
+ * -1. Sets bit i of *leads if path i leads to the field or into it. */
+INLINE int follow_paths(const struct walk_paths *t, int n, struct span name,
+    unsigned *leads)
+{
+	size_t size = (size_t)(name.end - name.s);
+
+	*leads = 0;
+	for (int i = 0; i < n; i++) {
+		const char *path = t->path[i];
+
+		if (t->size[i] != size || *path != *name.s ||
+		    (size > 1 && memcmp(path, name.s, size) != 0))
+			continue;
+		*leads |= 1u << i;
+		if (path[size] != '/')
+			return i;
+	}
+	return -1;
 }
