@@ -345,11 +345,11 @@ static void set_dummy_numbers(int n, struct plain_places places[4])
 {
 	static const char none[PLAIN_READABLE + 1] = "";
 
-	for (int k = 0; k < n; k++)
-		for (size_t i = 0; i < PLAIN_BATCH; i++)
-			places[k].end[i] = none + sizeof none;
-	for (int k = 0; k < n; k++)
-		memset(places[k].size, 1, PLAIN_BATCH);
+	for (size_t i = 0; i < PLAIN_BATCH; i++)
+		places->end[i] = none + sizeof none;
+	memset(places->size, 1, PLAIN_BATCH);
+	for (int k = 1; k < n; k++)
+		places[k] = *places;
 }
 
 INLINE size_t walk_batch(struct stretch *s, const struct walk *walk, struct dialect d,

@@ -31,7 +31,7 @@ INLINE void pass_stop(struct walker *p)
 }
 
 /* Passes blanks. Spaces that follow two others may be no stops. Counts up to seven at a
- * time without a branch, as their number varies where columns are aligned. */
+ * time without a branch, as their number varies where columns are aligned; of JSON one. */
 INLINE void pass_blanks(struct walker *p, struct dialect d)
 {
 	const uint64_t spaces = 0x2020202020202020, end = 1ull << 63;
@@ -39,6 +39,10 @@ INLINE void pass_blanks(struct walker *p, struct dialect d)
 	while (*p->stop == p->at && is_blank_of(d, p->text[p->at])) {
 		uint32_t from = p->at;
 
+		if (d.format == FORMAT_JSON && p->text[p->at + 1] != ' ') {
+			pass_stop(p);
+			continue;
+		}
 		while (p->text[p->at] == ' ') {
 			uint64_t b;
 
