@@ -33,7 +33,6 @@ ex ex_power(int e); /* 2^e */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT_WORDS = 12 };
 
-ex ex_sqrt(const ex *);
 void ex_truncate(const ex *a, int n, ex *); /* the n highest words of a */
 
 enum { EX_RANGE = 1 << 24 }; /* exponents are between -EX_RANGE and EX_RANGE */
@@ -50,7 +49,7 @@ bool ex_has_overflowed(void);
 
 void ex_set(ex *, double a);
 
-enum { EX_MIN_WORDS = 7 };
+enum { EX_MIN_WORDS = 6 };
 
 /* Computes the sum of the n products a[k] b[k]. Drops words of weight below 2^least,
  * but keeps the EX_MIN_WORDS highest words. */
@@ -60,9 +59,18 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
  * exact; if not, sets their last bit, so that they round as the exact quotient does. */
 bool ex_divide(const ex *a, const ex *b, int count, ex *);
 
+/* Computes `count` words, or one more, of the root of a number > 0. Returns whether
+ * they are exact. */
+bool ex_sqrt(const ex *, int count, ex *);
+
 /* Returns the double nearest to a number or, if single, the nearest float. Ties go to
  * even, also between subnormal numbers. A number beyond the range becomes infinite. */
 double ex_nearest(const ex *, bool single);
+
+/* Returns whether a number lies within 2^-6 units of the last place of the midpoint of
+ * two doubles or, if single, floats. If not, an error below 2^-6 such units does not
+ * change the double or float nearest to it. */
+bool ex_is_near_midpoint(const ex *, bool single);
 
 #define EX_ROUND_BOUND 0.5
 

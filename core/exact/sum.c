@@ -198,6 +198,18 @@ bool sum_is_power_of_two(const struct sum *a)
 	return sum_is_exact(a) && ceil_log2(&a->value) < ex_exponent(&a->value);
 }
 
+/* Returns how many words, of which the first can be as small as 1, a quotient or a root
+ * of a needs, so that the others are below 2^-20 of its error. */
+static int words_needed(const struct sum *a)
+{
+	int bits = ceil_log2(&a->value) + EX_RANGE - a->error;
+	int words = (bits + 20 + 63) / 64 + 1;
+
+	return sum_is_exact(a) || words > EX_QUOTIENT_WORDS ? EX_QUOTIENT_WORDS :
+	    words < EX_MIN_WORDS                            ? EX_MIN_WORDS :
+							      words;
+}
+
 struct sum(sum_quotient)(const struct sum *a, const struct sum *b)
 {
 	/* 2^d bounds |b| from below; an error of b above 2^(d-40) halves this bound */
@@ -213,7 +225,9 @@ struct sum(sum_quotient)(const struct sum *a, const struct sum *b)
 		return r;
 	}
 	d -= b->error - EX_RANGE > d - 40;
-	bool exact = ex_divide(&a->value, &b->value, EX_QUOTIENT_WORDS, &r.value);
+	int words = words_needed(a), most = words_needed(b);
+	bool exact = ex_divide(&a->value, &b->value, words < most ? words : most,
+	    &r.value);
 	int size = ceil_log2(&r.value);
 
 	r.error = add_errors(3,
@@ -231,11 +245,7 @@ struct sum(sum_sqrt)(const struct sum *a)
 		r.error = sum_is_exact(a) ? 0 : (a->error + EX_RANGE) / 2 + 1;
 		return r;
 	}
-	r.value = ex_sqrt(&a->value);
-	/* the lowest word of r * r has the index e = 2 r.e or 2 r.e + 1; if this is
-	 * below the index of a's lowest word, r is not exact */
-	if (!sum_is_exact(a) || 2 * r.value.e + 1 < a->value.e ||
-	    sum_compare(sum_mul(r, r), *a) != 0)
+	if (!ex_sqrt(&a->value, words_needed(a), &r.value) || !sum_is_exact(a))
 		r.error = add_errors(2,
 		    (int[]){ ceil_log2(&r.value) + SUM_QUOTIENT_ERROR,
 			a->error - ex_exponent(&r.value) + 1 });
@@ -283,20 +293,20 @@ static double round_inexact(const struct sum *n, const struct sum *d, const ex *
     bool single)
 {
 	const double near = ex_nearest(q, single);
-	/* 0.9 of half an ulp; small errors of n and d change q by less than 1/64 ulp */
-	const double sure = fabs(near) * (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54);
-	const int small = EX_RANGE - 62;
+	const int small = EX_RANGE - 62; /* changes q by less than 2^-8 ulp */
 	struct sum minus_near, minus_other, rest;
 
+	if (!isfinite(near) ||
+	    (n->error <= ceil_log2(&n->value) + small &&
+		d->error <= ceil_log2(&d->value) + small &&
+		!ex_is_near_midpoint(q, single)))
+		return near;
 	sum_set(&minus_near, -near);
 	ex_dot(2, (const ex *[]){ q, &minus_near.value },
 	    (const ex *[]){ &sum_one.value, &sum_one.value }, INT_MIN, &rest.value);
 	int side = rest.value.sign * q->sign;
 
-	if (!isfinite(near) || side == 0 ||
-	    (n->error <= ceil_log2(&n->value) + small &&
-		d->error <= ceil_log2(&d->value) + small &&
-		fabs(ex_nearest(&rest.value, false)) < sure))
+	if (side == 0)
 		return near;
 	double other = neighbour(near == 0 ? copysign(0, q->sign) : near, side > 0,
 	    single);

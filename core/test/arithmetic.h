@@ -45,7 +45,9 @@ static inline ex ex_quotient(ex a, ex b)
 
 static inline ex ex_root(ex a)
 {
-	return ex_sqrt(&a);
+	if (a.sign > 0)
+		ex_sqrt(&a, EX_QUOTIENT_WORDS, &a);
+	return a;
 }
 
 /* Returns the n highest words of a. */

@@ -174,15 +174,22 @@ static void roots(void **state)
 			ex a = sample_words(n);
 
 			a.sign = 1;
-			ex r = ex_sqrt(&a);
+			int count = 2 + (int)sample_below(EX_QUOTIENT_WORDS - 1);
 
-			/* |r^2 - a| is at most 2^-318 a */
+			if (n <= count && sample_below(2))
+				a = ex_mul(a, a);
+			ex r;
+			bool exact = ex_sqrt(&a, count, &r);
+
+			/* a - r^2 is at most 2^(3 - 64 (count - 1)) a */
 			set_integer(x, &r, 2 * UP);
 			mpz_mul(x, x, x);
 			set_integer(y, &a, 4 * UP);
-			mpz_sub(x, x, y);
-			mpz_mul_2exp(x, x, 318);
-			assert_true(mpz_cmpabs(x, y) <= 0);
+			mpz_sub(x, y, x);
+			assert_int_equal(exact, mpz_sgn(x) == 0);
+			assert_true(mpz_sgn(x) >= 0);
+			mpz_mul_2exp(x, x, (mp_bitcnt_t)(64 * count - 67));
+			assert_true(mpz_cmp(x, y) <= 0);
 		}
 	mpz_clears(x, y, NULL);
 }
