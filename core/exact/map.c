@@ -68,12 +68,13 @@ void map_of_doubles(const double m[4][4], struct map *r)
 
 void map_set_origin(struct map *r, const double origin[3])
 {
-	struct sum p[4] = { [3] = sum_of_double(1) };
+	struct sum p[4];
 
 	for (int k = 0; k < 3; k++) {
 		r->origin[k] = origin != NULL ? origin[k] : 0;
 		sum_set(&p[k], r->origin[k]);
 	}
+	sum_set(&p[3], 1);
 	for (int j = 0; j < 4; j++)
 		sum_dot(4, p, &r->m[0][j], 4, &r->m[4][j]);
 }

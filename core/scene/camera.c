@@ -1,21 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera.h"
 
+#include <string.h>
+
 #include "../exact/rotation.h"
 
-/* The axes of view space: axis i is the unit vector v[i] / length[i]. v is not divided,
- * as its elements are polynomials, whose terms cancel exactly. If length[1] is exact,
- * all axes are scaled to this length, which becomes the map's divisor. */
+/* The axes of view space: axis i is the unit vector v[i] scale[i] / divisor. The elements
+ * of v are polynomials, whose terms cancel exactly. */
 struct axes {
-	struct sum v[3][3], length[3];
+	struct sum v[3][3], scale[3], divisor;
 };
-
-static void axis_scale(struct axes *a, int i, struct sum s)
-{
-	for (int k = 0; k < 3; k++)
-		a->v[i][k] = sum_mul(a->v[i][k], s);
-	a->length[i] = sum_mul(a->length[i], s);
-}
 
 /* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
  * cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
@@ -48,16 +42,20 @@ static const char *axes_of_gaze(const struct camera *c,
 		return "/camera/up: parallel to the gaze; choose another up vector";
 	struct sum x_length = sum_sqrt(xx), z_length = sum_sqrt(zz);
 
-	a->length[0] = x_length;
-	a->length[1] = sum_mul(x_length, z_length);
-	a->length[2] = z_length;
+	a->divisor = sum_mul(x_length, z_length);
+	if (sum_is_exact(&a->divisor)) {
+		sum_copy(&a->scale[0], &z_length);
+		sum_set(&a->scale[1], 1);
+		sum_copy(&a->scale[2], &x_length);
+	} else {
+		a->scale[0] = sum_quotient(x_length, xx);
+		a->scale[2] = sum_quotient(z_length, zz);
+		sum_dot(1, &a->scale[0], &a->scale[2], 1, &a->scale[1]);
+		sum_set(&a->divisor, 1);
+	}
 	for (int i = 0; i < 3 && convention->view_y_down; i++) {
 		y[i] = sum_neg(y[i]);
 		z[i] = sum_neg(z[i]);
-	}
-	if (sum_is_exact(&a->length[1])) {
-		axis_scale(a, 0, z_length);
-		axis_scale(a, 2, x_length);
 	}
 	return NULL;
 }
@@ -66,29 +64,21 @@ static const char *axes_of_gaze(const struct camera *c,
 static const char *axes_of_rotation(const struct camera *c, bool by_rvec,
     struct axes *a)
 {
-	struct sum q[4], length = sum_of_double(1);
+	struct sum q[4];
 
+	sum_set(&a->divisor, 1);
+	for (int i = 0; i < 3; i++)
+		sum_set(&a->scale[i], 1);
 	for (int i = 0; i < 4; i++)
 		sum_set(&q[i], i < 3 ? -c->orientation[i] : c->orientation[i]);
 	if (!by_rvec)
-		rotation_of_quaternion(q, a->v, &length);
+		rotation_of_quaternion(q, a->v, &a->divisor);
 	else if (!rotation_about(c->rvec, a->v))
 		return "/camera/rvec: is longer than 2 pi; its length is the angle in "
 		       "radians";
-	for (int i = 0; i < 3; i++)
-		sum_copy(&a->length[i], &length);
-	return sum_is_exact_zero(&length) ?
+	return sum_is_exact_zero(&a->divisor) ?
 	    "/camera/orientation: is 0; the identity is 0, 0, 0, 1" :
 	    NULL;
-}
-
-/* Sets the origin of a map to `eye`, or to 0 if `eye` is NULL. An element of its image
- * that is within its error of 0 becomes exact 0: the eye's image in view space is 0. */
-static void set_map_eye(struct map *r, const double eye[3])
-{
-	map_set_origin(r, eye);
-	for (int j = 0; j < 3; j++)
-		r->m[4][j] = sum_snap_zero(r->m[4][j]);
 }
 
 /* Computes the map to view space or, if inverse, the map to world space:
@@ -102,33 +92,32 @@ static void set_map_eye(struct map *r, const double eye[3])
 static void map_of_axes(const struct axes *a, const double given[3],
     bool is_translation, bool inverse, struct map *r)
 {
-	bool exact = sum_is_exact(&a->length[1]);
-	struct sum d = exact ? a->length[1] : sum_one, minus[3], found;
+	const struct sum *const d = &a->divisor;
+	struct sum minus[3], found;
 	double origin[3] = { 0 };
 
 	for (int i = 0; i < 3; i++)
 		sum_set(&minus[i], -given[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		struct sum scale = exact ? sum_one :
-					   sum_quotient(sum_one, a->length[i]);
-
 		for (int k = 0; k < 3; k++)
-			sum_dot(1, &a->v[i][k], &scale, 1,
+			sum_dot(1, &a->v[i][k], &a->scale[i], 1,
 			    &r->m[inverse ? i : k][inverse ? k : i]);
 		sum_dot(3, minus, is_translation ? &a->v[0][i] : a->v[i],
 		    is_translation ? 3 : 1, &found);
-		sum_dot(1, &found, &scale, 1, &found);
-		r->m[3][i] = is_translation == inverse ? found : sum_scale(d, given[i]);
+		sum_dot(1, &found, &a->scale[i], 1, &found);
+		r->m[3][i] = is_translation == inverse ? found :
+							 sum_scale(*d, given[i]);
 		if (!inverse)
-			origin[i] = is_translation ? sum_ratio(found, d) : given[i];
+			origin[i] = is_translation ? sum_ratio(found, *d) : given[i];
 	}
-	r->m[3][3] = d;
-	map_divide(r, d);
-	if (is_translation)
+	sum_copy(&r->m[3][3], d);
+	sum_copy(&r->m[4][3], d);
+	map_divide(r, *d);
+	if (is_translation || inverse)
 		map_set_origin(r, origin);
-	else
-		set_map_eye(r, origin);
+	else /* row 4 is 0 0 0 1, the eye's image */
+		memcpy(r->origin, origin, sizeof r->origin);
 }
 
 /* Rotates view space about its z axis: appends the rotation to r or, if inverse, puts

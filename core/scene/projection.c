@@ -437,9 +437,12 @@ const char *projection_map(const struct projection *p, const struct convention *
 		.view_y_down = volume && c->view_y_down,
 		.ndc_y_down = volume && c->view_y_down,
 	};
-	struct scaled_matrix f = { 0 };
+	struct scaled_matrix f;
+	struct sum *const often_0[] = { &f.zx, &f.zy, &f.zw, &f.tx, &f.ty, &f.tw };
 	const char *why = NULL;
 
+	for (int i = 0; i < 6; i++)
+		sum_set(often_0[i], 0);
 	switch (p->type) {
 	case PROJECTION_NONE:
 		map_identity(r);
