@@ -28,8 +28,8 @@ struct sum {
 /* Each operation drops words below 2^-20 of the bound of its error: the bound is then
  * too small, by a factor of up to 1 + 2^-19, or 2^5 after a million operations in a
  * row. So bounds begin 2^5 times as large as the relative error: 2^-698 for roots and
- * quotients (error 2^-703), and 2^-308 for sines and cosines (error 2^-313). */
-enum { SUM_QUOTIENT_ERROR = EX_RANGE - 698, SUM_TRIG_ERROR = EX_RANGE - 308 };
+ * quotients (error 2^-703), and 2^-309 for sines and cosines (error 2^-314). */
+enum { SUM_QUOTIENT_ERROR = EX_RANGE - 698, SUM_TRIG_ERROR = EX_RANGE - 309 };
 
 static inline bool sum_is_exact(const struct sum *a)
 {

@@ -13,62 +13,102 @@ static const struct sum HALF_PI = {
 		0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469, 1 } },
 };
 
-/* The number of words of a reduced angle and of each term of its series. */
-enum { SINE_WORDS = 6 };
+/* The number of words of a reduced angle. */
+enum { REST_WORDS = 6 };
 
-/* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
- * this is sin x / x (n = 1) or 2 (1 - cos x) / x^2 (n = 2). Horner's
- * scheme computes the sum as s / c, with the common denominator c. y and each s are cut
- * to `words` words; each cut loses less than one unit of the last word. */
-static struct sum trig_series(const ex *y, int n, int last, int words)
+/* How squared_chord computes from x^2 below 4 or, if not short, up to 4 pi^2: from the
+ * chord of x / 2^halvings, with numbers of so many words. */
+enum {
+	SHORT_HALVINGS = 18,
+	SHORT_WORDS = 6,
+	LONG_HALVINGS = 40,
+	LONG_WORDS = EX_QUOTIENT_WORDS,
+	LONG_ERROR = EX_RANGE - 680, /* 2^-692, with room for the cuts of sum.h */
+	CHORD_POWER = 18,            /* terms of the series are below x^CHORD_POWER */
+};
+
+/* Returns g(x) = 2 - 2 cos x, the square of the chord of x radians, from x^2. For an
+ * angle t = x / 2^halvings it is y (1 - y/(3 4) + y^2/(3 4 5 6) - ...) with y = t^2, by
+ * Horner's scheme as y s / c with the common denominator c = CHORD_POWER! / 2. Then each
+ * g(2 t) = g (4 - g) doubles the angle.
+ *
+ * The first term left out, 2 y^9 / 20!, is below 2^-366 or, if not short, 2^-732. The
+ * cuts of y, s, the quotient, the product and of each g lose less than a unit of the
+ * last word, 2^-320 or 2^-704 of the number. A doubling multiplies a relative error by
+ * (4 - 2 g) / (4 - g), at most 1 for g <= 8/3, and at most 1.5 where twice_sine doubles
+ * a short angle. A long one is doubled twice beyond that, which multiplies an absolute
+ * error by at most 4 each: 2^-692 in all. Near x = 2 pi g can be as small as 2^-326, as
+ * the sum of the squares of three doubles can be as near to 4 pi^2 as 2^-159; so can
+ * 4 - g near pi. */
+static struct sum squared_chord(const ex *square)
 {
-	ex minus, c = ex_of(1), s = c, factor = c;
-	const ex *const a[] = { &c, &s }, *const b[] = { &factor, &minus };
+	const bool is_short = ex_exponent(square) <= 2;
+	const int halvings = is_short ? SHORT_HALVINGS : LONG_HALVINGS;
+	const int words = is_short ? SHORT_WORDS : LONG_WORDS;
+	struct sum r = sum_of_power(-2 * halvings);
+	ex *g = &r.value, y, minus, c = ex_of(1), s = c;
+	const ex one = c, four = ex_of(4);
 
-	ex_truncate(y, words, &minus);
+	ex_dot(1, (const ex *[]){ square }, (const ex *[]){ g }, INT_MIN, &y);
+	ex_truncate(&y, words, &y);
+	ex_truncate(&y, words, &minus);
 	minus.sign = -minus.sign;
-	for (int k = n + last; k > n; k -= 2) {
-		factor.word[0] = (uint64_t)(k * (k - 1));
-		ex_dot(2, a, b, 64 * (c.e + c.n - words), &s);
-		ex_dot(1, a, b, INT_MIN, &c);
+	for (int k = CHORD_POWER; k > 2; k -= 2) {
+		c.word[0] *= (uint64_t)(k * (k - 1));
+		ex_dot(2, (const ex *[]){ &c, &s }, (const ex *[]){ &one, &minus },
+		    64 * (1 - words), &s);
 	}
-	struct sum r = { .error = 0 };
-
-	ex_divide(&s, &c, EX_QUOTIENT_WORDS, &r.value);
-	return sum_with_error(r, SUM_TRIG_ERROR);
+	ex_divide(&s, &c, words, &s);
+	ex_dot(1, (const ex *[]){ &y }, (const ex *[]){ &s }, 64 * (y.e + y.n - words),
+	    g);
+	for (int i = 0; i < halvings; i++) {
+		ex_truncate(g, words, &minus);
+		minus.sign = -minus.sign;
+		ex_dot(2, (const ex *[]){ g, g }, (const ex *[]){ &four, &minus },
+		    64 * (g->e + g->n - words), g);
+	}
+	r.error = LONG_ERROR;
+	return is_short ? sum_with_error(r, SUM_TRIG_ERROR) : r;
 }
 
-/* The last power of x in the series for |x| <= pi / 4. The first term left out is
- * x^64/64! < 2^-317. Cutting x^2 once and the sum 32 times loses less than 2^-319. */
-enum { SINE_POWER = 62 };
+/* Returns 2 |sin x| from g(x), as the root of g(2 x). */
+static struct sum twice_sine(const struct sum *g)
+{
+	const struct sum four = sum_of_double(4);
 
-/* The last power of x in the series for x^2 <= 4 pi^2, and the words of its terms, for
- * an absolute error of 2^-670: the first term left out, x^192/192!, is below 2^-675.
- * (1 - cos x) / x^2 is 0 at 2 pi. Near 2 pi it can be as small as 2^-332, as the sum
- * of the squares of three doubles can be as near to 4 pi^2 as 2^-159. */
-enum { SINC_POWER = 190, SINC_WORDS = 12 };
+	return sum_sqrt(sum_minor(four, *g, *g, *g));
+}
 
-/* The same for x^2 < 9, where a and b are above 2^-5: x^92/92! is below 2^-325,
- * and the cuts lose less than 2^-370. */
-enum { SHORT_SINC_POWER = 90, SHORT_SINC_WORDS = 7 };
+/* Returns the sign of x - turns pi, from x^2. */
+static int compare_half_turns(const struct sum *square, int turns)
+{
+	struct sum pi = sum_scale(HALF_PI, 2 * turns);
+
+	return sum_sign(sum_minor(*square, sum_one, pi, pi));
+}
 
 bool trig_rodrigues(struct sum square, struct sum *a, struct sum *b)
 {
-	if (sum_compare(square, sum_scale(sum_mul(HALF_PI, HALF_PI), 16)) > 0)
+	if (compare_half_turns(&square, 2) > 0)
 		return false;
-	const bool is_short = sum_compare(square, sum_of_double(9)) < 0;
-	const int power = is_short ? SHORT_SINC_POWER : SINC_POWER;
-	const int words = is_short ? SHORT_SINC_WORDS : SINC_WORDS;
+	if (sum_sign(square) == 0) {
+		sum_set(a, 1);
+		sum_set(b, 0.5);
+		return true;
+	}
+	struct sum g = squared_chord(&square.value);
+	struct sum twice = sum_scale(sum_sqrt(square), 2);
 
-	*a = trig_series(&square.value, 1, power, words);
-	*b = sum_scale(trig_series(&square.value, 2, power, words), 0.5);
+	*a = sum_negated_if(compare_half_turns(&square, 1) > 0,
+	    sum_with_error(sum_quotient(twice_sine(&g), twice), SUM_TRIG_ERROR));
+	*b = sum_with_error(sum_quotient(g, sum_scale(square, 2)), SUM_TRIG_ERROR);
 	return true;
 }
 
 /* An angle modulo 360 degrees: quarters times 90 degrees plus a rest from -45 to 45. */
 struct reduced_angle {
 	double rest_degrees;     /* nan if the angle is in radians */
-	struct sum rest_radians; /* cut to SINE_WORDS words */
+	struct sum rest_radians; /* cut to REST_WORDS words */
 	unsigned quarters;
 };
 
@@ -80,7 +120,7 @@ static void reduce_degrees(double angle, struct reduced_angle *r)
 	r->rest_degrees = rest - 90 * q;
 	r->rest_radians = sum_truncate(sum_quotient(sum_scale(HALF_PI, r->rest_degrees),
 					   sum_of_double(90)),
-	    SINE_WORDS);
+	    REST_WORDS);
 	r->quarters = (unsigned)(int)q;
 }
 
@@ -98,20 +138,22 @@ static void reduce_radians(double angle, struct reduced_angle *r)
 	rounded = sum_truncate(rounded, q->e + q->n > 0 ? q->e + q->n : 0);
 	a = sum_sub(a, sum_mul(rounded, HALF_PI));
 	r->rest_degrees = (double)NAN;
-	r->rest_radians = sum_truncate(a, SINE_WORDS);
+	r->rest_radians = sum_truncate(a, REST_WORDS);
 	r->quarters = q->n > 0 && q->e == 0 ? (unsigned)q->word[0] : 0;
 	r->quarters *= (unsigned)q->sign;
 }
 
-/* The sine is the rest times the series, and so exactly 0 if the rest is 0. */
+/* The sine is exactly 0 if the rest is 0. */
 static struct sum sine_of_rest(const struct reduced_angle *r)
 {
 	if (fabs(r->rest_degrees) == 30)
 		return sum_of_double(copysign(0.5, r->rest_degrees));
 	struct sum square = sum_mul(r->rest_radians, r->rest_radians);
-	struct sum s = trig_series(&square.value, 1, SINE_POWER, SINE_WORDS);
+	struct sum g = squared_chord(&square.value);
 
-	return sum_mul(s, r->rest_radians);
+	return sum_with_error(sum_scale(twice_sine(&g),
+				  r->rest_radians.value.sign * 0.5),
+	    SUM_TRIG_ERROR);
 }
 
 /* The sine of the rest is at most sqrt(1/2), so its error hardly changes the cosine's. */

@@ -6,7 +6,7 @@
 #include "sum.h"
 
 /* The bound of the relative error of a sine, cosine or cotangent that is not exact. */
-#define TRIG_ERROR 0x1p-313
+#define TRIG_ERROR 0x1p-314
 
 /* The double nearest to pi; it is below pi. */
 #define PI 0x1.921fb54442d18p+1

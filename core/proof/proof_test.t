@@ -156,15 +156,14 @@ for my $group (\@counted, \@bounds, \@loose) {
 }
 
 my @modelled = (
-	['exact/ex.c', 'a root without its last step',
-	    'words < 2 * EX_QUOTIENT_WORDS', 'words < EX_QUOTIENT_WORDS',
-	    'quotients and roots: EX_ERROR'],
+	['exact/ex.c', 'a root that is a word too short', 'int shift = 128 * count',
+	    'int shift = 128 * --count', 'quotients and roots: EX_ERROR'],
 	['exact/ex.c', 'a quotient that is a word too short', 'int n = b->n + count;',
 	    'int n = b->n + --count;', 'quotients and roots: EX_ERROR'],
-	['exact/trig.c', 'a sine that is squared', 'return sum_mul(s, r->rest_radians)',
-	    'return sum_mul(s, sum_mul(s, r->rest_radians))', 'sine and cosine: 2^-314'],
-	['exact/trig.c', 'a series that is a term too short', 'int k = n + last',
-	    'int k = n + last - 2', 'sine and cosine: 2^-314'],
+	['exact/trig.c', 'a chord that is doubled once too often', 'i < halvings',
+	    'i <= halvings', 'sine and cosine: 2^-315'],
+	['exact/trig.c', 'a series that is two terms too short', 'int k = CHORD_POWER',
+	    'int k = CHORD_POWER - 4', 'sine and cosine: 2^-315'],
 );
 for my $m (@modelled) {
 	my (undef, $name, undef, undef, $claim) = @$m;

@@ -157,26 +157,39 @@ sub measured {
 sub trigonometry {
 	my ($measured) = @_;
 	my $text = slurp("$core/exact/trig.c");
-	my ($top) = $text =~ /enum \{ SINE_POWER = (\d+) \}/;
-	my ($words) = $text =~ /enum \{ SINE_WORDS = (\d+) \}/;
+	my %of = $text =~ /\b((?:SHORT|LONG|CHORD|REST)_\w+) = (\d+)/g;
+	($of{LONG_WORDS}) =
+	    slurp("$core/exact/ex.h") =~ /enum \{ EX_QUOTIENT_WORDS = (\d+) \}/;
 	Math::BigFloat->accuracy(350);
 	my $one = Math::BigFloat->new(1);
 	my $two = Math::BigFloat->new(2);
 	my $pi = Math::BigFloat->bpi(350);
 	my $given = off($text, 'HALF_PI', $pi / 2);
-	my $x = $pi / 4;
-	# the first term that is left out, of a sum of at least 0.7
-	my $rest = $x**($top + 2) / Math::BigFloat->new($top + 2)->bfac / 0.7;
-	# what is cut off below the last word: of x, of x^2, and of each term
-	my $cut = $two**(-64 * ($words - 1));
-	my $all = $given + 2 * $cut + $rest + $cut * ($top / 2 + 1) / 0.7 +
+	my (%left, %chord);
+	for my $long ('SHORT', 'LONG') {
+		my $y = ($long eq 'LONG' ? 4 * $pi * $pi : 4 * $one) /
+		    $two**(2 * $of{"${long}_HALVINGS"});
+		# the first term that is left out, of a series near 1
+		$left{$long} = 2 * $y**($of{CHORD_POWER} / 2) /
+		    Math::BigFloat->new($of{CHORD_POWER} + 2)->bfac;
+		# what is cut off below the last word: of y twice, of s, of the
+		# quotient and its product with y, and of each doubled chord
+		$chord{$long} = $left{$long} + (6 + $of{"${long}_HALVINGS"}) *
+		    $two**(-64 * ($of{"${long}_WORDS"} - 1));
+	}
+	# the cut of the angle; 1.5 of the error of g, halved by a root, and the cut of
+	# this root
+	my $all = $given + $two**(-64 * ($of{REST_WORDS} - 1)) + 0.75 * $chord{SHORT} +
 	    $two**-319;
 	my ($bound) = macro("$core/exact/trig.h", 'TRIG_ERROR') =~ /0x1p(-\d+)/;
 	verdict('pi / 2', -963, log2($given));
-	verdict('what a series leaves out', -317, log2($rest));
-	verdict('sine and cosine: 2^-314', -314, log2($all),
+	verdict('what a series leaves out', -366, log2($left{SHORT}));
+	verdict('the same near 2 pi', -732, log2($left{LONG}));
+	# a relative error of g up to 4, multiplied by 4 twice
+	verdict('squares of chords near 2 pi', -692, log2(64 * $chord{LONG}));
+	verdict('sine and cosine: 2^-315', -315, log2($all),
 	    @{$measured->{sine}}, @{$measured->{cosine}});
-	# a cotangent is the quotient of two series
+	# a cotangent is the quotient of both
 	verdict('cotangent: TRIG_ERROR', $bound,
 	    log2(2 * $all + $two**-319), @{$measured->{cotangent}});
 	Math::BigFloat->accuracy(undef);
