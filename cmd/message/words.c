@@ -22,17 +22,21 @@ static const struct {
 	unsigned places; /* as bits of enum word_place */
 	const char *words, *hint;
 } word_rows[] = {
-	{ VALUE, "unproject backproject", "project --from device --to world" },
+	{ VALUE, "unproject backproject screen2world screentoworld", "project --from device --to world" },
 	{ REMARK, "inverse invert",
 	    ": the way back is project --from device --to world; of lookat project -m "
 	    "--from view --to world; in 2D d2w, n2w or d2n" },
 	{ VALUE, "ray raycast", "project --ray" },
-	{ CALL, "transform points", "project" },
+	{ CALL, "transform points world2screen worldtoscreen", "project" },
 	{ VALUE, "mvp matrix", "project -m --to clip" },
 	{ VALUE, "pose", "project -m --from view --to world" },
 	{ VALUE, "viewport", "project --from ndc --to device" },
 	{ CALL, "camera view lookat", "lookat" },
 	{ VALUE, "camera", "project --to view" },
+	{ WORD_VALUE, "eye", "--to view" },
+	{ VALUE, "object local", "--from model" },
+	{ VALUE, "cv", "--convention opencv" },
+	{ WORD_COMMAND, "version", ": 'projcalc --version' prints it" },
 	{ CALL, "perspective projection", "persp" },
 	{ REMARK, "frustum",
 	    ": persp makes one of its left, right, bottom, top, near and far, and inspect "
