@@ -233,45 +233,34 @@ static bool can_be_typed(const char *name)
 	    strcmp(escape_short(shown, name, strlen(name)), name) == 0;
 }
 
-/* Finds columns whose names begin alike and end in the names of axes, such as gps_lon
- * and gps_lat: found[i] is that of coordinate i, or -1. Each call finds others: *k
- * counts the tries, from 0. Returns false if there are no more. Skips quaternions, such
- * as qx, qy, qz and qw, and names such as px if x is a name. */
-static bool guess_columns(const struct names *names, int reads, int *k, int found[4])
+/* Returns whether column x is the first of columns whose names begin alike and end in
+ * names of axes, such as gps_lon and gps_lat: found[i] becomes that of coordinate i, or
+ * -1. Leaves out quaternions, such as qx, qy, qz and qw, and names such as px if x is a
+ * name. */
+static bool find_axes(const struct names *names, int x, const char *const axis[2],
+    int reads, int found[4])
 {
-	static const char *const axes[][2] = { { "x", "y" },
-		{ "longitude", "latitude" }, { "lon", "lat" }, { "long", "lat" },
-		{ "lng", "lat" }, { "easting", "northing" }, { "east", "north" },
-		{ "rechtswert", "hochwert" }, { "e", "n" }, { "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt", "elevation",
 		"elev", "ele", "height", "hoehe", "h", "up", "w" };
 	/* w, the last of heights[], is left out if points have a w */
 	const int usable = (int)(sizeof heights / sizeof *heights) - (reads > 3);
-	const int pairs = sizeof axes / sizeof *axes;
+	const char *a = names->name[x];
+	const size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
-	while (*k < pairs * names->n) {
-		const char *const *axis = axes[*k / names->n];
-		const char *a = names->name[*k % names->n];
-		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
-
-		*found = (*k)++ % names->n;
-		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
-		    find_name(names, a, at, axis[0]) != *found ||
-		    (found[1] = find_name(names, a, at, axis[1])) < 0 ||
-		    !can_be_typed(a))
-			continue;
-		found[3] = find_name(names, a, at, "w");
-		if (at > 0 &&
-		    (find_name(names, a, 0, "x") >= 0 ||
-			(axis == axes[0] && reads < 4 && found[3] >= 0)))
-			continue;
-		found[2] = -1;
-		for (int i = 0; i < 2 * usable && found[2] < 0; i++)
-			found[2] = find_name(names, a, i < usable ? at : 0,
-			    heights[i % usable]);
-		return true;
-	}
-	return false;
+	found[0] = x;
+	found[2] = -1;
+	if (n < size || find_name(names, a, at, axis[0]) != x ||
+	    (found[1] = find_name(names, a, at, axis[1])) < 0 || !can_be_typed(a))
+		return false;
+	found[3] = find_name(names, a, at, "w");
+	if (at > 0 &&
+	    (find_name(names, a, 0, "x") >= 0 ||
+		(strcmp(axis[0], "x") == 0 && reads < 4 && found[3] >= 0)))
+		return false;
+	for (int i = 0; i < 2 * usable && found[2] < 0; i++)
+		found[2] = find_name(names, a, i < usable ? at : 0,
+		    heights[i % usable]);
+	return true;
 }
 
 /* Adds "; say --columns px,py,pz or vx,vy,vz" or, for `numbers`, column numbers, and
@@ -279,17 +268,24 @@ static bool guess_columns(const struct names *names, int reads, int *k, int foun
 static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
     char reason[REASON_MAX])
 {
+	static const char *const axes[][2] = { { "x", "y" },
+		{ "longitude", "latitude" }, { "lon", "lat" }, { "long", "lat" },
+		{ "lng", "lat" }, { "easting", "northing" }, { "east", "north" },
+		{ "rechtswert", "hochwert" }, { "e", "n" }, { "u", "v" } };
+	const int pairs = sizeof axes / sizeof *axes;
 	const size_t was = strlen(reason);
-	int k = 0, found[4];
 	bool all = true, degrees = false;
+	int found[4];
 
-	while (guess_columns(names, reads, &k, found)) {
-		if (numbers != NULL &&
-		    (found[reads - 1] < 0 || (reads > 3 && found[2] < 0)))
+	for (int k = 0; k < pairs * names->n; k++) {
+		const char *const *axis = axes[k / names->n];
+
+		if (!find_axes(names, k % names->n, axis, reads, found) ||
+		    (numbers != NULL &&
+			(found[reads - 1] < 0 || (reads > 3 && found[2] < 0))))
 			continue;
 		say_more(reason, reason[was] == '\0' ? "; say --columns " : " or ");
-		/* the pairs of axes[] with a latitude */
-		degrees |= k > names->n && k <= 5 * names->n;
+		degrees |= strncmp(axis[1], "lat", 3) == 0;
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, i > 0 ? "," : "");
 			all &= found[i] >= 0;
