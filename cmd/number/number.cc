@@ -227,14 +227,9 @@ static char *write_decimals(char *s, double v, int n)
 		zeros++;
 	*s = '-';
 	s += v < 0 && (d[zeros] != '0' || strpbrk(d + zeros, "123456789") != nullptr);
-	memcpy(s, d + zeros, DOUBLE_DIGITS);
-	s += point - zeros;
-	*s = '.';
-	s += n > 0;
-	memcpy(s, d + point, 24);
-	if (n > 24)
-		memcpy(s, d + point, size_t(n));
-	return s + n;
+	point -= zeros;
+	return n <= 24 ? put_with_point<24>(s, d + zeros, point + n, point) :
+			 put_with_point<104>(s, d + zeros, point + n, point);
 }
 
 static char *print_significant(char *s, double v, int n)
