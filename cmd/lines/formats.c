@@ -239,7 +239,6 @@ static bool can_copy(struct dialect d, struct span f)
 		    (json_number(f.s, f.end, &v) == f.end && isfinite(v));
 	if (to->quote == 0)
 		return true;
-	f.s = find_either(f.s, f.end, to->quote, d.separator);
 	return memchr(f.s, to->quote, (size_t)(f.end - f.s)) == NULL &&
 	    memchr(f.s, d.separator, (size_t)(f.end - f.s)) == NULL;
 }

@@ -70,15 +70,21 @@ static bool is_ambiguous(const struct layout *l, struct cursor c,
 	return true;
 }
 
+/* Counts the fields after the cursor, without a last, empty field. */
+static size_t count_full(struct cursor c)
+{
+	size_t n = 0;
+	struct field f = { .next = NULL };
+
+	while (cursor_next(&c, &f))
+		n++;
+	return n - (f.value.s == f.value.end);
+}
+
 /* Returns whether n fields follow the cursor, or n fields and a last, empty field. */
 static bool has_fields(struct cursor c, size_t n)
 {
-	struct field f;
-
-	while (n > 0 && cursor_next(&c, &f))
-		n--;
-	return n == 0 &&
-	    (!cursor_next(&c, &f) || (c.s == NULL && f.value.s == f.value.end));
+	return cursor_count(c) == n || count_full(c) == n;
 }
 
 bool header_is_comment(const struct layout *l, struct span text, bool first)
@@ -133,12 +139,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 bool header_row_is_long(struct layout *l, struct cursor c, enum next_part first,
     char reason[REASON_MAX])
 {
-	size_t n = 0;
-	struct field f = { .next = NULL };
-
-	while (cursor_next(&c, &f))
-		n++;
-	const size_t full = n - (f.value.s == f.value.end);
+	const size_t full = count_full(c);
 	const bool lacks_name = first == FIRST_ROW &&
 	    full == l->seen.header_fields + 1 && full > 2;
 	const char separator[] = { l->in.separator, '\0' };
