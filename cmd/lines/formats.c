@@ -354,7 +354,8 @@ static char *put_other_separators(struct cursor *c, struct dialect out, char *at
 	typedef uint8_t bytes __attribute__((vector_size(16)));
 	typedef uint64_t halves __attribute__((vector_size(16)));
 	const bytes place = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15 };
-	const uint8_t from = (uint8_t)c->in.separator, to = (uint8_t)out.separator;
+	const uint8_t from = (uint8_t)c->in.separator;
+	const uint8_t change = from ^ (uint8_t)out.separator;
 	const uint8_t no_empty = format_of(out)->blanks ? 255 : 0;
 	const char *s = c->s - 1;
 
@@ -371,7 +372,7 @@ static char *put_other_separators(struct cursor *c, struct dialect out, char *at
 
 		if ((wrong[0] | wrong[1]) != 0)
 			break;
-		x ^= separators & (from ^ to);
+		x ^= separators & change;
 		memcpy(at, &x, sizeof x);
 	}
 	const char *done = s < c->end ? s : c->end, *next = done;
