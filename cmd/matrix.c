@@ -122,41 +122,32 @@ void matrix_print(const struct options *o, const struct document *d,
 /* Names in the order of enum flat_space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
-static void matrix_prepare(const struct options *o, const struct document *d, int to,
-    bool points, struct job *j)
+void run_matrix(const struct options *o, struct document *d, struct job *j)
 {
 	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
-	const bool planes = o->flags || o->visible, flat = c->kind == COMMAND_MATRIX_2D;
+	const bool points = !o->matrix && operands_have_points(o, d);
+	const bool flat = c->kind == COMMAND_MATRIX_2D, planes = o->flags || o->visible;
+	const int to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
+	const enum space from = (enum space)c->from;
 
+	matrix_check_unit_w(o, !points, from, (enum space)c->to);
 	document_refuse_if(d,
 	    !points  ? transform_of_matrix(s, flat, c->from, to, &j->transform) :
 		flat ? transform_of_window(s, (enum flat_space)c->from,
 			   (enum flat_space)to, &j->transform) :
-		       transform_of_scene(s, (enum space)c->from, (enum space)to, false,
+		       transform_of_scene(s, from, (enum space)to, false,
 			   &j->transform));
 	if (planes)
 		document_refuse_if(d,
 		    frustum_of_window(s, (enum flat_space)c->from, &j->frustum));
-	j->count_imageless = !planes;
-}
-
-void run_matrix(const struct options *o, struct document *d, struct job *j)
-{
-	const struct command *c = o->command;
-	const bool points = !o->matrix && operands_have_points(o, d);
-	const int to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
-	const bool flat = c->kind == COMMAND_MATRIX_2D;
-	const enum space from = (enum space)c->from;
-
-	matrix_check_unit_w(o, !points, from, (enum space)c->to);
-	matrix_prepare(o, d, to, points, j);
 	if (!flat)
 		notes_say_of_spaces(d, from, (enum space)c->to);
 	if (!points) {
 		matrix_print(o, d, &j->transform);
 		return;
 	}
+	j->count_imageless = !planes;
 	j->space = flat ? flat_names[to] : space_names[to];
 	operands_run_job(o, d, from, (enum space)to, j);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "input.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
@@ -21,9 +20,7 @@ bool input_is_stdin(const char *operand)
 
 char input_first_char(const char *s)
 {
-	while (isspace((unsigned char)*s))
-		s++;
-	return *s;
+	return s[strspn(s, " \t\n\v\f\r")];
 }
 
 /* Opens a file. Returns -1 or a descriptor above 2: not that of a standard stream. */

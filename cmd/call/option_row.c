@@ -100,17 +100,6 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 		o->separator = *word;
 }
 
-/* Returns the first word of a list; sets *list to the next word, or to NULL. */
-static char *cut_word(char **list)
-{
-	char *word = *list;
-
-	*list = strchr(word, ',');
-	if (*list != NULL)
-		*(*list)++ = '\0';
-	return word;
-}
-
 /* Reads a list of fields of a line, each by its number, from 1, or its name: "2,z". */
 static void option_read_columns(struct options *o, const struct option_row *r,
     char *list)
@@ -119,8 +108,11 @@ static void option_read_columns(struct options *o, const struct option_row *r,
 	struct columns *c = &o->columns;
 
 	for (*c = (struct columns){ 0 }; list != NULL; c->n++) {
-		char *word = cut_word(&list);
+		char *word = list;
 
+		list = strchr(word, ',');
+		if (list != NULL)
+			*list++ = '\0';
 		if (c->n == 4)
 			die(EXIT_USAGE, "--%s: more than four fields", r->name);
 		if (strspn(word, "0123456789") == strlen(word))

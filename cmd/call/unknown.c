@@ -181,20 +181,22 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 	struct word_guess g = { .word = word };
 	const struct member *s, *m;
 
-	if (!early) {
-		offer_known(&g, NULL);
-		offer_near(&g, help, "--help");
-		offer_near(&g, help, "--version");
-	}
-	for (const struct command *c = commands; !early && c->name != NULL; c++)
+	if (early)
+		die(EXIT_USAGE,
+		    "unknown command '%.400s'; a command comes first, such as project "
+		    "or lookat; 'projcalc help' lists commands",
+		    word);
+	offer_known(&g, NULL);
+	offer_near(&g, help, "--help");
+	offer_near(&g, help, "--version");
+	for (const struct command *c = commands; c->name != NULL; c++)
 		offer_near(&g, help, c->name);
-	for (s = scene_members; !early && s->name != NULL; s++) {
+	for (s = scene_members; s->name != NULL; s++) {
 		offer_near(&g, "help ", s->name);
 		for (m = s->members; m != NULL && m->name != NULL; m++)
 			offer_near(&g, "help ", m->name);
 	}
-	word_offer(&g, WORD_ELSE, "%s'projcalc help' lists commands%s",
-	    early ? "a command comes first, such as project or lookat; " : "",
+	word_offer(&g, WORD_ELSE, "'projcalc help' lists commands%s",
 	    topic ? ", and 'projcalc help scene' members" : "");
 	die(EXIT_USAGE, "unknown %s '%.400s'; %s", topic ? "topic" : "command", word,
 	    g.remedy);
