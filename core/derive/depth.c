@@ -29,9 +29,8 @@ void depth_of(const struct lens *l, struct depth *d)
 	struct distance along;
 	struct map m, to_range;
 
-	*d = (struct depth){ .low = range.min_z,
-		.high = range.max_z,
-		.reversed = l->reversed,
+	*d = (struct depth){ .plane = { l->reversed ? range.max_z : range.min_z,
+				 l->reversed ? range.min_z : range.max_z },
 		.open = projection_is_open(&s->projection),
 		.constant = s->has_viewport && !has_range };
 	distance_of(s, &along);
@@ -54,17 +53,10 @@ void depth_of(const struct lens *l, struct depth *d)
 	d->den[1] = sum_negated_if(minus, slope[0]);
 }
 
-static double depth_of_plane(const struct depth *d, bool far)
-{
-	return far != d->reversed ? d->high : d->low;
-}
-
 void depth_quotient(const struct depth *d, bool far, struct sum *num, struct sum *den)
 {
-	const double z = depth_of_plane(d, far);
-
-	*num = sum_add(sum_scale(d->num[0], z), d->num[1]);
-	*den = sum_add(sum_scale(d->den[0], z), d->den[1]);
+	*num = sum_add(sum_scale(d->num[0], d->plane[far]), d->num[1]);
+	*den = sum_add(sum_scale(d->den[0], d->plane[far]), d->den[1]);
 }
 
 double depth_distance(const struct depth *d, bool far)
@@ -131,8 +123,8 @@ static double distance_between(const struct depth *d, double n, const struct sum
 double depth_step(const struct depth *d, enum depth_buffer b, bool far)
 {
 	const double n = buffer_steps[b];
-	struct sum from = sum_scale(sum_of_double(depth_of_plane(d, far)), n), to;
-	struct sum limit = sum_scale(sum_of_double(depth_of_plane(d, !far)), n);
+	struct sum from = sum_scale(sum_of_double(d->plane[far]), n), to;
+	struct sum limit = sum_scale(sum_of_double(d->plane[!far]), n);
 	const int up = sum_compare(limit, from);
 
 	if (d->open || d->constant || !next_depth(&from, b, up, &to) ||
@@ -158,7 +150,7 @@ double depth_step_at(const struct depth *d, enum depth_buffer b, double distance
 
 		if (sum_compare(z, sum_of_double(nearest)) != 0)
 			return distance_between(d, n, &below, &above);
-		if (nearest == depth_of_plane(d, false))
+		if (nearest == d->plane[0])
 			return depth_step(d, b, false);
 	}
 	return distance_between(d, n, &z, to_eye > 0 ? &above : &below);

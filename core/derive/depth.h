@@ -13,10 +13,9 @@ enum depth_buffer { DEPTH_UNORM16, DEPTH_UNORM24, DEPTH_FLOAT32, DEPTH_BUFFERS }
  * denominator has the sign of w of points in front of the eye. */
 struct depth {
 	struct sum num[2], den[2];
-	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
-	bool reversed;    /* the near plane has the larger ndc depth */
-	bool open;        /* there are no near and far planes */
-	bool constant;    /* the viewport's min_z is max_z; low is 0, high 1 */
+	double plane[2]; /* z at the near plane, and at the far plane */
+	bool open;       /* there are no near and far planes */
+	bool constant;   /* the viewport's min_z is max_z; the planes have z 0 and 1 */
 };
 
 void depth_of(const struct lens *, struct depth *);
