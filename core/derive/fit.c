@@ -349,12 +349,11 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	if (given->way != SECTION_EDGES)
 		return why;
 	p->way = SECTION_EDGES;
-	for (int k = 1; k < 4; k += 2) {
-		double half = (k == 1 ? p->width : p->height) / 2;
-		bool mirrors = given->edges[k - 1] > given->edges[k];
+	for (int k = 0; k < 4; k++) {
+		const double half = (k < 2 ? p->width : p->height) / 2;
+		const bool mirrors = given->edges[k & 2] > given->edges[k | 1];
 
-		p->edges[k] = mirrors ? -half : half;
-		p->edges[k - 1] = -p->edges[k];
+		p->edges[k] = mirrors == (k % 2 == 0) ? half : -half;
 	}
 	return why;
 }
