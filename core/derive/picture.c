@@ -28,15 +28,22 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 		r->aspect = sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
 }
 
+/* The length of a normal is that in view space if the camera is a rotation. */
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
+	const bool rotates = l->scene.camera.way < CAMERA_POSE;
+
 	for (int k = 0; k < 6; k++) {
+		const struct map *m = k < 4 ? &l->sides : &l->ends;
+		const struct sum n[3] = { m->m[0][k % 4], m->m[1][k % 4],
+			m->m[2][k % 4] };
 		struct sum v[4];
 
 		for (int i = 0; i < 4; i++)
-			map_image(k < 4 ? &l->sides : &l->ends, k % 4, l->to_view.m[i],
-			    &v[i]);
-		struct sum length = vec3_length(v);
+			map_image(m, k % 4, l->to_view.m[i], &v[i]);
+		struct sum length = rotates ?
+		    sum_mul(vec3_length(n), l->to_view.divisor) :
+		    vec3_length(v);
 
 		for (int i = 0; i < 4 && sum_sign(length) != 0; i++)
 			plane[k][i] = sum_ratio_or_nan(v[i], length);
