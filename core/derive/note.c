@@ -219,22 +219,16 @@ bool note_is_plain(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
 	const struct projection_section *c = &p->section;
-	const bool ordered = p->near <= p->far; /* edges are as they are written */
 
-	switch (projection_family(p)) {
-	case FAMILY_PERSP:
-		return ordered &&
-		    (c->way != SECTION_INTRINSICS ||
-			(!projection_is_tilted(p) && c->intrinsics[0][0] > 0 &&
-			    c->intrinsics[1][1] > 0 &&
-			    note_is_central(c->intrinsics[0][2], c->width) &&
-			    note_is_central(c->intrinsics[1][2], c->height)));
-	case FAMILY_PARALLEL:
-		return ordered;
-	case FAMILY_VOLUME:
+	if (projection_family(p) == FAMILY_FIXED)
+		return p->type == PROJECTION_NONE || is_plain_matrix(s);
+	if (projection_family(p) == FAMILY_VOLUME)
 		return !s->has_camera;
-	case FAMILY_FIXED:
-		break;
-	}
-	return p->type == PROJECTION_NONE || is_plain_matrix(s);
+	/* edges are as they are written */
+	return p->near <= p->far &&
+	    (!projection_has_intrinsics(p) ||
+		(!projection_is_tilted(p) && c->intrinsics[0][0] > 0 &&
+		    c->intrinsics[1][1] > 0 &&
+		    note_is_central(c->intrinsics[0][2], c->width) &&
+		    note_is_central(c->intrinsics[1][2], c->height)));
 }
