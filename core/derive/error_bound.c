@@ -48,20 +48,6 @@ static void set_corner(const struct lens *l, const struct map *to_model,
 	c->inverse_w = sum_ratio(h[3], w);
 }
 
-static void set_image_bounds(const struct scene *s, struct error_analysis *to)
-{
-	const struct viewport *v = &s->viewport;
-	double *max = to->max;
-
-	max[0] = max[1] = max[2] = 1;
-	if (s->has_viewport) {
-		max[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
-		max[1] = fmax(fabs(v->y), fabs(v->y + v->height)) * ROUNDED_UP;
-		max[2] = fmax(fabs(v->min_z), fabs(v->max_z));
-	}
-	to->largest = fmax(fmax(max[0], max[1]), max[2]);
-}
-
 /* Returns S / w of column j in a corner: S is the sum of the magnitudes of the column's
  * products, as in kernel/approx.h, plus the largest errors by underflow. */
 static double column_bound(const struct kernel_map *k, const struct corner *c, int j,
@@ -110,7 +96,8 @@ const char *error_bound_of(const struct lens *l, double bound[3])
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
 	struct map to_model;
-	struct error_analysis a = { .transform = &t };
+	const struct viewport *v = &s->viewport;
+	struct error_analysis a = { .transform = &t, .max = { 1, 1, 1 } };
 	const char *why = transform_of_scene(s, SPACE_MODEL, to, false, &t);
 	int e;
 
@@ -122,7 +109,12 @@ const char *error_bound_of(const struct lens *l, double bound[3])
 		return why;
 	for (int i = 0; i < 8; i++)
 		set_corner(l, &to_model, t.for_kernel.origin, i, &a.corner[i]);
-	set_image_bounds(s, &a);
+	if (s->has_viewport) {
+		a.max[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
+		a.max[1] = fmax(fabs(v->y), fabs(v->y + v->height)) * ROUNDED_UP;
+		a.max[2] = fmax(fabs(v->min_z), fabs(v->max_z));
+	}
+	a.largest = fmax(fmax(a.max[0], a.max[1]), a.max[2]);
 	/* half an ulp of the largest coordinate */
 	frexp(a.largest, &e);
 	bound[PRECISION_EXACT] = ldexp(1, e - 54);
