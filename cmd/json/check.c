@@ -167,7 +167,7 @@ static bool check_scalar(struct json_check *s)
 		    s->at < s->end && in_token(*s->at) ?
 			"a value is like -1.5e-3, true, null or \"text\"" :
 			NULL);
-	s->has_long_number |= end - s->at > CJSON_NUMBER_MAX;
+	s->needs_edit |= end - s->at > CJSON_NUMBER_MAX;
 	s->at = end;
 	return true;
 }
@@ -219,6 +219,7 @@ static bool check_member(struct json_check *s, const char *path)
 	if (!check_string(s))
 		return false;
 	name.end = s->at;
+	s->needs_edit |= name.s[1] == '_';
 	skip_space(s);
 	if (!next_is(s, ':'))
 		return refuse(s, "':' after the member's name", NULL);

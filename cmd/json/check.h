@@ -23,10 +23,12 @@ struct json_check {
 	 * pointer leads or, if there is none, the last value on the way there. */
 	const char *pointer;
 	struct span found;
-	const char *at;       /* the next character; after an error, the wrong one */
-	char reason[256];     /* what is wrong, after an error */
-	int level;            /* the number of open brackets */
-	bool has_long_number; /* of more than CJSON_NUMBER_MAX bytes */
+	const char *at;   /* the next character; after an error, the wrong one */
+	char reason[256]; /* what is wrong, after an error */
+	int level;        /* the number of open brackets */
+	/* A number has more than CJSON_NUMBER_MAX bytes, or the name of a member
+	 * begins with _. */
+	bool needs_edit;
 };
 
 /* Returns whether the text is one JSON value with at most JSON_LEVELS_MAX levels of

@@ -448,10 +448,12 @@ struct found object_read(const struct value *v, const struct member *row, int va
 		const struct member *known = member_named(table, variant, m.name,
 		    false);
 
+		if (*m.name == '_')
+			continue;
 		if (known == NULL && !is_ignored(&m))
 			refuse_unknown(&m, table, variant);
 		value_member(v, m.name, &first);
-		if (first.item != m.item && *m.name != '_')
+		if (first.item != m.item)
 			value_refuse(&m, "repeated; give it once");
 		if (known == NULL)
 			continue;

@@ -44,15 +44,42 @@ struct place json_source_place(const struct json_source *source, const char *poi
 	return p;
 }
 
-/* Changes a checked text so that cJSON reads it: a number that is too long becomes the
- * shortest text of the same double, filled up with blanks. */
-static void shorten_numbers(char *s, const char *end)
+/* Writes blanks over the member at s, and over the comma that parts it from others. */
+static char *blank_member(char *s, const char *end)
+{
+	char *next = (char *)json_item_end(s, end), *before = s;
+
+	if (next < end && *next == ',') {
+		next++;
+	} else {
+		while (json_is_blank(before[-1]))
+			before--;
+		if (before[-1] == ',')
+			before[-1] = ' ';
+	}
+	memset(s, ' ', (size_t)(next - s));
+	return next;
+}
+
+/* Changes a checked text so that cJSON reads it and takes less memory: blanks members
+ * whose names begin with _. A number that is too long for cJSON becomes the shortest text
+ * of the same double, filled up with blanks. */
+static void edit_for_cjson(char *s, const char *end)
 {
 	char text[NUMBER_MAX], *text_end;
 	double v;
 
 	for (char *next; s < end; s = next) {
-		next = (char *)(*s == '"' ? json_string_end(s, end) : s + 1);
+		next = s + 1;
+		if (*s == '"') {
+			const char *after = json_string_end(s, end);
+			const char *colon = json_skip_blanks(after, end);
+
+			next = s[1] == '_' && colon < end && *colon == ':' ?
+			    blank_member(s, end) :
+			    (char *)after;
+			continue;
+		}
 		if (*s != '-' && (*s < '0' || *s > '9'))
 			continue;
 		next = (char *)number_read(s, end, &v);
@@ -120,8 +147,8 @@ static const cJSON *parse_without(const struct json_check *c, char *text,
 		memcpy(copy, text, before);
 		memcpy(copy + before, array.end - 1, n - before);
 	}
-	if (c->has_long_number)
-		shorten_numbers(s, s + n);
+	if (c->needs_edit)
+		edit_for_cjson(s, s + n);
 	/* cJSON takes every text that json_check accepts */
 	const cJSON *parsed = cJSON_ParseWithLength(s, n);
 

@@ -35,10 +35,22 @@ static void test_long_numbers(void **state)
 	assert_number(first_number("[-1" NINES20 NINES20 NINES20 "99e-999]", 1), 0);
 }
 
+/* A member whose name begins with _ is left out, and all else is kept. */
+static void test_hidden(void **state)
+{
+	(void)state;
+	assert_number(first_number("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 1), 3);
+	assert_number(first_number("{\"c\":3,\"_a\":{}, \"_\" :null}", 1), 3);
+	assert_number(first_number("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 2), 3);
+	assert_number(first_number("[4,\"_a\",{\"_\":1}]", 3), 4);
+	assert_number(first_number("{\"_\":\"1\",\"c\":5}", 1), 5);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_long_numbers),
+		cmocka_unit_test(test_hidden),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
