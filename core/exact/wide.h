@@ -12,10 +12,13 @@ static inline uint64_t wide_multiply_add(uint64_t a, uint64_t b, uint64_t c,
     uint64_t *carry)
 {
 #ifdef __SIZEOF_INT128__
-	unsigned __int128 p = (unsigned __int128)a * b + c + *carry;
+	/* gcc adds c and the carry to both words in fewer instructions than to p */
+	unsigned __int128 p = (unsigned __int128)a * b;
+	uint64_t low = (uint64_t)p + c, high = (uint64_t)(p >> 64) + (low < c);
 
-	*carry = (uint64_t)(p >> 64);
-	return (uint64_t)p;
+	low += *carry;
+	*carry = high + (low < *carry);
+	return low;
 #else
 	const uint64_t half = UINT32_MAX;
 	uint64_t p = (a & half) * (b & half) + (c & half) + (*carry & half);

@@ -81,8 +81,10 @@ static void rotate_about(int i, double angle, enum angle_unit unit, struct sum v
 {
 	int j = (i + 1) % 3, k = (i + 2) % 3;
 
-	memset(v, 0, 9 * sizeof v[0][0]);
-	sum_set(&v[i][i], 1);
+	for (int n = 0; n < 3; n++) {
+		sum_set(&v[i][n], n == i);
+		sum_set(&v[n][i], n == i);
+	}
 	trig_sin_cos(angle, unit, &v[k][j], &v[j][j]);
 	sum_copy(&v[k][k], &v[j][j]);
 	v[j][k] = sum_neg(v[k][j]);
