@@ -19,12 +19,12 @@ enum { REST_WORDS = 6 };
 /* How squared_chord computes from x^2 below 4 or, if not short, up to 4 pi^2: from the
  * chord of x / 2^halvings, with numbers of so many words. */
 enum {
-	SHORT_HALVINGS = 18,
+	SHORT_HALVINGS = 14,
 	SHORT_WORDS = 6,
-	LONG_HALVINGS = 40,
+	LONG_HALVINGS = 35,
 	LONG_WORDS = EX_QUOTIENT_WORDS,
 	LONG_ERROR = EX_RANGE - 680, /* 2^-692, with room for the cuts of sum.h */
-	CHORD_POWER = 18,            /* terms of the series are below x^CHORD_POWER */
+	CHORD_POWER = 20,            /* terms of the series are below x^CHORD_POWER */
 };
 
 /* Returns g(x) = 2 - 2 cos x, the square of the chord of x radians, from x^2. For an
@@ -32,7 +32,7 @@ enum {
  * Horner's scheme as y s / c with the common denominator c = CHORD_POWER! / 2. Then each
  * g(2 t) = g (4 - g) doubles the angle.
  *
- * The first term left out, 2 y^9 / 20!, is below 2^-366 or, if not short, 2^-732. The
+ * The first term left out, 2 y^10 / 22!, is below 2^-328 or, if not short, 2^-715. The
  * cuts of y, s, the quotient, the product and of each g lose less than a unit of the
  * last word, 2^-320 or 2^-704 of the number. A doubling multiplies a relative error by
  * (4 - 2 g) / (4 - g), at most 1 for g <= 8/3, and at most 1.5 where twice_sine doubles

@@ -183,8 +183,8 @@ sub trigonometry {
 	    $two**-319;
 	my ($bound) = macro("$core/exact/trig.h", 'TRIG_ERROR') =~ /0x1p(-\d+)/;
 	verdict('pi / 2', -963, log2($given));
-	verdict('what a series leaves out', -366, log2($left{SHORT}));
-	verdict('the same near 2 pi', -732, log2($left{LONG}));
+	verdict('what a series leaves out', -328, log2($left{SHORT}));
+	verdict('the same near 2 pi', -715, log2($left{LONG}));
 	# a relative error of g up to 4, multiplied by 4 twice
 	verdict('squares of chords near 2 pi', -692, log2(64 * $chord{LONG}));
 	verdict('sine and cosine: 2^-315', -315, log2($all),
