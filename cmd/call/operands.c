@@ -202,16 +202,19 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 		    o->decimals.n + o->digits.n, l->writes);
 }
 
-/* Tests choose the kernels by PROJCALC_CPU; else they are the processor's fastest. */
+/* Tests choose the kernels by PROJCALC_CPU; else they are the processor's fastest. All
+ * scenes of --scenes have the same, as to ask the processor takes longer than a scene. */
 static void choose_kernels(void)
 {
+	static bool is_done;
 	const char *cpu = getenv("PROJCALC_CPU");
 
-	if (!kernels_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
+	if (!is_done && !kernels_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: is none of avx512, avx2, neon and baseline that "
 		    "runs here",
 		    cpu);
+	is_done = true;
 }
 
 /* With --append the names of coordinates begin with the space of images: device_x. */
