@@ -92,6 +92,15 @@ struct target {
 	struct plain_places *places;
 };
 
+/* Sets the place of number k of line i, which is unknown, to a byte that may be read. */
+static void set_dummy_number(int k, size_t i, struct plain_places places[4])
+{
+	static const char none[PLAIN_READABLE + 1] = "";
+
+	places[k].end[i] = none + sizeof none;
+	places[k].size[i] = 1;
+}
+
 /* Returns whether a coordinate of csv without bytes is a gap that may be replaced where
  * it is: blanks, as the CR of CR LF, do not precede it. */
 INLINE bool is_gap(const struct walker *p, struct dialect d, const struct target *t)
@@ -115,10 +124,10 @@ INLINE bool pass_number(struct walker *p, struct dialect d, const struct target 
 	if (d.format == FORMAT_JSON && !is_json_number(p->text + from, p->text + to))
 		return false;
 	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
-	if (fits) {
-		t->places[k].end[t->i] = p->text + to;
-		t->places[k].size[t->i] = (uint8_t)(to - from);
-	}
+	t->places[k].end[t->i] = p->text + to;
+	t->places[k].size[t->i] = (uint8_t)(to - from);
+	if (!fits)
+		set_dummy_number(k, t->i, t->places);
 	p->at = to;
 	p->found++;
 	return true;
@@ -340,16 +349,10 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n, enum walk_way l
 	    (d.format == FORMAT_TEXT || stop_is(p, '\n'));
 }
 
-/* Sets all places to a byte that may be read, for numbers that no line has. */
-static void set_dummy_numbers(int n, struct plain_places places[4])
+static void set_dummy_numbers(int n, size_t i, struct plain_places places[4])
 {
-	static const char none[PLAIN_READABLE + 1] = "";
-
-	for (size_t i = 0; i < PLAIN_BATCH; i++)
-		places->end[i] = none + sizeof none;
-	memset(places->size, 1, PLAIN_BATCH);
-	for (int k = 1; k < n; k++)
-		places[k] = *places;
+	for (int k = 0; k < n; k++)
+		set_dummy_number(k, i, places);
 }
 
 INLINE size_t walk_batch(struct stretch *s, const struct walk *walk, struct dialect d,
@@ -361,7 +364,6 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk, struct dial
 	size_t i;
 
 	*left = 0;
-	set_dummy_numbers(n, places);
 	for (i = 0; i < max && p.at < end; i++) {
 		uint32_t begin = p.at;
 		const struct target t = { walk, &lines[i], begin, i, places };
@@ -372,13 +374,18 @@ INLINE size_t walk_batch(struct stretch *s, const struct walk *walk, struct dial
 
 		while (p.text[*p.stop] != '\n')
 			p.stop++;
-		*left |= (uint64_t)!found << i;
+		if (!found) {
+			set_dummy_numbers(n, i, places);
+			*left |= (uint64_t)1 << i;
+		}
 		p.at = *p.stop++;
 		lines[i].s = p.text + begin;
 		lines[i].size = p.at++ - begin;
 		lines[i].kind = LINE_POINT;
 		lines[i].newline = true;
 	}
+	for (size_t k = i; k % PLAIN_GROUP != 0; k++)
+		set_dummy_numbers(n, k, places);
 	s->at = p.at;
 	s->next = p.stop;
 	return i;
