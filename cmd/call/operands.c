@@ -103,7 +103,8 @@ void operands_check(const struct options *o)
 		if (join_numbers(o, o->points + i, o->n_points - i, list))
 			die_at(EXIT_USAGE, &place,
 			    "numbers of POINTS are in brackets: '%s'", list);
-		if (input_first_char(place.file) != '[' && !input_check(place.file))
+		if (input_first_char(place.file) != '[' && !input_check(place.file) &&
+		    !input_is_stdin(place.file))
 			die_at(EXIT_USAGE, &place,
 			    "%s; POINTS are a file, - or '[%.*s]'%s", strerror(errno),
 			    2 * options_coordinates(o) + 1, "1.5,2,3,4",

@@ -22,7 +22,8 @@ static const struct {
 	unsigned places; /* as bits of enum word_place */
 	const char *words, *hint;
 } word_rows[] = {
-	{ VALUE, "unproject backproject screen2world screentoworld", "project --from device --to world" },
+	{ VALUE, "unproject backproject", "project --from device --to world" },
+	{ CALL, "screen2world screentoworld", "project --from device --to world" },
 	{ REMARK, "inverse invert",
 	    ": the way back is project --from device --to world; of lookat project -m "
 	    "--from view --to world; in 2D d2w, n2w or d2n" },
