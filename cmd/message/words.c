@@ -149,14 +149,14 @@ static const struct {
 	    "select(.[0]|numbers)' makes lines of points for -i json" },
 
 	{ WORD_JSON, "nan none undefined",
-	    ": write a number, or leave the member out; only points may have null" },
+	    ": a point may have null; in a scene write a number, or leave the member out" },
 	{ WORD_JSON, "imagewidth imageheight cameramatrix header",
 	    ": is it ROS's? 'A CameraInfo of ROS' in 'man projcalc-scene' reads YAML" },
 	{ WORD_JSON, "P0 P1 P2 P3 Tr calibtime",
 	    ": is it KITTI's? 'The lidar of KITTI' in 'man projcalc-scene' reads calib.txt" },
 	{ WORD_JSON, "infinity inf",
-	    ": write \"infinity\" for far, else a number up to 1e150; only points may "
-	    "have null" },
+	    ": write \"infinity\" for far, else a number up to 1e150; a point "
+	    "may have null" },
 	{ WORD_JSON, "True False", ": JSON has true and false" },
 
 	{ VALUE, "threejs three.js glm directxmath",

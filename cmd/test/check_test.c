@@ -67,28 +67,31 @@ static const struct text refused[] = {
 	    "or \"text\""),
 	TEXT("[NaN]",
 	    "1: expected a value, not 'NaN'; "
-	    "write a number, or leave the member out; only points may have null"),
+	    "a point may have null; in a scene write a number, or leave "
+	    "the member out"),
 	TEXT("[-nan]",
 	    "1: expected a value, not '-nan'; "
-	    "write a number, or leave the member out; only points may have null"),
+	    "a point may have null; in a scene write a number, or leave "
+	    "the member out"),
 	TEXT("[Infinity]",
 	    "1: expected a value, not 'Infinity'; "
-	    "write \"infinity\" for far, else a number up to 1e150; only points may "
-	    "have null"),
+	    "write \"infinity\" for far, else a number up to 1e150; a point "
+	    "may have null"),
 	TEXT("[-Infinity]",
 	    "1: expected a value, not '-Infinity'; "
-	    "write \"infinity\" for far, else a number up to 1e150; only points may "
-	    "have null"),
+	    "write \"infinity\" for far, else a number up to 1e150; a point "
+	    "may have null"),
 	TEXT("[inf]",
 	    "1: expected a value, not 'inf'; "
-	    "write \"infinity\" for far, else a number up to 1e150; only points may "
-	    "have null"),
+	    "write \"infinity\" for far, else a number up to 1e150; a point "
+	    "may have null"),
 	TEXT("[True]",
 	    "1: expected a value, not 'True'; "
 	    "JSON has true and false"),
 	TEXT("[None]",
 	    "1: expected a value, not 'None'; "
-	    "write a number, or leave the member out; only points may have null"),
+	    "a point may have null; in a scene write a number, or leave "
+	    "the member out"),
 	TEXT("[gl]",
 	    "1: expected a value, not 'gl'; a value is like -1.5e-3, true, null or "
 	    "\"text\""),
