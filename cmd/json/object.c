@@ -104,7 +104,8 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 }
 
 /* Offers the objects of the scene that have a member v->name, or an alias of it: those
- * that the document has, before those that the command uses, before others. */
+ * with the very name, before those that the document has, before those that the command
+ * uses, before others. */
 static void offer_objects(const struct value *v, const struct member *table,
     struct word_guess *g)
 {
@@ -122,8 +123,8 @@ static void offer_objects(const struct value *v, const struct member *table,
 
 		if (m == NULL)
 			continue;
-		const unsigned fit = (source->seen >> bit & 1) * 4 +
-		    (source->used >> bit & 1) * 2 + (strcmp(m->name, v->name) == 0) + 1;
+		const unsigned fit = (strcmp(m->name, v->name) == 0 ? 8u : 0u) +
+		    (source->seen >> bit & 1) * 4 + (source->used >> bit & 1) * 2 + 1;
 
 		if (fit > best)
 			n = 0;

@@ -116,8 +116,12 @@ static const struct {
 	{ REMARK, "size imagesize windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
 	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
-	    ": turn by steps, \"pose\" of \"camera\": [{\"rotate_x\": 10}, {\"rotate_y\": 30}, "
+	    ": turn by steps, in degrees without \"angle_unit\", as \"pose\" of \"camera\": "
+	    "[{\"rotate_x\": 10}, {\"rotate_y\": 30}, "
 	    "{\"translate\": [0,0,5]}], which is the eye" },
+	{ WORD_MEMBER, "quaternion quat",
+	    ": x, y, z, w from view to world it is \"orientation\" of \"camera\"; to turn "
+	    "the model, \"world\": [{\"quaternion\": q}]" },
 	{ REMARK, "qvec qw quaternionwxyz",
 	    ": world to view, w first, it is \"matrix\": [{\"quaternion_wxyz\": q}, "
 	    "{\"translate\": t}] of \"camera\"; view to world it is \"pose\"" },

@@ -33,7 +33,8 @@ static const struct member camera_members[] = {
 	    .about = "rotation vector that turns world axes into view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t translationvector",
-	    .hint = " (where the world's origin is in view space)",
+	    .hint = " (where the world's origin is in view space; beside R it is in "
+		    "\"matrix\", [R|t])",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_steps, steps,
@@ -160,7 +161,7 @@ static const struct member window_members[] = {
 	    .about = "width of the window"),
 	SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
-	ROW(window, "left", type_numbers, left, .aliases = "x xmin viewbox",
+	ROW(window, "left", type_numbers, left, .aliases = "x xmin viewbox bbox",
 	    .unit = "window units",
 	    .about = "left edge of the window, with right, bottom and top"),
 	ROW(window, "right", type_numbers, right, .aliases = "xmax",
