@@ -119,6 +119,10 @@ static const struct {
 	    ": turn by steps, in degrees without \"angle_unit\", as \"pose\" of \"camera\": "
 	    "[{\"rotate_x\": 10}, {\"rotate_y\": 30}, "
 	    "{\"translate\": [0,0,5]}], which is the eye" },
+	{ WORD_MEMBER, "translation",
+	    ": where the camera stands it is \"eye\" of \"camera\", the t of [R|t] is "
+	    "\"translation\" there; 'Sensors of nuScenes' in 'man projcalc-scene' chains "
+	    "frames" },
 	{ WORD_MEMBER, "quaternion quat",
 	    ": x, y, z, w from view to world it is \"orientation\" of \"camera\"; to turn "
 	    "the model, \"world\": [{\"quaternion\": q}]" },
