@@ -204,7 +204,8 @@ static struct cursor cursor_of(const struct layout *l, const struct line *line)
 	text.s += line->has_bom ? 3 : 0;
 	c = line->kind == LINE_HEADER ? header_cursor(l->in, text) :
 					line_cursor(l->in, text);
-	if (c.s != NULL)
+	/* blanks are part of a field of csv, also of the first */
+	if (c.s != NULL && (line->kind == LINE_HEADER || !format_of(l->in)->header))
 		c.s = skip_blanks(l->in, c.s, c.end);
 	c.no_commas = line->no_commas;
 	return c;
