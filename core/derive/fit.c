@@ -240,9 +240,19 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 		return false;
 	depth_range(&r, &p->near, &p->far);
 	keep_side_planes(p, old_near);
+	unsigned out = hull_outside(h, s);
+
+	/* an end of the range is inside the bounds by less than the error of r */
+	if ((out & (OUT_NEAR | OUT_FAR)) != 0) {
+		old_near = p->near;
+		p->near = nextafter(p->near, out & OUT_NEAR ? 0 : p->near);
+		p->far = nextafter(p->far, out & OUT_FAR ? HUGE_VAL : p->far);
+		keep_side_planes(p, old_near);
+		out = hull_outside(h, s);
+	}
 	struct sum least = sum_scale(sum_of_double(p->near_ratio), p->far);
 
-	return hull_outside(h, s) == 0 && p->near >= p->min_near &&
+	return out == 0 && p->near >= p->min_near &&
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
