@@ -139,7 +139,7 @@ static void next_of_csv(struct cursor *c, struct field *f)
 		f->unclosed = s == NULL;
 		s = f->unclosed ? end : s;
 	}
-	s = memchr(s, c->in.separator, (size_t)(end - s));
+	s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) : NULL;
 	f->next = s != NULL ? s + 1 : NULL;
 	f->whole.end = s != NULL ? s : end;
 	if (s == NULL && end > c->s && end[-1] == '\r')
