@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A command is a row of the table in main.c, and its run_ function is in the file of
- * its name. These functions are declared here, as only that table calls them. */
+/* A command is a row of the table in main.c, and its functions run_ and check_ are in the
+ * file of its name. They are declared here, as only that table calls them. */
 #pragma once
 
 #include <string.h>

@@ -22,7 +22,7 @@ static void line_of_planes(const struct map *m, int a, int b, struct sum line[4]
 
 /* Writes the homogeneous point h, with w >= 0, where a line meets column c of `planes`;
  * or 0 0 0 0 if they meet in more than a point. Writes its image in world space, too. */
-static void set_point(const struct lens *l, const struct sum line[4][4],
+static void set_meeting_point(const struct lens *l, const struct sum line[4][4],
     const struct map *planes, int c, struct sum h[4], struct sum world[4])
 {
 	struct sum w;
@@ -45,10 +45,10 @@ static void set_points(struct lens *l)
 	for (int i = 0; i < 4; i++) {
 		line_of_planes(&l->sides, i == 1 || i == 2, 2 + (i > 1), line);
 		for (int k = i; k < 8; k += 4)
-			set_point(l, line, &l->ends, k > 3, l->corner[k],
+			set_meeting_point(l, line, &l->ends, k > 3, l->corner[k],
 			    l->world_corner[k]);
 		if (i == 0)
-			set_point(l, line, &l->sides, 1, l->eye, l->world_eye);
+			set_meeting_point(l, line, &l->sides, 1, l->eye, l->world_eye);
 	}
 }
 

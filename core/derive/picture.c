@@ -51,8 +51,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 }
 
 /* Returns whether R R' is the identity within 2^-20, and det R > 0 (if mirrored, < 0).
- * R is the upper 3x3 of the map, in doubles, and R' its transpose. Only a matrix or a
- * pose can be anything but a rotation. */
+ * R is the upper 3x3 of the map, in doubles, whose errors of 2^-50 the bound does not
+ * notice, and R' its transpose. Only a matrix or a pose can be anything but a rotation. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	double r[3][3], det = 0;
