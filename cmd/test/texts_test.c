@@ -26,7 +26,9 @@ static const struct number_style styles[] = {
 	{ NUMBER_DIGITS, 6 },
 	{ NUMBER_DIGITS, 12 },
 	{ NUMBER_DIGITS, 15 },
+	{ NUMBER_DECIMALS, 13 },
 	{ NUMBER_DIGITS, 16 },
+	{ NUMBER_DIGITS, 17 },
 };
 
 static long count = 60000;

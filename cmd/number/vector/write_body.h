@@ -66,20 +66,20 @@ INLINE quarters split_2(quarters x)
 	return x - a * opaque((10 << 8) - 1);
 }
 
-/* Writes the WHOLE_DIGITS digits of f->whole < 10^16 at place `at`. FLOOR gives the
- * right quotient by 10^8: The double 1e-8 is 2.1e-25 more than 10^-8, so that the
- * product is less than 2.1e-9 too large. Rounding adds at most 7.5e-9, half a unit in
- * the last place below 2^27. Only an error of 1e-8 could reach the next whole
- * number. */
+/* Writes the WHOLE_DIGITS digits of f->whole < 10^16 at place `at` or, if `halves` is
+ * set, those of f->whole and f->lower. FLOOR gives the right quotient by 10^8: The double
+ * 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 2.1e-9 too large.
+ * Rounding adds at most 7.5e-9, half a unit in the last place below 2^27. Only an error
+ * of 1e-8 could reach the next whole number. */
 INLINE void write_digits(struct number_text *t, size_t at, uint16_t *nonzero,
-    const struct batch_digits *f)
+    const struct batch_digits *f, bool halves)
 {
 	const V lowest_bits = ALL(0x1p52);
 
 	for (size_t i = 0; i < NUMBER_BATCH; i += WIDTH) {
 		V whole = LOAD(f->whole + i);
-		V high = FLOOR(whole * ALL(1e-8));
-		V low = FMA(high, ALL(-1e8), whole);
+		V high = halves ? whole : FLOOR(whole * ALL(1e-8));
+		V low = halves ? LOAD(f->lower + i) : FMA(high, ALL(-1e8), whole);
 		quarters x = split_4((quarters)(split_8((lanes)(high + lowest_bits)) |
 		    split_8((lanes)(low + lowest_bits)) << 32));
 
@@ -158,7 +158,7 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind, int 
 				find_significant(&f, i, n, LOAD(v + k + i));
 			else
 				find_shortest(&f, i, single, LOAD(v + k + i));
-		write_digits(t, ZEROS_BEFORE, nonzero, &f);
+		write_digits(t, ZEROS_BEFORE, nonzero, &f, false);
 		lay_out(layout, nonzero, &f,
 		    float_shortest ? WHOLE_DIGITS / 2 : WHOLE_DIGITS, decimals);
 		write_zeros(t, layout, &f, decimals);
@@ -176,17 +176,18 @@ INLINE void write_parts(const double *v, size_t count, int n, int decimals,
 	for (size_t k = 0; k < count; k += NUMBER_BATCH, t += NUMBER_BATCH) {
 		for (size_t i = 0; i < NUMBER_BATCH; i += WIDTH)
 			find_parts(&whole, &rest, i, n, decimals > 0, LOAD(v + k + i));
-		write_digits(t, 0, digits[0], &whole);
-		write_digits(t, WHOLE_DIGITS, digits[1], &rest);
+		write_digits(t, 0, digits[0], &whole, false);
+		write_digits(t, WHOLE_DIGITS, digits[1], &rest, true);
 		for (size_t i = 0; i < NUMBER_BATCH; i++) {
 			int some = digits[0][i] | 1 << (WHOLE_DIGITS - 1);
 			int first = highest_bit(some & -some);
 			int before = WHOLE_DIGITS - first, sign = whole.sign[i];
-			int after = decimals > 0 ? decimals :
-						   highest_bit(digits[1][i]) + 1;
+			int last = digits[1][i] | (rest.digit[i] != 0) << WHOLE_DIGITS;
+			int after = decimals > 0 ? decimals : highest_bit(last) + 1;
 			int size = before + (after > 0 ? after + 1 : 0);
 			int all = first | (sign < 0) << 8 | before << 16 | size << 24;
 
+			t[i].chars[2 * WHOLE_DIGITS] = (char)('0' + rest.digit[i]);
 			t[i].layout = (uint32_t)(sign != 0 ? all : 0);
 		}
 	}

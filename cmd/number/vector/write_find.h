@@ -26,11 +26,12 @@ enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
  * find_parts. It serves up to WHOLE_DIGITS decimals and one digit more. */
 enum { LEAST_PARTS = 13 };
 
-/* The digits of a batch of numbers. whole has WHOLE_DIGITS digits; the point stands
- * `scale` digits before their end. digit is the 17th, which is not written if it is 0.
- * sign is -1, 1 for no minus, and 0 if number_write has to make the text. */
+/* The digits of a batch of numbers. whole has WHOLE_DIGITS digits, or the upper half of
+ * them if `lower` has the others; the point stands `scale` digits before their end. digit
+ * is the 17th, which is not written if it is 0. sign is -1, 1 for no minus, and 0 if
+ * number_write has to make the text. */
 struct batch_digits {
-	double whole[NUMBER_BATCH];
+	double whole[NUMBER_BATCH], lower[NUMBER_BATCH];
 	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
 };
 
@@ -143,37 +144,57 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the integers of numbers below 1e15, and the first WHOLE_DIGITS decimals, of which
- * scale are rounded, and zeros follow: n decimals if `decimals` is set, else as many as
- * make n significant digits. The product of a fraction and 10^scale has to be below 2^53,
- * so that round_ties_even serves; with the zeros it is a multiple of 2^(WHOLE_DIGITS -
- * scale) below 2^54, a double. A power of ten below 1 is met with scale = WHOLE_DIGITS
- * alone, if it is 1/10, which rounds up to the double: floor_log10 is right. */
+/* A comparison in find_parts is right in spite of roundings if its sides differ by more. */
+#define PARTS_MARGIN 0x1p-27
+
+/* Finds the integers of numbers below 1e15, and the first WHOLE_DIGITS decimals in two
+ * halves. Of these `scale` are rounded, and zeros follow: n decimals if `decimals` is set,
+ * else as many as make n significant digits. So numbers from 1/10 on can have 17 decimals;
+ * rest->digit is the last. The double nearest to 1/10 is above it, so that floor_log10 is
+ * right there, too.
+ *
+ * The fraction times 10^upper has a whole part, which makes the upper digits, and leaves
+ * r for the lower ones. As these are one or more, their parity breaks ties. A number from
+ * 1/10 on is a multiple of 2^-56, and r one of 2^-48: both products are exact. The r of a
+ * smaller number has an error of up to 2^-54, and r times 10^8 one below PARTS_MARGIN. */
 INLINE void find_parts(struct batch_digits *whole, struct batch_digits *rest, size_t i,
     int n, bool decimals, V v)
 {
-	V a = ABS(v), top = FLOOR(a), scale = ALL(n), hi, lo, half;
+	const V eight = ALL(8), one = ALL(1);
+	V a = ABS(v), top = FLOOR(a), scale = ALL(n), hi, end, lo, half, pad;
 	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(0.1));
 
 	if (!decimals)
 		scale = ALL(n - 1) - floor_log10(a, in_range);
-	M in_table = LESS(scale, ALL(WHOLE_DIGITS + 1));
+	V upper = MIN(scale - one, eight), lower = scale - upper;
 
-	scale = ONLY(in_table, scale);
-	power_of_ten(scale, &hi, &lo);
+	power_of_ten(upper, &hi, &lo);
 	struct product x = multiply_exactly(a - top, hi, lo, true);
-	V r = round_ties_even(x, &half);
-	M carry = EQUAL(r, hi), sure = in_range & in_table;
+	V r = (x.p - x.i) + x.e, j = FLOOR(r);
+
+	power_of_ten(lower, &end, &lo);
+	struct product y = multiply_exactly(r - j, end, lo, true);
+	V low = round_ties_even(y, &half), high = x.i + j;
+	M carry = EQUAL(low, end), sure = in_range | EQUAL(a, ALL(0));
 
 	if (decimals)
-		sure = LESS(a, ALL(1e15));
-	top = top + ONLY(carry, ALL(1));
-	r = ONLY(~carry, r);
-	power_of_ten(ALL(WHOLE_DIGITS) - scale, &hi, &lo);
-	sure = (sure | EQUAL(a, ALL(0))) & LESS(x.p, ALL(0x1p53));
-	M minus = LESS(v, ALL(0)) & ~EQUAL(top + r, ALL(0));
+		sure = LESS(a, ALL(1e15)) & (sure | LESS(ALL(PARTS_MARGIN), ABS(half)));
+	low = ONLY(~carry, low);
+	high = high + ONLY(carry, one);
+	carry = EQUAL(high, hi);
+	high = ONLY(~carry, high);
+	top = top + ONLY(carry, one);
+	M minus = LESS(v, ALL(0)) & ~EQUAL(top + high + low, ALL(0));
+	/* the ninth lower digit; 0.1 is too large by less than 2^-56, so FLOOR is right */
+	M nine = LESS(eight, lower), few = LESS(upper, eight);
+	V tens = FLOOR(low * ALL(0.1));
 
+	STORE_INTS(rest->digit + i, ONLY(nine, low - tens * ALL(10)));
+	/* of up to eight decimals all are in the upper half */
+	power_of_ten(ALL(7) - upper, &pad, &lo);
+	STORE(rest->whole + i, SELECT(few, (high * end + low) * pad, high));
+	power_of_ten(eight - MIN(lower, eight), &pad, &lo);
+	STORE(rest->lower + i, ONLY(~few, SELECT(nine, tens, low * pad)));
 	STORE(whole->whole + i, top);
-	STORE(rest->whole + i, r * hi);
-	STORE_INTS(whole->sign + i, ONLY(sure, SELECT(minus, ALL(-1), ALL(1))));
+	STORE_INTS(whole->sign + i, ONLY(sure, SELECT(minus, ALL(-1), one)));
 }
