@@ -148,7 +148,8 @@ bool help_member(const char *name)
 	if (row->members == NULL || row->words != NULL || row->members == step_members)
 		print_member(row, NULL);
 	if (row->members == step_members)
-		output_printf("\nA step has one of these:\n");
+		output_printf("\nSteps apply to the point one after another, the first "
+			      "first. A step has one of these:\n");
 	if (row->members != NULL)
 		print_members(row->members, ANY_VARIANT, ALL_MEMBERS);
 	if (row->members == convention_members) {

@@ -55,8 +55,9 @@ const struct note_row note_rows[NOTES] = {
 	    "radians; make it of angle * pi / 180" },
 	[NOTE_ASPECT] = { "/projection/aspect",
 	    "the aspect differs from the viewport's width / height by more than 1 %, "
-	    "which stretches the picture; leave \"aspect\" out, or give the viewport a "
-	    "\"scale\"" },
+	    "which stretches the picture; leave \"aspect\" or a sensor's \"height\" "
+	    "out, "
+	    "or give the viewport a \"scale\"" },
 	[NOTE_COLMAP] = { "/projection/intrinsics",
 	    "the intrinsics look like f, cx, cy, k of COLMAP; fx, fy, cx, cy are "
 	    "wanted: give f twice, and undistort points first" },

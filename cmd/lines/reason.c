@@ -36,6 +36,9 @@ static bool say_mend(const struct layout *l, struct span f, const char *separato
     char reason[REASON_MAX])
 {
 	static const char *const marks[][2] = {
+		{ "{\"type\"",
+		    "; is it GeoJSON? jq -c '..|.coordinates?|arrays|..|arrays|"
+		    "select(.[0]|numbers)' makes lines for -i json" },
 		{ "[", "; is it JSON? say -i json; if not, tr -d '[]'" },
 		{ "{", "; is it JSON? say -i json" },
 		{ "\xe2\x88\x92", /* U+2212, a minus */
@@ -363,7 +366,12 @@ static void say_names(const struct layout *l, struct cursor c, const char *typed
 			return;
 		const bool blank = names.n == 1 && say_mend(l, header, " ", reason);
 
-		if (find_byte(header, '[') != NULL || find_byte(header, '(') != NULL)
+		if (find_name(&names, "", 0, "WKT") >= 0)
+			say_more(reason,
+			    "; ogr2ogr -lco GEOMETRY=AS_XYZ makes columns X, Y and Z "
+			    "of WKT");
+		else if (find_byte(header, '[') != NULL ||
+		    find_byte(header, '(') != NULL)
 			say_more(reason,
 			    "; leave out units: sed '%zus/ *[[(][^])]*[])]//g'",
 			    l->seen.first_line);
@@ -491,7 +499,7 @@ bool reason_binary(const struct layout *l, struct span text, char reason[REASON_
 	enum { LOOK = 4096 };
 	const long long sizes[] = { 16, 4LL * l->reads, 8LL * l->reads };
 	const char *const names[] = { "f32x4", "f32", "f64" };
-	const char *before = "is binary; if it is numbers alone, say -i ";
+	const char *before = "is binary; if it is numbers alone, say -o text -i ";
 	const char *s = text.s, *end = text.end - s > LOOK ? s + LOOK : text.end;
 
 	while (s < end &&

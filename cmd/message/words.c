@@ -44,6 +44,12 @@ static const struct {
 	    "describes one" },
 	{ CALL, "orthographic", "ortho" },
 	{ CALL, "cavalier cabinet", "oblique" },
+	{ WORD_VALUE, "cavalier cabinet",
+	    ": it is a \"kind\" of \"type\": \"oblique\"; receding lines have the "
+	    "\"direction\" in the picture" },
+	{ CALL, "transpose columnmajor rowmajor columnvectors",
+	    ": a scene beside \"projection\" or \"camera\" says \"convention\": "
+	    "{\"vectors\": \"column\"}" },
 	{ CALL, "window", "w2n" },
 	{ CALL, "w2v window2viewport windowtoviewport", "w2d" },
 	{ CALL, "device", "n2d" },
@@ -116,9 +122,9 @@ static const struct {
 	{ REMARK, "size imagesize windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
 	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
-	    ": turn by steps, in degrees without \"angle_unit\", as \"pose\" of \"camera\": "
-	    "[{\"rotate_x\": 10}, {\"rotate_y\": 30}, "
-	    "{\"translate\": [0,0,5]}], which is the eye" },
+	    ": angles are steps, such as {\"rotate_y\": 30}, in \"pose\" of \"camera\"; "
+	    "'Yaw, pitch and roll' in 'man projcalc-scene' has their order in aircraft, "
+	    "games and photogrammetry" },
 	{ WORD_MEMBER, "translation",
 	    ": where the camera stands it is \"eye\" of \"camera\", the t of [R|t] is "
 	    "\"translation\" there; 'Sensors of nuScenes' in 'man projcalc-scene' chains "
@@ -138,8 +144,16 @@ static const struct {
 	{ REMARK, "params cameramodel",
 	    ": \"intrinsics\" are [fx, fy, cx, cy]; 'A model of COLMAP' in "
 	    "'man projcalc-scene' finds them" },
-	{ WORD_MEMBER, "asset scenes nodes accessors bufferviews",
+	{ WORD_MEMBER, "asset scenes nodes accessors bufferviews cameras perspective "
+	    "orthographic",
 	    ": is it glTF? 'A camera of glTF' in 'man projcalc-scene' reads one" },
+	{ WORD_MEMBER, "frames filepath aabbscale",
+	    ": is it NeRF's? 'A frame of NeRF' in 'man projcalc-scene' reads one" },
+	{ WORD_MEMBER, "childframeid transforms",
+	    ": is it of tf2? 'Frames of ROS and tf2' in 'man projcalc-scene' chains them" },
+	{ WORD_MEMBER, "origin",
+	    ": it belongs in \"device\" or, of a viewport, in \"convention\"; \"webgpu\" is "
+	    "\"gl\" with y from the top, and depth from 0" },
 	{ REMARK, "zoom",
 	    ": only a window has it; in 3D divide \"width\" and \"height\" of \"ortho\", or "
 	    "give a smaller \"fovy\"" },
@@ -171,7 +185,8 @@ static const struct {
 	    ": elements of three.js and GLM are \"gl\", of DirectXMath \"d3d\"; 'Matrices of "
 	    "GLM, DirectXMath and three.js' in 'man projcalc-scene'" },
 	{ VALUE, "unity unity3d",
-	    ": it is \"gl\"; 'A camera of Unity' in 'man projcalc-scene' reads its matrices" },
+	    ": its transforms, position and rotation, are \"d3d\", the matrices of its cameras "
+	    "\"gl\", as 'A camera of Unity' in 'man projcalc-scene' reads them" },
 	{ VALUE, "unreal ue4 ue5 hlsl metal",
 	    ": it is \"d3d\" if view space is left-handed, as Unreal's, else \"webgpu\"; "
 	    "'projcalc help convention' has their axes" },
@@ -191,7 +206,7 @@ static const struct {
 	{ VALUE, "ply pcd", ": of its ASCII form cut off the header, for -i text" },
 	{ VALUE, "bin binary float32 float64 double <f8 <f4 <f8x3 <f4x3 kitti npy raw numpy",
 	    ": -i f32x4 reads four floats a point (KITTI's .bin), -i f32 three, -i f64 three "
-	    "doubles; of a .npy it tells what to cut off" },
+	    "doubles, and -o text prints text; of a .npy it tells what to cut off" },
 };
 /* clang-format on */
 

@@ -24,8 +24,11 @@ static const struct member camera_members[] = {
 	    .about = "direction in which the camera looks, of any length"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation rotationquaternion quaternion quat q",
-	    .hint = " (x, y, z, w, view to world; if world to view, negate x, y, z; a "
-		    "3x3 R is in \"matrix\")",
+	    .hint =
+		" (x, y, z, w, view to world, beside \"eye\"; with a translation it is "
+		"\"pose\", world to view \"matrix\", as [{\"quaternion_wxyz\": q}, "
+		"{\"translate\": t}]; a 3x3 R is in \"matrix\", Euler angles are steps "
+		"in \"pose\")",
 	    .about = "quaternion x, y, z, w from view axes to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
@@ -33,21 +36,21 @@ static const struct member camera_members[] = {
 	    .about = "rotation vector that turns world axes into view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t translationvector",
-	    .hint = " (where the world's origin is in view space; beside R it is in "
-		    "\"matrix\", [R|t])",
+	    .hint = " (t of world to view; beside R write \"matrix\": [R|t])",
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
 	ROW(camera, "pose", type_steps, steps,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld camtoworld "
 		       "c2w twc cam2world localtoworldmatrix",
-	    .hint = " (view to world)",
-	    .about = "map from view to world space: a matrix or steps"),
+	    .hint = " (view to world; of NeRF, Blender and ARKit with \"convention\": "
+		    "\"webgpu\")",
+	    .about = "map from view to world: a matrix, or steps ('help world')"),
 	ROW(camera, "matrix", type_steps, steps,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt rotationmatrix "
 		       "worldtocamera worldtocameramatrix worldtocam w2c tcw world2cam "
 		       "modelviewmatrix matrixworldinverse",
 	    .hint = " (world to view, [R|t])",
-	    .about = "map from world to view space, such as [R|t] or steps"),
+	    .about = "map from world to view: [R|t], or steps ('help world')"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
 	    .aliases = "vup viewup upvector", .shown = true,
 	    .about = "direction that points up in the image"),
@@ -80,7 +83,7 @@ static const struct value_range height_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE
 	ROW(object, "x", type_numbers, x, .aliases = "left", .unit = "device units", \
 	    .fallback = "0", .shown = true,                                          \
 	    .about = "least device x of the rectangle"),                             \
-	    ROW(object, "y", type_numbers, y, .aliases = "top",                      \
+	    ROW(object, "y", type_numbers, y, .aliases = "top bottom",               \
 		.unit = "device units", .fallback = "0", .shown = true,              \
 		.about = "least device y of the rectangle"),                         \
 	    SIZE(object, "width", width, .unit = "device units",                     \
@@ -161,10 +164,11 @@ static const struct member window_members[] = {
 	    .about = "width of the window"),
 	SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
-	ROW(window, "left", type_numbers, left, .aliases = "x xmin viewbox bbox",
-	    .unit = "window units",
+	ROW(window, "left", type_numbers, left,
+	    .aliases = "x xmin min viewbox bbox extent",
+	    .hint = ", with \"right\", \"bottom\" and \"top\"", .unit = "window units",
 	    .about = "left edge of the window, with right, bottom and top"),
-	ROW(window, "right", type_numbers, right, .aliases = "xmax",
+	ROW(window, "right", type_numbers, right, .aliases = "xmax max",
 	    .unit = "window units",
 	    .about = "right edge of the window, greater than left"),
 	ROW(window, "bottom", type_numbers, bottom, .aliases = "y ymin",

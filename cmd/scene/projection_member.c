@@ -64,7 +64,7 @@ enum {
 	NUMBER(types, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(types, label, field, ...) \
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
-#define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")"
+#define RADIANS "glTF and NeRF with \"angle_unit\": \"radians\""
 
 /* The rows are in the order in which members are printed. */
 const struct member projection_members[] = {
@@ -76,17 +76,21 @@ const struct member projection_members[] = {
 	    .about =
 		"cavalier keeps the length of lines along the gaze, cabinet halves it"),
 	ANGLE(OBLIQUE, "angle", shear.projector_angle, .range = &projector_angle_range,
+	    .aliases = "alpha",
 	    .about = "angle between projectors and picture, in place of kind"),
 	ANGLE(OBLIQUE, "direction", shear.direction, .range = &range_any,
-	    .fallback = "45", .shown = true,
+	    .aliases = "phi", .fallback = "45", .shown = true,
 	    .about = "direction in the picture of lines along the gaze"),
 	LENGTH(OBLIQUE, "plane", shear.plane, .fallback = "0",
 	    .about = "distance along the gaze of points that do not shear"),
 	ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
 	    .aliases = "fov yfov vfov fovv verticalfov fieldofview cameraangley",
-	    .hint = GLTF, .about = "angle between the bottom and the top plane"),
+	    .hint = " (vertical, as of Unity and three.js; Unreal's is \"fovx\"; "
+	            "of " RADIANS ")",
+	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", section.angle, .range = &fov_range,
-	    .aliases = "xfov fovh horizontalfov hfov cameraanglex", .hint = GLTF,
+	    .aliases = "xfov fovh horizontalfov hfov cameraanglex",
+	    .hint = " (of " RADIANS ")",
 	    .about = "angle between the left and the right plane"),
 	ANGLE(PERSP, "view_angle", section.angle, .range = &fov_range,
 	    .aliases = "angle",
@@ -140,7 +144,7 @@ const struct member projection_members[] = {
 	    .aliases = "zfar farplane farclipplane clipend yon", .unit = "view units",
 	    .about = "distance of the far plane from the eye"),
 	LENGTH(PARALLEL, "far", far,
-	    .aliases = "zfar farplane farclipplane clipend yon zmax",
+	    .aliases = "zfar f farplane farclipplane clipend yon zmax",
 	    .about = "distance of the far plane from the eye"),
 	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
 	    .aliases = "reversed reversedz", .fallback = "false",
@@ -188,8 +192,9 @@ const struct rule projection_rules[] = {
 	{ RULE(OBLIQUE, "kind", "angle"),
 	    .hint = "give \"kind\", or \"angle\" of the projectors; lines along the "
 		    "gaze have the \"direction\" in the picture" },
-	{ RULE(PERSP | PARALLEL, "near far"), .tasks = TASK(WHOLE),
-	    .with = "intrinsics!" },
+	{ RULE(PERSP, "near far"), .tasks = TASK(WHOLE), .with = "intrinsics!",
+	    .hint = "give \"near\" and \"far\", which may be \"infinity\"" },
+	{ RULE(PARALLEL, "near far"), .tasks = TASK(WHOLE) },
 	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(WHOLE) | TASK(PLANE),
 	    .with = "intrinsics" },
 	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(PLANE),

@@ -152,8 +152,9 @@ static void read_matrix(const struct value *v, const struct member *row, void *o
 	if (narrow && n == 3)
 		value_refuse(&all, "is 3x3; append t to its rows: [R|t]");
 	if (n != rows && n != 16)
-		value_refuse(&all, "has %zu element%s; %s are wanted", n,
-		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS);
+		value_refuse(&all, "has %zu element%s; %s are wanted%s", n,
+		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS,
+		    affine ? "" : "; K and P are \"intrinsics\" of type \"persp\"");
 	read_rows(&all, rows, columns, e);
 	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)

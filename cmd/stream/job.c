@@ -191,10 +191,14 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	static const char *const others[][2] = {
 		{ "\xff\xfe", utf16 },
 		{ "\xfe\xff", utf16 }, /* high bytes come first */
-		{ "\x1f\x8b", "is gzip; zcat makes it text" },
+		{ "\x1f\x8b",
+		    "is gzip; zcat makes it text, for - with its format, as -i csv -" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
-		{ "ply\n", "is PLY; sed 1,/end_header/d | head -n N keeps N points" },
+		{ "ply\n",
+		    "is PLY; sed 1,/end_header/d | head -n N keeps the points of "
+		    "'element "
+		    "vertex N'" },
 		{ "<?xm", "is XML; make a line of numbers of each point" },
 		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
 		{ "solid ", "is STL; grep vertex keeps corners, for --columns 2,3,4" },
@@ -204,6 +208,9 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "\xff\xd8\xff", picture },
 		{ "# Image list with", colmap },
 		{ "# Camera list with", colmap },
+		{ "LASF", "is LAS; las2txt makes text of it" },
+		{ "ncols",
+		    "is an ESRI grid; gdal_translate -of XYZ makes points of it" },
 	};
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = c->piece.size; /* also after the last whole line */

@@ -129,15 +129,21 @@ static bool has_matrix_of_radians(const struct scene *s)
 		(aspect != 1 && is_cot_of_degrees(xs * aspect, ys * aspect)));
 }
 
-/* Returns whether an aspect is given that differs from the viewport's by more than 1 %. */
+/* Returns whether an aspect, or that of a sensor, whose width and height are at a focal
+ * length, differs from the viewport's by more than 1 %. */
 static bool has_other_aspect(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
+	const struct projection_section *c = &p->section;
 	const struct viewport *v = &s->viewport;
+	const bool sensor = projection_family(p) == FAMILY_PERSP &&
+	    c->way == SECTION_SIZE && c->edges_at > 0;
+	const double width = sensor ? c->width : p->aspect[0];
+	const double height = sensor ? c->height : p->aspect[1];
 
-	if (!s->has_viewport || v->scale != SCALE_FILL || p->aspect[1] == 0)
+	if (!s->has_viewport || v->scale != SCALE_FILL || height == 0)
 		return false;
-	const double share = p->aspect[0] / p->aspect[1] * v->height / v->width;
+	const double share = width / height * v->height / v->width;
 
 	return share > 1.01 || share < 0.99;
 }

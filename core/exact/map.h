@@ -75,10 +75,11 @@ void map_image(const struct map *, int j, const struct sum p[4], struct sum *);
 bool map_is_affine(const struct map *);
 
 /* Says in messages why a matrix that must be affine is refused. */
-#define MAP_NOT_AFFINE                                                         \
-	"its last column, as column vectors its last row, is not exactly 0 0 " \
-	"0 1; of 16 numbers the translation is 13, 14 and 15; write rows as "  \
-	"[[...], [...], [...], [...]]"
+#define MAP_NOT_AFFINE                                                       \
+	"its last column, as column vectors its last row, is not exactly 0 " \
+	"0 0 1; of 16 numbers the translation is 13, 14 and 15; write rows " \
+	"of column vectors as {\"matrix\": [[...], [...], [...], [...]], "   \
+	"\"vectors\": \"column\"}"
 
 /* Returns whether each element / divisor is in the range of doubles. */
 bool map_is_finite(const struct map *);
