@@ -135,8 +135,8 @@ FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 
 # The inner loops are compiled with -O3. The program chooses between AVX2 and AVX-512
 # when it starts; every arm64 has NEON.
-$(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o lines/writer.o \
-    stream/job.o) \
+$(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o \
+    stream/job.o stream/writer.o) \
     $(call objects,core/points/kernel cmd/number/vector): FLAGS += -O3
 VECTOR = $(BUILD)/cmd/number/vector
 $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/avx2.o: \

@@ -170,8 +170,7 @@ bool binary_write_rows(const struct job *j, struct chunk *c, const char *text)
 	return true;
 }
 
-/* Writes the image of point p of the block or, for a bad line, nan. */
-static char *put_record(const struct layout *l, const struct chunk *c,
+char *binary_put_record(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {
 	size_t size = format_point_size(l->out.format, 1), written = binary_size(l);
@@ -189,21 +188,4 @@ static char *put_record(const struct layout *l, const struct chunk *c,
 		    line->kind == LINE_POINT ? c->image[k][p] : (double)NAN);
 	}
 	return at + written;
-}
-
-void binary_write_lines(const struct job *j, struct chunk *c,
-    const unsigned char *outside)
-{
-	char *at = chunk_reserve(c, c->block_lines * binary_size(&j->layout));
-
-	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
-		const struct line *line = &c->line[i];
-		const bool point = line->kind == LINE_POINT;
-
-		if (point ? !j->visible || outside[p] == 0 :
-			    line_is_bad(line) && !j->visible)
-			at = put_record(&j->layout, c, line, p, at);
-		p += point;
-	}
-	c->size = (size_t)(at - c->out);
 }

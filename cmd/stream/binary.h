@@ -19,6 +19,6 @@ bool binary_map_floats(const struct job *, struct chunk *);
  * finite, or point_exact_float has to round, only sets the lines, and returns false. */
 bool binary_write_rows(const struct job *, struct chunk *, const char *text);
 
-/* Appends images of points, and nan for bad lines; or of visible points alone. */
-void binary_write_lines(const struct job *, struct chunk *,
-    const unsigned char *outside);
+/* Writes the image of point p of the block or, for a bad line, nan. Returns its end. */
+char *binary_put_record(const struct layout *, const struct chunk *,
+    const struct line *, size_t p, char *at);

@@ -10,9 +10,8 @@
 #include "../../core/points/points.h"
 #include "../lines/line.h"
 #include "../lines/reason.h"
-#include "../lines/splice.h"
-#include "../lines/writer.h"
 #include "binary.h"
+#include "writer.h"
 
 /* Reads the next line, `text`, to the block. Returns false if the chunk ends there. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
@@ -156,22 +155,7 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 				c->first_imageless = c->n_lines + i;
 	if (l->output.flags || j->visible)
 		frustum_outside_all(&j->frustum, in, outside, c->block_points);
-	if (format_is_binary(l->out.format)) {
-		binary_write_lines(j, c, outside);
-		return;
-	}
-	const struct written_block block = { .layout = l,
-		.line = c->line,
-		.n = n,
-		.n_images = c->block_points,
-		.image = (const double(*)[POINTS_BLOCK])c->image,
-		.outside = outside,
-		.words = &c->words,
-		.visible = j->visible };
-	const char *end = c->line[n - 1].s + c->line[n - 1].size;
-	char *at = chunk_reserve(c, splice_room(l, n, (size_t)(end - c->line[0].s)));
-
-	c->size = (size_t)(writer_put_block(&block, at) - c->out);
+	writer_put_block(j, c, outside);
 }
 
 /* Refuses a source that begins like another format. Binary points may begin with any

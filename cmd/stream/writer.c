@@ -3,12 +3,13 @@
 
 #include <math.h>
 
-#include "../../core/derive/frustum.h"
-#include "splice.h"
+#include "../lines/splice.h"
+#include "binary.h"
 
 struct writer {
-	const struct written_block *block;
+	struct chunk *chunk;
 	const struct layout *layout;
+	const unsigned char *outside;
 	bool in_place;    /* write_in_place may write the images */
 	bool adds_values; /* values are added after those that were read */
 	bool three;       /* three numbers are read, and replaced in place */
@@ -95,14 +96,13 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 /* Makes the texts of the batch of images that includes image p, unless w has them. */
 static void writer_make_texts(struct writer *w, size_t p)
 {
-	const struct written_block *b = w->block;
 	const struct output *o = &w->layout->output;
-	size_t from = p - p % NUMBER_BATCH, rest = b->n_images - from;
+	size_t from = p - p % NUMBER_BATCH, rest = w->chunk->block_points - from;
 
 	if (w->first_of_batch == from)
 		return;
 	for (int k = 0; k < w->layout->writes; k++)
-		number_texts(&b->image[k][from],
+		number_texts(&w->chunk->image[k][from],
 		    rest < NUMBER_BATCH ? rest : NUMBER_BATCH, o->single, o->style[k],
 		    w->text[k]);
 	w->first_of_batch = from;
@@ -110,7 +110,7 @@ static void writer_make_texts(struct writer *w, size_t p)
 
 static inline struct image_numbers image_of(const struct writer *w, size_t p)
 {
-	return (struct image_numbers){ &w->block->image[0][p],
+	return (struct image_numbers){ &w->chunk->image[0][p],
 		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 }
 
@@ -145,7 +145,7 @@ static char *put_image(struct writer *w, const struct line *line, size_t p, char
 {
 	const struct layout *l = w->layout;
 	const struct flags *flags = l->output.flags ?
-	    flags_word(w->block->words, w->block->outside[p]) :
+	    flags_word(&w->chunk->words, w->outside[p]) :
 	    NULL;
 
 	writer_make_texts(w, p);
@@ -169,16 +169,22 @@ static char *put_image(struct writer *w, const struct line *line, size_t p, char
 	return write_in_place(l, line, false, w->order, image_of(w, p), flags, at);
 }
 
-char *writer_put_block(const struct written_block *b, char *at)
+void writer_put_block(const struct job *j, struct chunk *c,
+    const unsigned char *outside)
 {
 	static const double nan = (double)NAN;
 	static const struct number_text none = { .layout = 0 };
 	const struct image_numbers bad = { &nan, &none, 0, 0 };
-	const struct layout *l = b->layout;
+	const struct layout *l = &j->layout;
+	const bool binary = format_is_binary(l->out.format);
+	const size_t n = c->block_lines;
+	const char *end = c->line[n - 1].s + c->line[n - 1].size;
+	char *at = chunk_reserve(c, splice_room(l, n, (size_t)(end - c->line[0].s)));
 	struct writer w; /* no initializer, as to clear the texts takes time */
 
-	w.block = b;
+	w.chunk = c;
 	w.layout = l;
+	w.outside = outside;
 	w.first_of_batch = SIZE_MAX;
 	for (int k = 0; k < 4; k++)
 		w.order[k] = k;
@@ -186,15 +192,18 @@ char *writer_put_block(const struct written_block *b, char *at)
 	w.in_place = same_dialect(l->in, l->out) &&
 	    (l->output.append || l->reads <= l->writes);
 	w.three = w.in_place && !w.adds_values && l->reads == 3;
-	for (size_t i = 0, p = 0; i < b->n; i++) {
-		const struct line *line = &b->line[i];
+	for (size_t i = 0, p = 0; i < n; i++) {
+		const struct line *line = &c->line[i];
 		const bool point = line->kind == LINE_POINT;
 
-		if (!b->visible || !(point ? b->outside[p] != 0 : line_is_bad(line)))
-			at = point ? put_image(&w, line, p, at) :
-				     splice_line(l, line, &bad,
-					 flags_word(b->words, OUT_NAN), at);
+		if (point                 ? !j->visible || outside[p] == 0 :
+			line_is_bad(line) ? !j->visible :
+					    !binary)
+			at = binary ? binary_put_record(l, c, line, p, at) :
+			    point   ? put_image(&w, line, p, at) :
+				      splice_line(l, line, &bad,
+					  flags_word(&c->words, OUT_NAN), at);
 		p += point;
 	}
-	return at;
+	c->size = (size_t)(at - c->out);
 }
