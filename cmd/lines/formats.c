@@ -32,15 +32,13 @@ bool format_has_only_cr(struct dialect d, struct span line, char reason[REASON_M
 	const char *s = line.s;
 	const bool csv = format_of(d)->header && *skip_blanks(d, s, line.end) != '#';
 
-	for (bool begins = csv; s < line.end && *s != '\r'; s++) {
-		if (begins && *s == '"') {
-			const char *after = csv_quote_end(s, line.end);
+	bool quoted = false;
 
-			if (after == NULL)
-				return false;
-			s = after - 1;
-		}
-		begins = csv && (*s == d.separator || (begins && is_blank(*s)));
+	for (bool begins = csv; s < line.end && (quoted || *s != '\r'); s++) {
+		quoted ^= begins && *s == '"';
+		begins = csv &&
+		    (quoted || *s == d.separator ||
+			(begins && (is_blank(*s) || *s == '"')));
 	}
 	while (s < line.end && is_blank(*s))
 		s++;
@@ -134,12 +132,10 @@ static void next_of_csv(struct cursor *c, struct field *f)
 	const char *end = c->end, *s = skip_blanks(c->in, c->s, end);
 
 	f->whole.s = c->s;
-	if (s < end && *s == '"') {
+	if (s < end && *s == '"')
 		s = csv_quote_end(s, end);
-		f->unclosed = s == NULL;
-		s = f->unclosed ? end : s;
-	}
-	s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) : NULL;
+	if (s != NULL)
+		s = memchr(s, c->in.separator, (size_t)(end - s));
 	f->next = s != NULL ? s + 1 : NULL;
 	f->whole.end = s != NULL ? s : end;
 	if (s == NULL && end > c->s && end[-1] == '\r')
@@ -172,17 +168,21 @@ static void next_of_json(struct cursor *c, struct field *f)
 static bool csv_check(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(d, line);
-	struct field f = { .unclosed = false };
+	struct field f;
 
 	if (memchr(line.s, '"', (size_t)(line.end - line.s)) == NULL)
 		return true;
-	while (!f.unclosed && cursor_next(&c, &f))
+	while (cursor_next(&c, &f))
 		continue;
-	if (f.unclosed)
-		strcpy(reason,
-		    "a quote is not closed on the line; a field with a newline "
-		    "in it can't be read");
-	return !f.unclosed;
+	/* the last field has all that follows an open quote */
+	const char *s = skip_blanks(d, f.whole.s, line.end);
+
+	if (s == line.end || *s != '"' || csv_quote_end(s, line.end) != NULL)
+		return true;
+	strcpy(reason,
+	    "a quote is not closed on the line; a field with a newline in it can't be "
+	    "read");
+	return false;
 }
 
 const char *format_read(struct dialect d, const char *s, const char *end, double *v)
@@ -425,7 +425,6 @@ bool cursor_next(struct cursor *c, struct field *f)
 	if (c->s == NULL)
 		return false;
 	f->name.s = NULL;
-	f->unclosed = false;
 	f->previous_end = c->previous_end;
 	f->comma = c->comma;
 	format_of(c->in)->next(c, f);

@@ -31,7 +31,6 @@ struct field {
 	const char *previous_end; /* the end of the field before, or NULL */
 	const char *next;         /* where the next field begins; NULL: none */
 	bool comma;               /* FORMAT_TEXT: the separator before it has a comma */
-	bool unclosed;            /* FORMAT_CSV: the quote of the field is not closed */
 };
 
 struct cursor {
