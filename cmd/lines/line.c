@@ -169,14 +169,12 @@ void line_read(struct layout *l, struct span text, enum next_part *first,
 	} else if (!first_line || !in->header || !header_read(l, text, line, reason)) {
 		read_fields(l, text, *first, line, v, reason);
 	}
-	if (binary) {
-		strcpy(reason,
-		    "is binary; if it is numbers alone, say -i f64 or -i f32");
-		if (!line_is_bad(line))
-			line->kind = line->kind == LINE_POINT ? LINE_BAD : LINE_LOST;
-	}
+	if (binary && !line_is_bad(line))
+		line->kind = line->kind == LINE_POINT ? LINE_BAD : LINE_LOST;
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_NONE;
 	if (first_line && !json && *first != FIRST_ROW && line->kind != LINE_REFUSED &&
 	    reason_needs_header(l, text, line->kind == LINE_LOST, reason))
+	if (line_is_bad(line))
+		reason_binary(l, text, binary, reason);
 		line->kind = LINE_REFUSED;
 }

@@ -494,7 +494,8 @@ void reason_comment_columns(struct layout *l, struct span text)
 	strcpy(l->seen.comment_reason, reason);
 }
 
-bool reason_binary(const struct layout *l, struct span text, char reason[REASON_MAX])
+void reason_binary(const struct layout *l, struct span text, bool has_nul,
+    char reason[REASON_MAX])
 {
 	enum { LOOK = 4096 };
 	const long long sizes[] = { 16, 4LL * l->reads, 8LL * l->reads };
@@ -502,17 +503,15 @@ bool reason_binary(const struct layout *l, struct span text, char reason[REASON_
 	const char *before = "is binary; if it is numbers alone, say -o text -i ";
 	const char *s = text.s, *end = text.end - s > LOOK ? s + LOOK : text.end;
 
-	while (s < end &&
-	    ((unsigned char)*s >= ' ' || strchr("\t\n\r\33", *s) != NULL) && *s != '\0')
+	/* a NUL is in has_nul: strchr finds one in every string */
+	while (s < end && ((unsigned char)*s >= ' ' || strchr("\t\n\r\33", *s) != NULL))
 		s++;
-	if (s == end)
-		return false;
+	if (s == end && !has_nul)
+		return;
+	strcpy(reason, "is binary, and its size fits no format of numbers alone");
+	if (l->seen.size % sizes[0] != 0 && l->seen.size % sizes[1] != 0)
+		return;
 	*reason = '\0';
-	if (l->seen.size % sizes[0] != 0 && l->seen.size % sizes[1] != 0) {
-		say_more(reason,
-		    "is binary, and its size fits no format of numbers alone");
-		return true;
-	}
 	/* first what the size of the file divides by */
 	for (int no = 0; no < 2; no++)
 		for (int k = 0; k < 3; k++)
@@ -520,7 +519,6 @@ bool reason_binary(const struct layout *l, struct span text, char reason[REASON_
 				say_more(reason, "%s%s", before, names[k]);
 				before = " or ";
 			}
-	return true;
 }
 
 bool reason_needs_header(struct layout *l, struct span row, bool lost,

@@ -19,9 +19,10 @@ void reason_missing(const struct layout *, int i, struct cursor, const struct lo
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
 void reason_comment_columns(struct layout *, struct span text);
 
-/* Returns whether a bad line has control bytes that text has not, among its first
- * 4,096. Then writes which formats of numbers its file may have. */
-bool reason_binary(const struct layout *, struct span line, char reason[REASON_MAX]);
+/* If a bad line has a NUL, or control bytes that text has not among its first 4,096,
+ * writes which formats of numbers its file may have. */
+void reason_binary(const struct layout *, struct span line, bool has_nul,
+    char reason[REASON_MAX]);
 
 /* Returns whether the first row lacks a header: --columns gives names and it is a
  * LINE_LOST (`lost`), which has a reason; or, without --columns and --no-header, an

@@ -9,7 +9,6 @@
 #include "../../core/points/point.h"
 #include "../../core/points/points.h"
 #include "../lines/line.h"
-#include "../lines/reason.h"
 #include "binary.h"
 #include "writer.h"
 
@@ -24,11 +23,8 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 	line_read(&j->layout, text, &c->first, line, v, reason);
 	line->newline = newline;
 	c->refused = line->kind == LINE_REFUSED;
-	if (line_is_bad(line)) {
-		reason_binary(&j->layout, text, reason);
-		if (!chunk_complain(j, c, reason))
-			return false;
-	}
+	if (line_is_bad(line) && !chunk_complain(j, c, reason))
+		return false;
 	if (line->kind == LINE_POINT) {
 		for (int i = 0; i < j->layout.reads; i++)
 			c->in[i][c->block_points] = v[i];
