@@ -21,33 +21,32 @@ struct cursor header_cursor(struct dialect d, struct span text)
 	return c;
 }
 
-static int find_missing_name(const struct layout *l, const struct lookup *c)
+static int find_missing_name(const struct lookup *c)
 {
 	int i = 0;
 
-	while (i < l->reads && (c->times[i] > 0 || l->columns.name[i] == NULL))
+	while (i < c->l->reads && (c->times[i] > 0 || c->l->columns.name[i] == NULL))
 		i++;
 	return i;
 }
 
 /* Returns whether each coordinate has one column, and added values none; says why. */
-static bool is_usable(const struct layout *l, struct cursor header,
-    const struct lookup *c, char reason[REASON_MAX])
+static bool is_usable(const struct lookup *c, char reason[REASON_MAX])
 {
-	int i = find_missing_name(l, c);
+	int i = find_missing_name(c);
 
-	if (i == l->reads && l->columns.by_default)
-		for (i = 0; i < l->reads && c->times[i] == 1;)
+	if (i == c->l->reads && c->l->columns.by_default)
+		for (i = 0; i < c->l->reads && c->times[i] == 1;)
 			i++;
-	if (i < l->reads) {
-		reason_missing(l, i, header, c, reason);
+	if (i < c->l->reads) {
+		reason_missing(c, i, reason);
 		return false;
 	}
-	i = lookup_find_overlap(l, c);
+	i = lookup_find_overlap(c);
 	if (i > 0)
 		snprintf(reason, REASON_MAX, "two coordinates are column %ld",
 		    c->index[i] + 1);
-	return i == 0 && !lookup_clashes(l, c, false, reason);
+	return i == 0 && !lookup_clashes(c, reason);
 }
 
 /* Returns whether a line is an empty field, then at least l->reads fields 0, 1, 2 ...:
@@ -101,10 +100,10 @@ bool header_is_comment(const struct layout *l, struct span text, bool first)
 			!has_fields(row, l->seen.header_fields));
 	struct cursor header = header_cursor(l->in, text);
 
-	lookup_fields(l, header, &c);
+	lookup_fields(&c, l, header);
 	return header.s != text.s &&
 	    (l->header == HEADER_NONE || !layout_has_names(l) ||
-		find_missing_name(l, &c) < l->reads);
+		find_missing_name(&c) < l->reads);
 }
 
 bool header_read(struct layout *l, struct span text, struct line *line,
@@ -121,9 +120,9 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	if (l->header == HEADER_NONE ||
 	    (undecided && !ambiguous && !lookup_is_header(l, header)))
 		return false;
-	lookup_fields(l, header, &chosen);
+	lookup_fields(&chosen, l, header);
 	line->kind = LINE_REFUSED;
-	if (ambiguous || !is_usable(l, header, &chosen, reason))
+	if (ambiguous || !is_usable(&chosen, reason))
 		return true;
 	line->kind = LINE_HEADER;
 	for (int i = 0; i < l->reads; i++)
@@ -132,7 +131,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	c->n = l->reads;
 	l->seen.header_fields = l->seen.max_fields = cursor_count(header);
 	l->seen.reordered = !layout_in_order(l);
-	lookup_set_parts(l, &chosen, line);
+	lookup_set_parts(&chosen, line);
 	return true;
 }
 

@@ -7,18 +7,18 @@
 #include "reason.h"
 #include "../message/escape.h"
 
-static bool read_coordinates(const struct layout *l, struct cursor c,
-    const struct lookup *found, double v[4], char reason[REASON_MAX])
+static bool read_coordinates(const struct lookup *found, double v[4],
+    char reason[REASON_MAX])
 {
-	for (int i = 0; i < l->reads; i++) {
+	for (int i = 0; i < found->l->reads; i++) {
 		const struct field *f = &found->field[i];
 		const char *end = f->value.end;
 
 		if (found->times[i] != 1)
-			reason_missing(l, i, c, found, reason);
-		else if (format_read(l->in, f->value.s, end, &v[i]) != end)
-			reason_field(l, i, f, reason);
-		else if (reason_in_range(l, i, v[i], reason))
+			reason_missing(found, i, reason);
+		else if (format_read(found->l->in, f->value.s, end, &v[i]) != end)
+			reason_field(found->l, i, f, reason);
+		else if (reason_in_range(found->l, i, v[i], reason))
 			continue;
 		return false;
 	}
@@ -36,17 +36,16 @@ static bool can_be_added(const char *path)
 }
 
 /* Returns whether a line with a bad coordinate can be written with its other fields. */
-static bool can_be_kept(const struct layout *l, struct cursor c,
-    const struct lookup *found)
+static bool can_be_kept(const struct lookup *found)
 {
-	if (c.s == NULL && !c.members)
+	if (found->c.s == NULL && !found->c.members)
 		return false;
-	for (int i = 0; i < l->reads; i++)
+	for (int i = 0; i < found->l->reads; i++)
 		if (found->times[i] > 1 ||
-		    (found->times[i] == 0 && c.members &&
-			!can_be_added(l->columns.name[i])))
+		    (found->times[i] == 0 && found->c.members &&
+			!can_be_added(found->l->columns.name[i])))
 			return false;
-	return lookup_find_overlap(l, found) == 0;
+	return lookup_find_overlap(found) == 0;
 }
 
 /* Returns whether --columns has indexes for an array, or names of members; says why. */
@@ -61,16 +60,17 @@ static bool columns_fit(const struct layout *l, bool members, char reason[REASON
 	return false;
 }
 
-static bool is_legal(const struct layout *l, struct cursor c,
-    const struct lookup *found, char reason[REASON_MAX])
+static bool is_legal(const struct lookup *found, char reason[REASON_MAX])
 {
+	const struct layout *l = found->l;
+
 	if (l->output.append && l->seen.header_fields > 0 &&
-	    cursor_count(c) != l->seen.header_fields)
+	    cursor_count(found->c) != l->seen.header_fields)
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the image "
 		    "below other names",
-		    cursor_count(c), l->seen.header_fields);
-	else if (c.bracket != NULL && lookup_find_overlap(l, found) > 0)
+		    cursor_count(found->c), l->seen.header_fields);
+	else if (found->c.bracket != NULL && lookup_find_overlap(found) > 0)
 		strcpy(reason,
 		    "has a coordinate in another; --columns names values apart");
 	else if (found->mixed_commas)
@@ -103,15 +103,14 @@ static void read_fields(struct layout *l, struct span text, enum next_part first
 	}
 	if (c.bracket != NULL && !columns_fit(l, c.members, reason))
 		return;
-	lookup_fields(l, c, &found);
+	lookup_fields(&found, l, c);
 	line->kind = LINE_POINT;
-	if (longer || (c.members && lookup_clashes(l, &found, true, reason)) ||
-	    !read_coordinates(l, c, &found, v, reason) ||
-	    !is_legal(l, c, &found, reason))
+	if (longer || (c.members && lookup_clashes(&found, reason)) ||
+	    !read_coordinates(&found, v, reason) || !is_legal(&found, reason))
 		line->kind = LINE_BAD;
 	if (found.mixed_commas) {
 		c.no_commas = line->no_commas = l->columns.n == 0;
-		lookup_fields(l, c, &found);
+		lookup_fields(&found, l, c);
 	}
 	if (line->kind == LINE_POINT && first == FIRST_ROW && l->seen.reordered &&
 	    layout_has_names(l) && cursor_count(c) < l->seen.header_fields) {
@@ -122,9 +121,9 @@ static void read_fields(struct layout *l, struct span text, enum next_part first
 		line->kind = LINE_REFUSED;
 		return;
 	}
-	if (line_is_bad(line) && !l->output.append && !can_be_kept(l, c, &found))
+	if (line_is_bad(line) && !l->output.append && !can_be_kept(&found))
 		line->kind = LINE_LOST;
-	lookup_set_parts(l, &found, line);
+	lookup_set_parts(&found, line);
 	if (first != FIRST_LINE || !line_is_bad(line))
 		return;
 	l->seen.max_fields = 0; /* unknown, as a bad row may lack fields */
@@ -174,7 +173,7 @@ void line_read(struct layout *l, struct span text, enum next_part *first,
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_NONE;
 	if (first_line && !json && *first != FIRST_ROW && line->kind != LINE_REFUSED &&
 	    reason_needs_header(l, text, line->kind == LINE_LOST, reason))
+		line->kind = LINE_REFUSED;
 	if (line_is_bad(line))
 		reason_binary(l, text, binary, reason);
-		line->kind = LINE_REFUSED;
 }

@@ -54,19 +54,10 @@ static bool leads_to(const struct layout *l, const struct route *route, int i,
 			    pointer && field_is_index(token, k);
 }
 
-struct search {
-	const struct layout *l;
-	int n;
-	bool text;              /* FORMAT_TEXT, whose fields are found by index */
-	long last;              /* the index of the last field that is looked at */
-	int separators, commas; /* counted separators; those with a comma */
-	struct lookup *out;
-};
-
 /* Returns whether mixed_commas depends on the separator before f, field k of a line of
  * text: up to the last coordinate, or after it if f, a number, may be its decimals, of
  * two coordinates or behind a comma without blanks. */
-static bool separator_counts(const struct search *r, const struct field *f, long k,
+static bool separator_counts(const struct lookup *r, const struct field *f, long k,
     const char *end)
 {
 	double v;
@@ -80,10 +71,9 @@ static bool separator_counts(const struct search *r, const struct field *f, long
 }
 
 /* Enters each value once, for all routes into it, so that the time is linear. */
-static void search_fields(struct search *r, struct cursor c,
+static void search_fields(struct lookup *r, struct cursor c,
     const struct route routes[SOUGHT_MAX])
 {
-	struct lookup *out = r->out;
 	int fields[SOUGHT_MAX] = { 0 }; /* how many fields routes[i] leads to */
 	struct field f;
 
@@ -101,11 +91,11 @@ static void search_fields(struct search *r, struct cursor c,
 			if (*rest != '\0') {
 				inside[i].path = rest;
 				enter = true;
-			} else if (out->times[i]++ == 0) {
-				out->field[i] = f;
-				out->index[i] = k;
-			} else if (out->times[i] == 2) {
-				out->second_index[i] = k;
+			} else if (r->times[i]++ == 0) {
+				r->field[i] = f;
+				r->index[i] = k;
+			} else if (r->times[i] == 2) {
+				r->second_index[i] = k;
 			}
 		}
 		if (enter && (*f.value.s == '{' || *f.value.s == '['))
@@ -116,44 +106,45 @@ static void search_fields(struct search *r, struct cursor c,
 		}
 	}
 	for (int i = 0; i < r->n; i++)
-		if (fields[i] > 1 && out->times[i] < 2)
-			out->times[i] = 2;
+		if (fields[i] > 1 && r->times[i] < 2)
+			r->times[i] = 2;
 }
 
-void lookup_fields(const struct layout *l, struct cursor c, struct lookup *out)
+void lookup_fields(struct lookup *r, const struct layout *l, struct cursor c)
 {
 	const bool named = c.members || c.names ||
 	    (c.bracket != NULL && l->columns.n > 0);
 	struct route routes[SOUGHT_MAX];
-	struct search r = { .l = l,
-		.n = c.names || (l->output.append && c.members) ? SOUGHT_MAX : l->reads,
-		.text = format_of(c.in)->blanks && !named,
-		.last = named ? LONG_MAX : -1,
-		.out = out };
 
-	memset(out->times, 0, sizeof out->times);
+	r->l = l;
+	r->c = c;
+	r->n = c.names || (l->output.append && c.members) ? SOUGHT_MAX : l->reads;
+	r->text = format_of(c.in)->blanks && !named;
+	r->last = named ? LONG_MAX : -1;
+	r->separators = r->commas = 0;
+	memset(r->times, 0, sizeof r->times);
 	for (int i = 0; i < l->reads; i++) {
 		long k = layout_field(l, i);
 
 		routes[i].path = named ? l->columns.name[i] : NULL;
 		routes[i].index = k;
-		r.last = k > r.last ? k : r.last;
+		r->last = k > r->last ? k : r->last;
 	}
-	for (int i = l->reads; i < r.n; i++) {
+	for (int i = l->reads; i < r->n; i++) {
 		routes[i] = (struct route){ .index = -1 };
 		if (i >= 4 && *l->output.name[i - 4] != '\0' &&
 		    (l->output.append ||
 			(i - 4 >= l->reads && format_of(l->out)->header)))
 			routes[i].path = l->output.name[i - 4];
 	}
-	r.last += r.text;
-	search_fields(&r, c, routes);
-	out->mixed_commas = r.commas != 0 && r.commas != r.separators;
+	r->last += r->text;
+	search_fields(r, c, routes);
+	r->mixed_commas = r->commas != 0 && r->commas != r->separators;
 }
 
-int lookup_find_overlap(const struct layout *l, const struct lookup *c)
+int lookup_find_overlap(const struct lookup *c)
 {
-	for (int i = 1; i < l->reads; i++)
+	for (int i = 1; i < c->l->reads; i++)
 		for (int k = 0; k < i; k++)
 			if (c->times[i] > 0 && c->times[k] > 0 &&
 			    c->field[i].value.s <= c->field[k].value.end &&
@@ -162,8 +153,9 @@ int lookup_find_overlap(const struct layout *l, const struct lookup *c)
 	return 0;
 }
 
-void lookup_set_parts(const struct layout *l, const struct lookup *c, struct line *line)
+void lookup_set_parts(const struct lookup *c, struct line *line)
 {
+	const struct layout *l = c->l;
 	bool whole = line->kind != LINE_POINT && format_of(l->in)->header;
 
 	for (int i = 0; i < l->reads; i++) {
@@ -176,9 +168,9 @@ void lookup_set_parts(const struct layout *l, const struct lookup *c, struct lin
 	}
 }
 
-bool lookup_clashes(const struct layout *l, const struct lookup *c, bool members,
-    char reason[REASON_MAX])
+bool lookup_clashes(const struct lookup *c, char reason[REASON_MAX])
 {
+	const struct output *added = &c->l->output;
 	int i = 4;
 
 	while (i < SOUGHT_MAX && c->times[i] == 0)
@@ -186,9 +178,8 @@ bool lookup_clashes(const struct layout *l, const struct lookup *c, bool members
 	if (i < SOUGHT_MAX)
 		snprintf(reason, REASON_MAX,
 		    "%s '%s', which %s adds; give it another name",
-		    members ? "has a member" : "the header has a column",
-		    l->output.name[i - 4],
-		    l->output.append ? "--append" : "the output");
+		    c->c.members ? "has a member" : "the header has a column",
+		    added->name[i - 4], added->append ? "--append" : "the output");
 	return i < SOUGHT_MAX;
 }
 
@@ -213,7 +204,7 @@ bool lookup_is_header(const struct layout *l, struct cursor header)
 	struct lookup c;
 
 	header.names = false; /* find coordinates by index, as in a row */
-	lookup_fields(l, header, &c);
+	lookup_fields(&c, l, header);
 	for (int i = 0; i < l->reads; i++) {
 		const struct span f = c.field[i].value;
 		double v;

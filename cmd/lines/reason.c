@@ -311,7 +311,7 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 }
 
 /* Adds what to say instead of `typed`, a name in --columns that nothing has. */
-static void say_near(const struct layout *l, struct cursor c, const struct names *names,
+static void say_near(const struct lookup *found, const struct names *names,
     const char *typed, char reason[REASON_MAX])
 {
 	struct word_guess g = { .word = typed };
@@ -319,15 +319,15 @@ static void say_near(const struct layout *l, struct cursor c, const struct names
 	const size_t head = strcspn(typed, ".[");
 	char shown[ESCAPED_MAX];
 
-	if (c.members && typed[head] != '\0' &&
+	if (found->c.members && typed[head] != '\0' &&
 	    find_name(names, typed, head, "") >= 0) {
 		say_more(reason, "; say /");
 		for (s = escape_short(shown, typed, strlen(typed)); *s != '\0'; s++)
 			if (*s != ']')
 				say_more(reason, "%c",
 				    strchr(".[", *s) != NULL ? '/' : *s);
-	} else if (c.names && l->header == HEADER_MAYBE &&
-	    !field_is_name((struct span){ c.s, c.end })) {
+	} else if (found->c.names && found->l->header == HEADER_MAYBE &&
+	    !field_is_name((struct span){ found->c.s, found->c.end })) {
 		say_more(reason,
 		    "; if there is no header, say --columns by number, such as 3,4,5");
 	} else {
@@ -342,9 +342,11 @@ static void say_near(const struct layout *l, struct cursor c, const struct names
 
 /* Adds the result of say_near or, if typed is NULL, a guess or the remedy of say_mend;
  * except after that, the names after the cursor, "; it has x, y". */
-static void say_names(const struct layout *l, struct cursor c, const char *typed,
+static void say_names(const struct lookup *found, const char *typed,
     char reason[REASON_MAX])
 {
+	const struct layout *l = found->l;
+	const struct cursor c = found->c;
 	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
 	const struct span header = { c.s, c.end };
 	char shown[ESCAPED_MAX];
@@ -360,7 +362,7 @@ static void say_names(const struct layout *l, struct cursor c, const char *typed
 		return;
 	}
 	if (typed != NULL) {
-		say_near(l, c, &names, typed, reason);
+		say_near(found, &names, typed, reason);
 	} else if (!say_guess(&names, l->reads, NULL, reason)) {
 		if (say_mend(l, header, names.n == 1 ? ";|\t," : rare, reason))
 			return;
@@ -394,9 +396,10 @@ static void say_names(const struct layout *l, struct cursor c, const char *typed
 		say_more(reason, i > 0 ? ", ..." : "...");
 }
 
-void reason_missing(const struct layout *l, int i, struct cursor c,
-    const struct lookup *found, char reason[REASON_MAX])
+void reason_missing(const struct lookup *found, int i, char reason[REASON_MAX])
 {
+	const struct layout *l = found->l;
+	const struct cursor c = found->c;
 	const char *name = c.members || c.names ? l->columns.name[i] : NULL;
 	const bool one = c.bracket == NULL && cursor_count(c) == 1;
 	char shown[ESCAPED_MAX];
@@ -425,7 +428,7 @@ void reason_missing(const struct layout *l, int i, struct cursor c,
 		if (c.names && i == 2 && l->z_hint != NULL)
 			say_more(reason, "%s", l->z_hint);
 		else
-			say_names(l, c, c.names && l->columns.by_default ? NULL : name,
+			say_names(found, c.names && l->columns.by_default ? NULL : name,
 			    reason);
 	} else if (c.names) {
 		say_more(reason,

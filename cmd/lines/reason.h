@@ -11,9 +11,8 @@ void reason_field(const struct layout *, int i, const struct field *,
 /* Returns whether v, coordinate i, is in range or nan; if not, writes the reason. */
 bool reason_in_range(const struct layout *, int i, double v, char reason[REASON_MAX]);
 
-/* Writes that coordinate i was not found after the cursor, or was found twice. */
-void reason_missing(const struct layout *, int i, struct cursor, const struct lookup *,
-    char reason[REASON_MAX]);
+/* Writes that coordinate i was not found, or was found twice. */
+void reason_missing(const struct lookup *, int i, char reason[REASON_MAX]);
 
 /* Sets comment_names, comment_numbers and comment_reason if `text`, a comment, names
  * columns. comment_names becomes 0 if the coordinates are the first columns. */
