@@ -158,36 +158,31 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
  * bytes: only .npy, or what is like three Latin-1 characters in UTF-16, is refused. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
-	static const char utf16[] =
-	    "is UTF-16; iconv -f UTF-16 -t UTF-8 makes it UTF-8";
-	static const char pcd[] =
-	    "is PCD; sed 1,/^DATA/d keeps its points, if DATA is ascii";
-	static const char picture[] =
-	    "is a picture; lines of x, y and depth are wanted, as for 'A depth "
-	    "picture of RealSense' in 'man projcalc-scene'";
-	static const char colmap[] =
-	    "is a table of images or cameras, no points; 'A model of COLMAP' in "
-	    "'man projcalc-scene' reads it";
+	/* NULL: the reason is that of the row below */
 	static const char *const others[][2] = {
-		{ "\xff\xfe", utf16 },
-		{ "\xfe\xff", utf16 }, /* high bytes come first */
+		{ "\xff\xfe", NULL }, /* low bytes come first */
+		{ "\xfe\xff", "is UTF-16; iconv -f UTF-16 -t UTF-8 makes it UTF-8" },
 		{ "\x1f\x8b",
 		    "is gzip; zcat makes it text, for - with its format, as -i csv -" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
 		{ "ply\n",
 		    "is PLY; sed 1,/end_header/d | head -n N keeps the points of "
-		    "'element "
-		    "vertex N'" },
+		    "'element vertex N'" },
 		{ "<?xm", "is XML; make a line of numbers of each point" },
 		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
 		{ "solid ", "is STL; grep vertex keeps corners, for --columns 2,3,4" },
-		{ "# .PCD", pcd },
-		{ "VERSION ", pcd },
-		{ "\x89PNG", picture },
-		{ "\xff\xd8\xff", picture },
-		{ "# Image list with", colmap },
-		{ "# Camera list with", colmap },
+		{ "# .PCD", NULL },
+		{ "VERSION ",
+		    "is PCD; sed 1,/^DATA/d keeps its points, if DATA is ascii" },
+		{ "\x89PNG", NULL },
+		{ "\xff\xd8\xff",
+		    "is a picture; lines of x, y and depth are wanted, as for 'A depth "
+		    "picture of RealSense' in 'man projcalc-scene'" },
+		{ "# Image list with", NULL },
+		{ "# Camera list with",
+		    "is a table of images or cameras, no points; 'A model of COLMAP' "
+		    "in 'man projcalc-scene' reads it" },
 		{ "LASF", "is LAS; las2txt makes text of it" },
 		{ "ncols",
 		    "is an ESRI grid; gdal_translate -of XYZ makes points of it" },
@@ -205,7 +200,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		k++;
 	if (binary ? k < 2 && n >= 8 && (s[3 - k] | s[5 - k] | s[7 - k]) == 0 :
 		     k < count)
-		strcpy(reason, others[k][1]);
+		strcpy(reason, others[k + (others[k][1] == NULL)][1]);
 	else if (n >= NPY_HEADER && memcmp(s, NPY_MAGIC, 6) == 0)
 		/* the header's size has two bytes in version 1, later four */
 		snprintf(reason, sizeof reason,
