@@ -141,23 +141,17 @@ bool header_row_is_long(struct layout *l, struct cursor c, enum next_part first,
 	const size_t full = count_full(c);
 	const bool lacks_name = first == FIRST_ROW &&
 	    full == l->seen.header_fields + 1 && full > 2;
-	const char separator[] = { l->in.separator, '\0' };
 
 	if (first != FIRST_NONE && full > l->seen.max_fields &&
 	    (l->seen.header_fields == 0 || (!lacks_name && !layout_has_names(l))))
 		l->seen.max_fields = full;
 	if (full <= l->seen.max_fields || l->seen.header_fields == 0)
 		return false;
-	snprintf(reason, REASON_MAX,
-	    lacks_name ? "has %zu fields and the %s %zu; name each column: if "
-			 "the first has no name, by sed '1s/^/row%s/'%s" :
-			 "has %zu fields and the %s %zu; quote a field that has "
-			 "the separator in it%s%s",
-	    full, l->seen.header_fields == l->seen.max_fields ? "header" : "first row",
+	snprintf(reason, REASON_MAX, "has %zu fields and the %s %zu; %s%s", full,
+	    l->seen.header_fields == l->seen.max_fields ? "header" : "first row",
 	    l->seen.max_fields,
-	    !lacks_name            ? "" :
-		*separator == '\t' ? "\\t" :
-				     separator,
-	    *separator == ',' ? ", or write 1.5 for 1,5" : "");
+	    lacks_name ? "give each column a name, the first, too" :
+			 "quote a field that has the separator in it",
+	    l->in.separator == ',' ? ", or write 1.5 for 1,5" : "");
 	return true;
 }

@@ -135,8 +135,7 @@ static const char *json_remedy(const struct field *f)
 	    ", as JSON writes it" :
 	    first != '[' && first != '{' ? "" :
 	    f->name.s == NULL            ? "; one array or object a line: jq -c '.[]'" :
-	    first == '[' ? "; lists to points: jq -c '[.x,.y,.z]|transpose[]'" :
-			   "; --columns takes pointers, such as /x/value";
+					   "; --columns takes pointers, such as /x/0";
 }
 
 void reason_field(const struct layout *l, int i, const struct field *field,
@@ -315,17 +314,12 @@ static void say_near(const struct lookup *found, const struct names *names,
     const char *typed, char reason[REASON_MAX])
 {
 	struct word_guess g = { .word = typed };
-	const char *s;
 	const size_t head = strcspn(typed, ".[");
 	char shown[ESCAPED_MAX];
 
 	if (found->c.members && typed[head] != '\0' &&
 	    find_name(names, typed, head, "") >= 0) {
-		say_more(reason, "; say /");
-		for (s = escape_short(shown, typed, strlen(typed)); *s != '\0'; s++)
-			if (*s != ']')
-				say_more(reason, "%c",
-				    strchr(".[", *s) != NULL ? '/' : *s);
+		say_more(reason, "; say /a/b for a.b, and /a/0 for a[0]");
 	} else if (found->c.names && found->l->header == HEADER_MAYBE &&
 	    !field_is_name((struct span){ found->c.s, found->c.end })) {
 		say_more(reason,
