@@ -1,21 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "text.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "../number/number.h"
-
-static bool is_digit(char c)
-{
-	return c >= '0' && c <= '9';
-}
 
 /* Returns the end of the digits at s, or NULL if there is no digit at s. */
 static const char *digits_end(const char *s, const char *end)
 {
 	const char *first = s;
 
-	while (s < end && is_digit(*s))
+	while (s < end && *s >= '0' && *s <= '9')
 		s++;
 	return s > first ? s : NULL;
 }
@@ -63,20 +59,11 @@ const char *json_item_end(const char *s, const char *end)
 	return end;
 }
 
-static int hex_digit(char c)
-{
-	int lower = c | 0x20;
-
-	if (is_digit(c))
-		return c - '0';
-	return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
-
 const char *json_hex4(const char *s, const char *end, unsigned *code)
 {
 	*code = 0;
-	for (int i = 0; i < 4 && s < end && hex_digit(*s) >= 0; i++)
-		*code = *code * 16 + (unsigned)hex_digit(*s++);
+	for (int i = 0; i < 4 && s < end && isxdigit((unsigned char)*s); i++, s++)
+		*code = *code * 16 + (*s & 15u) + (*s > '9' ? 9 : 0);
 	return s;
 }
 
