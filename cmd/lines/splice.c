@@ -104,17 +104,12 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
-static int coordinate_at(const struct splice *w, const struct field *f)
-{
-	return coordinate_in(w, f->whole.s, f->value.s);
-}
-
 /* Returns the value that replaces the field f, or -1: a coordinate its own, without
  * --append; an added value a member of its name, if f is not inside a value (outer). */
 static int value_for(const struct splice *w, const struct field *f, bool outer)
 {
 	const bool keeps = w->l->output.append;
-	int i = keeps ? -1 : coordinate_at(w, f);
+	int i = keeps ? -1 : coordinate_in(w, f->whole.s, f->value.s);
 
 	if (i >= 0 || f->name.s == NULL || !outer)
 		return i;
@@ -186,7 +181,7 @@ static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 
 			splice_fields(w, &inside, false);
 		}
-		if (outer && coordinate_at(w, &f) >= 0)
+		if (outer && coordinate_in(w, f.whole.s, f.value.s) >= 0)
 			w->separator = separator_at(w->l, &f);
 		if (outer && k >= 0 && k == w->last) {
 			copy_to(w, trimmed(c->in, f.whole).end);
