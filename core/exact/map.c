@@ -267,34 +267,22 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
 	return r;
 }
 
-bool map_invert(const struct map *a, struct map *inverse)
+bool map_invert(struct map *r)
 {
-	struct sum det = map_minor(4, a->m, 0, 0);
+	struct sum det = map_minor(4, r->m, 0, 0);
+	struct map a;
 
 	if (sum_sign(det) == 0)
 		return false;
+	map_copy(&a, r);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			inverse->m[i][j] = sum_negated_if((i + j) % 2,
-			    map_minor(3, a->m, 1u << j, 1u << i));
-	sum_set(&inverse->divisor, 1);
-	memset(inverse->m[4], 0, sizeof inverse->m[4]);
-	map_divide(inverse, det);
-	for (int i = 0; i < 16 && !sum_is_one(&a->divisor); i++)
-		inverse->m[i / 4][i % 4] = sum_mul(inverse->m[i / 4][i % 4],
-		    a->divisor);
-	map_set_origin(inverse, NULL);
-	return true;
-}
-
-bool map_inverse(const double m[4][4], struct map *inverse)
-{
-	struct map a;
-
-	map_of_doubles(m, &a);
-	if (!map_invert(&a, inverse))
-		return false;
-	if (map_is_affine(&a))
-		map_set_origin(inverse, m[3]);
+			r->m[i][j] = sum_negated_if((i + j) % 2,
+			    map_minor(3, a.m, 1u << j, 1u << i));
+	sum_set(&r->divisor, 1);
+	map_divide(r, det);
+	for (int i = 0; i < 16 && !sum_is_one(&a.divisor); i++)
+		r->m[i / 4][i % 4] = sum_mul(r->m[i / 4][i % 4], a.divisor);
+	map_set_origin(r, NULL);
 	return true;
 }

@@ -52,12 +52,9 @@ void map_divide_column(struct map *, int j, struct sum d);
  * set, replaces r by factor * r. */
 void map_multiply(struct map *r, const struct map *factor, bool before);
 
-/* Computes the inverse of a matrix of given numbers. Returns false if the matrix is
- * singular. The origin of the inverse is the last row of an affine m, or else 0. */
-bool map_inverse(const double m[4][4], struct map *inverse);
-
-/* Computes the inverse, with origin 0. Returns false if the map is singular. */
-bool map_invert(const struct map *, struct map *inverse);
+/* Replaces a map by its inverse, with origin 0. Returns false, and leaves the map as it
+ * is, if it is singular. */
+bool map_invert(struct map *);
 
 /* Returns the determinant of the n rows and n columns of m whose bits in the masks are
  * 0. Elements of skipped columns are read, too, and must have values. */

@@ -68,7 +68,8 @@ const char *distance_by_view(const struct scene *s, enum space from, enum space 
 
 	if (why != NULL)
 		return why;
-	if (back && !map_invert(&t->from_view, &inverse))
+	map_copy(&inverse, &t->from_view);
+	if (back && !map_invert(&inverse))
 		return "/projection: singular; it can't be inverted";
 	if (from <= SPACE_VIEW) {
 		why = transform_by_view(s, from, to, false, t);

@@ -397,10 +397,9 @@ static const char *projection_matrix_map(const struct projection *p, bool invers
 		return "/projection/matrix: is transposed; of 16 numbers w is "
 		       "made by 4, 8, 12 and 16; of rows, by the last column "
 		       "in d3d and by the last row in other conventions";
-	if (inverse && !map_inverse(p->matrix, r))
-		return "/projection/matrix: singular; it can't be inverted";
-	map_set_origin(r, NULL);
-	return NULL;
+	return !inverse || map_invert(r) ?
+	    NULL :
+	    "/projection/matrix: singular; it can't be inverted";
 }
 
 /* Puts the affine map of P before r or, if inverse, its inverse after r. The map leads
@@ -419,7 +418,7 @@ static const char *prepend_intrinsics(const struct projection *p,
 		m[i][3] = i == 3;
 	}
 	map_of_doubles(m, &canonical);
-	if (inverse && !map_inverse(m, &canonical))
+	if (inverse && !map_invert(&canonical))
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
 	map_multiply(r, &canonical, !inverse);
@@ -497,7 +496,10 @@ bool projection_is_reversed(const struct projection *p, const struct convention 
 
 	if (p->type == PROJECTION_NONE)
 		return convention_looks_back(c);
-	if (p->type != PROJECTION_MATRIX || !map_inverse(p->matrix, &back))
+	if (p->type != PROJECTION_MATRIX)
+		return p->reverse_z;
+	map_of_doubles(p->matrix, &back);
+	if (!map_invert(&back))
 		return p->reverse_z;
 	int grows = sum_sign(back.m[2][3]);
 	int along_z = sum_sign(back.m[2][2]) * sum_sign(back.m[3][3]);

@@ -31,16 +31,16 @@ static void check_inverses(int e, struct worst *w)
 	int mark = real_mark();
 
 	any_matrix(&s.projection, false, e);
-	if (map_inverse(s.projection.matrix, &m)) {
+	map_of_doubles(s.projection.matrix, &m);
+	if (map_invert(&m)) {
 		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &t);
 		compare_if_finite(&t, &m, w);
 	}
 	sample_affine(s.world.matrix, e);
-	if (map_inverse(s.world.matrix, &m)) {
+	map_of_doubles(s.world.matrix, &m);
+	if (map_invert(&m)) {
 		truth_scene(&s, SPACE_WORLD, SPACE_MODEL, &t);
 		compare_if_finite(&t, &m, w);
-		for (int j = 0; j < 3; j++)
-			assert_true(m.origin[j] == s.world.matrix[3][j]);
 	}
 	real_release(mark);
 }
@@ -70,7 +70,8 @@ static void singular_matrices_are_refused(void **state)
 			a[k / 4][k % 4] = rint(a[k / 4][k % 4] * 4096);
 		for (int j = 0; j < 4; j++)
 			a[row][j] = 3 * a[(row + 1) % 4][j] - a[(row + 2) % 4][j];
-		assert_false(map_inverse(a, &m));
+		map_of_doubles(a, &m);
+		assert_false(map_invert(&m));
 	}
 }
 
@@ -112,7 +113,8 @@ static void products_with_inverses(void **state)
 
 		any_matrix(&p, sample_below(2), magnitudes[i % 2]);
 		map_of_doubles(p.matrix, &there);
-		if (!map_inverse(p.matrix, &back))
+		back = there;
+		if (!map_invert(&back))
 			continue;
 		m = there;
 		map_multiply(&m, &back, false);
