@@ -40,22 +40,21 @@ static void fit_collect_chunk(const struct job *j, const struct chunk *c)
 
 static void fit_read_points(const struct options *o, struct document *d, struct job *j)
 {
+	const enum space space = d->flat ? FLAT_NDC : SPACE_MODEL;
 	static struct fit fit;
 
 	j->take_block = fit_take_block;
 	j->collect_chunk = fit_collect_chunk;
 	j->data = &fit;
 	memset(&fit.extremes, 0, sizeof fit.extremes);
-	if (d->flat) {
-		transform_of_window(&d->scene, FLAT_NDC, FLAT_NDC, &j->transform);
+	map_identity(&j->transform.map);
+	transform_init(&j->transform, space, space, false);
+	if (d->flat)
 		fit_window_directions(&fit.directions);
-	} else {
-		map_identity(&j->transform.map);
-		transform_init(&j->transform, SPACE_MODEL, SPACE_WORLD, false);
+	else
 		document_refuse_if(d,
 		    fit_directions(&d->scene, d->has_eye, &fit.directions));
-	}
-	operands_run_job(o, d, SPACE_MODEL, SPACE_WORLD, j);
+	operands_run_job(o, d, space, space, j);
 	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
 		document_refuse(d, "/bounds: missing, and there are no points");
 }

@@ -119,7 +119,7 @@ void matrix_print(const struct options *o, const struct document *d,
 	output_write(text, (size_t)(p.at - text));
 }
 
-/* Names in the order of enum flat_space. */
+/* Names of the flat spaces in the order of enum space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
 void run_matrix(const struct options *o, struct document *d, struct job *j)
@@ -128,26 +128,22 @@ void run_matrix(const struct options *o, struct document *d, struct job *j)
 	const struct scene *s = &d->scene;
 	const bool points = !o->matrix && operands_have_points(o, d);
 	const bool flat = c->kind == COMMAND_MATRIX_2D, planes = o->flags || o->visible;
-	const int to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
-	const enum space from = (enum space)c->from;
+	const enum space from = c->from,
+			 to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
 
-	matrix_check_unit_w(o, !points, from, (enum space)c->to);
+	matrix_check_unit_w(o, !points, from, c->to);
 	document_refuse_if(d,
-	    !points  ? transform_of_matrix(s, flat, c->from, to, &j->transform) :
-		flat ? transform_of_window(s, (enum flat_space)c->from,
-			   (enum flat_space)to, &j->transform) :
-		       transform_of_scene(s, from, (enum space)to, false,
-			   &j->transform));
+	    points ? transform_of_scene(s, from, to, false, &j->transform) :
+		     transform_of_matrix(s, from, to, &j->transform));
 	if (planes)
-		document_refuse_if(d,
-		    frustum_of_window(s, (enum flat_space)c->from, &j->frustum));
+		document_refuse_if(d, frustum_of(s, from, false, &j->frustum));
 	if (!flat)
-		notes_say_of_spaces(d, from, (enum space)c->to);
+		notes_say_of_spaces(d, from, c->to);
 	if (!points) {
 		matrix_print(o, d, &j->transform);
 		return;
 	}
 	j->count_imageless = !planes;
-	j->space = flat ? flat_names[to] : space_names[to];
-	operands_run_job(o, d, from, (enum space)to, j);
+	j->space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
+	operands_run_job(o, d, from, to, j);
 }

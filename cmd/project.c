@@ -42,8 +42,7 @@ static const char *project_prepare(const struct scene *s, const struct options *
 		return ray_plane_transform(s, from, to, o->plane.v, &j->transform);
 	if (o->ray)
 		return ray_maker_of(s, &j->ray);
-	const char *why = o->matrix ?
-	    transform_of_matrix(s, false, (int)from, (int)to, &j->transform) :
+	const char *why = o->matrix ? transform_of_matrix(s, from, to, &j->transform) :
 	    o->homogeneous ? transform_of_scene(s, from, to, true, &j->transform) :
 			     distance_transform(s, from, to, &j->transform);
 

@@ -35,9 +35,8 @@ struct command {
 	void (*check)(const struct options *);
 	/* params_read_document adds to a copy what the options need. */
 	struct document_wants wants;
-	/* The spaces of the matrix: of enum space for COMMAND_MATRIX_3D, which prints
-	 * points in ndc in place of clip, of enum flat_space for COMMAND_MATRIX_2D. */
-	int from, to;
+	/* The spaces of the matrix. COMMAND_MATRIX_3D prints points in ndc, not clip. */
+	enum space from, to;
 	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;
 };

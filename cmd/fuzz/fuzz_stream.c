@@ -185,19 +185,18 @@ static void set_more(struct layout *l)
 /* Sets the transform of a job for as many coordinates as layout_of chose. */
 static void set_job(struct job *j, const struct scene *s, uint8_t b)
 {
-	enum space from = j->layout.reads == 4 ? SPACE_CLIP : SPACE_MODEL;
-	enum space to = j->layout.writes == 4 ? SPACE_CLIP : SPACE_DEVICE;
+	const bool flat = j->layout.reads == 2;
+	enum space from = flat   ? FLAT_WINDOW :
+	    j->layout.reads == 4 ? SPACE_CLIP :
+				   SPACE_MODEL;
+	enum space to = flat      ? FLAT_DEVICE :
+	    j->layout.writes == 4 ? SPACE_CLIP :
+				    SPACE_DEVICE;
 
 	j->rays = j->layout.writes == 6;
-	if (j->layout.reads == 2)
-		transform_of_window(s, FLAT_WINDOW, FLAT_DEVICE, &j->transform);
-	else
-		transform_of_scene(s, from, to, false, &j->transform);
+	transform_of_scene(s, from, to, false, &j->transform);
 	ray_maker_of(s, &j->ray);
-	if (j->layout.reads == 2)
-		frustum_of_window(s, FLAT_WINDOW, &j->frustum);
-	else
-		frustum_of(s, from, false, &j->frustum);
+	frustum_of(s, from, false, &j->frustum);
 	if (b & 64)
 		set_more(&j->layout);
 	if (j->rays)

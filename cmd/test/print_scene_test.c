@@ -83,8 +83,8 @@ static void assert_same_maps(const struct scene *a, const struct scene *b)
 		assert_same_map(&m, &n);
 	if (!a->has_window || !a->has_device)
 		return;
-	why = scene_flat_map(a, FLAT_WINDOW, FLAT_DEVICE, &m);
-	assert_ptr_equal(scene_flat_map(b, FLAT_WINDOW, FLAT_DEVICE, &n), why);
+	why = scene_map(a, FLAT_WINDOW, FLAT_DEVICE, &m);
+	assert_ptr_equal(scene_map(b, FLAT_WINDOW, FLAT_DEVICE, &n), why);
 	if (why == NULL)
 		assert_same_map(&m, &n);
 }

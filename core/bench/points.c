@@ -62,7 +62,7 @@ static const char *make_cases(void)
 		    &cases[1].transform),
 		transform_of_scene(&scene, SPACE_WORLD, SPACE_VIEW, false,
 		    &cases[2].transform),
-		transform_of_window(&scene, FLAT_WINDOW, FLAT_DEVICE,
+		transform_of_scene(&scene, FLAT_WINDOW, FLAT_DEVICE, false,
 		    &cases[3].transform),
 	};
 

@@ -15,9 +15,10 @@ struct corners {
 	struct sum image[8][4];
 };
 
-static const char *set_corners(const struct bounds *b, int dimensions,
-    const struct map *m, struct corners *c)
+static const char *set_corners(const struct bounds *b, bool flat, const struct map *m,
+    struct corners *c)
 {
+	const int dimensions = flat ? 2 : 3;
 	struct hull h;
 	const char *why = hull_of(b, dimensions, &h);
 
@@ -64,8 +65,8 @@ static void set_distances(const struct scene *s, const struct corners *c,
 			distance[i] = (double)NAN;
 }
 
-/* Sets what depends on the planes in `sides` and, unless it is NULL, `ends`. */
-static void set_planes(const struct map *sides, const struct map *ends,
+/* Sets what depends on the planes in `sides` and, unless flat, `ends`. */
+static void set_planes(const struct map *sides, const struct map *ends, bool flat,
     struct corners *c, struct box *r)
 {
 	unsigned some = 0, all = ~0u;
@@ -73,7 +74,7 @@ static void set_planes(const struct map *sides, const struct map *ends,
 	for (int k = 0; k < c->n; k++) {
 		unsigned out = 0;
 
-		for (int i = 0; i < (ends == NULL ? 4 : 7); i++) {
+		for (int i = 0; i < (flat ? 4 : 7); i++) {
 			struct sum v;
 
 			map_image(i < 4 ? sides : ends, i % 4, c->at[k], &v);
@@ -131,17 +132,19 @@ const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
     struct box *r)
 {
 	struct scene scene = *given, *s = &scene;
+	const enum space model = flat ? FLAT_WINDOW : SPACE_MODEL,
+			 view = flat ? FLAT_WINDOW : SPACE_VIEW,
+			 screen = flat ? (s->has_device ? FLAT_DEVICE : FLAT_NDC) :
+	    s->has_viewport            ? SPACE_DEVICE :
+					 SPACE_NDC;
 	struct corners c;
 	struct map m, ends, to_clip;
-	const char *why = NULL;
+	const char *why = scene_map_factor(s, model, view, &m);
 
 	for (int k = 0; k < 2; k++)
 		r->distance[k] = r->min[k] = r->max[k] = (double)NAN;
-	map_identity(&m);
-	if (!flat)
-		why = scene_map_factor(s, SPACE_MODEL, SPACE_VIEW, &m);
 	if (why == NULL)
-		why = set_corners(b, flat ? 2 : 3, &m, &c);
+		why = set_corners(b, flat, &m, &c);
 	if (why == NULL && !flat)
 		why = scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &to_clip);
 	if (why != NULL)
@@ -150,11 +153,7 @@ const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
 		s->known[SPACE_VIEW][false] = &to_clip;
 		set_distances(s, &c, r->distance);
 	}
-	why = flat ?
-	    scene_flat_map(s, FLAT_WINDOW, s->has_device ? FLAT_DEVICE : FLAT_NDC, &m) :
-	    scene_map_factor(s, SPACE_VIEW, s->has_viewport ? SPACE_DEVICE : SPACE_NDC,
-		&m);
-	if (why != NULL)
+	if ((why = scene_map_factor(s, view, screen, &m)) != NULL)
 		return why;
 	for (int k = 0; k < c.n; k++) {
 		for (int j = 0; j < 4; j++)
@@ -162,11 +161,9 @@ const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
 				map_image(&m, j, c.at[k], &c.image[k][j]);
 		sum_set(&c.image[k][2], 1);
 	}
-	why = flat ? frustum_window_planes(s, FLAT_WINDOW, &m) :
-		     frustum_planes(s, SPACE_VIEW, &m, &ends);
-	if (why != NULL)
+	if ((why = frustum_planes(s, view, &m, &ends)) != NULL)
 		return why;
-	set_planes(&m, flat ? NULL : &ends, &c, r);
+	set_planes(&m, &ends, flat, &c, r);
 	find_rectangle(&c, r);
 	return ex_has_overflowed() ? "/bounds: " SCENE_TOO_WIDE : NULL;
 }

@@ -38,7 +38,7 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 {
 	const struct convention *c = scene_answer_convention(s);
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
-	struct sum half[2], scale[2], one = sum_of_double(1);
+	struct sum half[2], scale[2];
 	struct sum low = sum_of_double(c->depth_minus_one);
 
 	map_copy(sides, m);
@@ -49,8 +49,8 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 
 		combine_columns(sides, k, m, high, k / 2, &scale[k / 2], &half[k / 2]);
 	}
-	combine_columns(ends, reversed, m, false, 2, &one, &low);
-	combine_columns(ends, !reversed, m, true, 2, &one, &one);
+	combine_columns(ends, reversed, m, false, 2, &sum_one, &low);
+	combine_columns(ends, !reversed, m, true, 2, &sum_one, &sum_one);
 	for (int i = 0; i < 5 && projection_is_open(&s->projection); i++)
 		ends->m[i][0] = ends->m[i][1] = sum_of_double(i >= 3);
 	for (int i = 0; i < 5; i++)
@@ -60,11 +60,18 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 const char *frustum_planes(const struct scene *s, enum space from, struct map *sides,
     struct map *ends)
 {
+	const bool flat = space_is_flat(from);
 	struct map m;
-	const char *why = scene_map(s, from, SPACE_CLIP, &m);
+	const char *why = scene_map(s, from, flat ? FLAT_NDC : SPACE_CLIP, &m);
 
 	if (why != NULL)
 		return why;
+	if (flat) {
+		map_copy(sides, &m);
+		for (int k = 0; k < 4; k++)
+			combine_columns(sides, k, &m, k & 1, k / 2, &sum_one, &sum_one);
+		return NULL;
+	}
 	planes_of_clip(s, &m, sides, ends);
 	/* w is 1 in ndc and device; w of the map to view space is < 0 behind the eye */
 	if (from == SPACE_NDC || from == SPACE_DEVICE) {
@@ -102,37 +109,11 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 	if (why != NULL)
 		return why;
 	transform_init(&f->sides, from, SPACE_CLIP, homogeneous);
-	transform_init(&f->ends, from, SPACE_CLIP, homogeneous);
+	if (!space_is_flat(from))
+		transform_init(&f->ends, from, SPACE_CLIP, homogeneous);
 	if (from <= SPACE_VIEW)
 		stage_planes(s, from, f);
 	return NULL;
-}
-
-const char *frustum_window_planes(const struct scene *s, enum flat_space from,
-    struct map *sides)
-{
-	struct map m;
-	struct sum one = sum_of_double(1);
-	const char *why = scene_flat_map(s, from, FLAT_NDC, &m);
-
-	if (why != NULL)
-		return why;
-	*sides = m;
-	for (int k = 0; k < 4; k++)
-		combine_columns(sides, k, &m, k & 1, k / 2, &one, &one);
-	return NULL;
-}
-
-const char *frustum_of_window(const struct scene *s, enum flat_space from,
-    struct frustum *f)
-{
-	memset(f, 0, sizeof *f);
-	f->sides.in = 2;
-	const char *why = frustum_window_planes(s, from, &f->sides.map);
-
-	if (why == NULL)
-		transform_prepare(&f->sides);
-	return why;
 }
 
 unsigned frustum_outside(const struct frustum *f, const double in[4])

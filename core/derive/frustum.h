@@ -29,19 +29,12 @@ void frustum_limits(const struct scene *, struct sum half[2], struct sum scale[2
 /* frustum_planes and frustum_of make the planes of the view volume, as linear functions
  * of a point in the space `from`; inside no function is negative. `sides` has the
  * columns left, right, bottom and top, `ends` near, far and w. If `homogeneous` is set,
- * points of device space are x y z 1/w. Both return NULL, or the member at fault and
- * why. */
+ * points of device space are x y z 1/w. From a flat space `sides` are the edges of the
+ * ndc square, which fills the device, and there are no ends. Both return NULL, or the
+ * member at fault and why. */
 const char *frustum_planes(const struct scene *, enum space from, struct map *sides,
     struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
-    struct frustum *);
-
-/* frustum_window_planes and frustum_of_window make the edges of the ndc square, which
- * fills the device, as functions of a point in the 2D space `from`. Both return NULL,
- * or the member at fault and why. */
-const char *frustum_window_planes(const struct scene *, enum flat_space from,
-    struct map *sides);
-const char *frustum_of_window(const struct scene *, enum flat_space from,
     struct frustum *);
 
 /* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A

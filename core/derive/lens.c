@@ -66,7 +66,7 @@ static const char *set_to_world(struct lens *l)
 	for (int k = 0; k < 3; k++)
 		r->m[3][k] = sum_scale(r->divisor, s->camera.eye[k]);
 	map_set_origin(r, NULL);
-	return scene_map_refuse_range(s, r);
+	return scene_map_refuse_range(s, false, r);
 }
 
 const char *lens_of(const struct scene *s, struct lens *l)

@@ -75,7 +75,7 @@ const char *distance_by_view(const struct scene *s, enum space from, enum space 
 		why = transform_by_view(s, from, to, false, t);
 	} else {
 		map_multiply(&t->map, back ? &inverse : &t->from_view, back);
-		why = scene_map_refuse_range(s, &t->map);
+		why = scene_map_refuse_range(s, false, &t->map);
 		transform_init(t, from, to, false);
 	}
 	if (!d.parallel) {

@@ -92,9 +92,9 @@ static bool map_leaves_room(const struct map *m)
 
 const char *transform_check(const struct scene *s, const struct transform *t)
 {
-	return map_leaves_room(&t->map) && !ex_has_overflowed() ? NULL :
-	    t->kernel == KERNEL_FLAT ? "/window: " SCENE_TOO_WIDE :
-				       scene_too_wide(s);
+	return map_leaves_room(&t->map) && !ex_has_overflowed() ?
+	    NULL :
+	    scene_too_wide(s, t->kernel == KERNEL_FLAT);
 }
 
 void transform_stage(struct transform *t, const struct map *to_view)
@@ -111,19 +111,22 @@ void transform_stage(struct transform *t, const struct map *to_view)
 static void set_kind(struct transform *t, enum space from, enum space to,
     bool homogeneous)
 {
+	const bool flat = space_is_flat(from);
+
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
-	t->in = from == SPACE_CLIP || t->reciprocal ? 4 : 3;
-	t->out = to == SPACE_CLIP || (homogeneous && !t->reciprocal) ? 4 : 3;
+	t->in = flat ? 2 : from == SPACE_CLIP || t->reciprocal ? 4 : 3;
+	t->out = flat ? 2 : to == SPACE_CLIP || (homogeneous && !t->reciprocal) ? 4 : 3;
 	if (from == SPACE_CLIP) /* origin 0, as w may differ from 1 */
 		map_set_origin(&t->map, NULL);
 	t->divide = t->reciprocal ||
 	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
 	t->front = !t->reciprocal &&
 	    (from != SPACE_CLIP || to == SPACE_NDC || to == SPACE_DEVICE);
-	t->kernel = t->in != 3 ? KERNEL_NONE :
-	    t->divide          ? KERNEL_PROJECTIVE :
-	    t->out == 4        ? KERNEL_XYZW :
-				 KERNEL_AFFINE;
+	t->kernel = flat ? KERNEL_FLAT :
+	    t->in != 3   ? KERNEL_NONE :
+	    t->divide    ? KERNEL_PROJECTIVE :
+	    t->out == 4  ? KERNEL_XYZW :
+			   KERNEL_AFFINE;
 }
 
 void transform_init(struct transform *t, enum space from, enum space to,
@@ -155,7 +158,7 @@ const char *transform_by_view(const struct scene *s, enum space from, enum space
 	map_find_origin(&t->map);
 	transform_stage(t, &t->map);
 	map_multiply(&t->map, &t->from_view, false);
-	const char *why = scene_map_refuse_range(s, &t->map);
+	const char *why = scene_map_refuse_range(s, false, &t->map);
 
 	if (why != NULL)
 		return why;
@@ -179,19 +182,18 @@ static const char *set_maps(const struct scene *s, enum space from, enum space t
 	    why;
 }
 
-const char *transform_of_matrix(const struct scene *s, bool flat, int from, int to,
+const char *transform_of_matrix(const struct scene *s, enum space from, enum space to,
     struct transform *t)
 {
-	bool by_view = !flat && from <= SPACE_VIEW && to > SPACE_VIEW;
-	const char *why = flat ?
-	    scene_flat_map(s, (enum flat_space)from, (enum flat_space)to, &t->map) :
-	    set_maps(s, (enum space)from, (enum space)to, by_view, t);
+	const bool flat = space_is_flat(from);
+	const bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
+	const char *why = set_maps(s, from, to, by_view, t);
 
 	t->in = t->out = flat ? 2 : 3;
 	t->kernel = flat ? KERNEL_FLAT : KERNEL_NONE;
 	if (why == NULL && by_view) {
 		map_multiply(&t->map, &t->from_view, false);
-		why = scene_map_refuse_range(s, &t->map);
+		why = scene_map_refuse_range(s, flat, &t->map);
 	}
 	return why != NULL ? why : transform_check(s, t);
 }
@@ -212,19 +214,5 @@ const char *transform_of_scene(const struct scene *s, enum space from, enum spac
 		transform_init(t, from, to, homogeneous);
 	else if (t->kernel == KERNEL_PROJECTIVE && map_is_finite(&t->from_view))
 		choose_depth_kernel(&t->from_view, t);
-	return transform_check(s, t);
-}
-
-const char *transform_of_window(const struct scene *s, enum flat_space from,
-    enum flat_space to, struct transform *t)
-{
-	const char *why = scene_flat_map(s, from, to, &t->map);
-
-	t->in = t->out = 2;
-	t->divide = t->front = t->reciprocal = false;
-	t->kernel = KERNEL_FLAT;
-	if (why != NULL)
-		return why;
-	transform_prepare(t);
 	return transform_check(s, t);
 }

@@ -33,17 +33,14 @@ struct transform {
 	struct kernel_map for_kernel;
 };
 
-/* transform_of_scene and transform_of_window compute the transform from one space to
- * another. If `homogeneous`, images are x y z w, not divided, and points of device
- * space are x y z 1/w. Return NULL, or the member of the scene at fault and why. */
+/* Computes the transform from one space to another. If `homogeneous`, images are x y z
+ * w, not divided, and points of device space are x y z 1/w. Returns NULL, or the member
+ * of the scene at fault and why. */
 const char *transform_of_scene(const struct scene *, enum space from, enum space to,
     bool homogeneous, struct transform *);
-const char *transform_of_window(const struct scene *, enum flat_space from,
-    enum flat_space to, struct transform *);
 
-/* Computes the members map, in and out, as a printed matrix needs no others. The spaces
- * are two of enum flat_space if `flat`, or else of enum space. */
-const char *transform_of_matrix(const struct scene *, bool flat, int from, int to,
+/* Computes the members map, in and out, as a printed matrix needs no others. */
+const char *transform_of_matrix(const struct scene *, enum space from, enum space to,
     struct transform *);
 
 /* Sets all members of the transform except map, which the caller has set. But if `from`

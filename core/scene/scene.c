@@ -58,7 +58,7 @@ bool scene_is_valid(const struct scene *s)
 }
 
 /* Computes the map from the space `first` to the next space, or its inverse. */
-static const char *map_to_next(const struct scene *s, int first, bool inverse,
+static const char *map_to_next(const struct scene *s, enum space first, bool inverse,
     struct map *r)
 {
 	const struct convention *c = &s->convention, *to = scene_answer_convention(s);
@@ -68,7 +68,7 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 		map_copy(r, s->known[first][inverse]);
 		return NULL;
 	}
-	switch ((enum space)first) {
+	switch (first) {
 	case SPACE_MODEL:
 		if (s->has_world)
 			return steps_map(&s->world, "/world", inverse, false, r);
@@ -88,8 +88,14 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 			return "/viewport: missing; device coordinates need "
 			       "one, or use the space ndc";
 		return viewport_map(&s->viewport, to, inverse, r);
+	case FLAT_WINDOW:
+		return window_map(&s->window, s->has_device ? &s->device : NULL,
+		    inverse, r);
+	case FLAT_NDC:
+		return device_map(&s->device, inverse, r);
 	case SPACE_CLIP: /* the division by w is not a part of the map */
 	case SPACE_DEVICE:
+	case FLAT_DEVICE:
 		map_identity(r);
 		return NULL;
 	}
@@ -101,27 +107,17 @@ static const char *map_to_next(const struct scene *s, int first, bool inverse,
 	return NULL;
 }
 
-/* Computes the map from the 2D space `first` to the next space, or its inverse. */
-static const char *flat_map_to_next(const struct scene *s, int first, bool inverse,
+const char *scene_map_factor(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	const struct device *d = s->has_device ? &s->device : NULL;
-
-	return first == FLAT_WINDOW ? window_map(&s->window, d, inverse, r) :
-				      device_map(&s->device, inverse, r);
-}
-
-static const char *compose(const struct scene *s, int from, int to,
-    const char *stage(const struct scene *, int, bool, struct map *), struct map *r)
-{
 	bool back = from > to;
-	int low = back ? to : from, high = back ? from : to;
+	enum space low = back ? to : from, high = back ? from : to;
 	struct map next;
 
 	if (low == high)
 		map_identity(r);
-	for (int i = low; i < high; i++) {
-		const char *why = stage(s, i, back, i == low ? r : &next);
+	for (enum space i = low; i < high; i++) {
+		const char *why = map_to_next(s, i, back, i == low ? r : &next);
 
 		if (why != NULL)
 			return why;
@@ -131,8 +127,10 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-const char *scene_too_wide(const struct scene *s)
+const char *scene_too_wide(const struct scene *s, bool flat)
 {
+	if (flat)
+		return "/window: " SCENE_TOO_WIDE;
 	if (s->has_world && s->world.step != NULL)
 		return "/world: " STEPS_TOO_WIDE;
 	if (s->camera.steps.step != NULL)
@@ -141,15 +139,11 @@ const char *scene_too_wide(const struct scene *s)
 	return "/projection: " SCENE_TOO_WIDE;
 }
 
-/* Returns `err` if it is not NULL: the reason why r was not computed. Otherwise returns
- * NULL, or the reason if r is out of range. If `flat`, r maps a 2D window. */
-static const char *check_range(const char *err, const struct scene *s,
-    const struct map *r, bool flat)
+const char *scene_map_refuse_range(const struct scene *s, bool flat,
+    const struct map *r)
 {
-	if (err != NULL)
-		return err;
 	if (ex_has_overflowed())
-		return flat ? "/window: " SCENE_TOO_WIDE : scene_too_wide(s);
+		return scene_too_wide(s, flat);
 	if (map_is_finite(r))
 		return NULL;
 	return flat ? "/window: the composed matrix has elements beyond the range of "
@@ -159,38 +153,22 @@ static const char *check_range(const char *err, const struct scene *s,
 		      "another";
 }
 
-const char *scene_map_refuse_range(const struct scene *s, const struct map *r)
-{
-	return check_range(NULL, s, r, false);
-}
-
-const char *scene_map_factor(const struct scene *s, enum space from, enum space to,
-    struct map *r)
-{
-	return compose(s, (int)from, (int)to, map_to_next, r);
-}
-
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	return check_range(scene_map_factor(s, from, to, r), s, r, false);
-}
+	const char *why = scene_map_factor(s, from, to, r);
 
-const char *scene_flat_map(const struct scene *s, enum flat_space from,
-    enum flat_space to, struct map *r)
-{
-	return check_range(compose(s, (int)from, (int)to, flat_map_to_next, r), s, r,
-	    true);
+	return why != NULL ? why : scene_map_refuse_range(s, space_is_flat(from), r);
 }
 
 const char *scene_window_extent(const struct scene *s, struct window_extent *w)
 {
 	struct map out, back;
-	const char *why = scene_flat_map(s, FLAT_WINDOW,
+	const char *why = scene_map(s, FLAT_WINDOW,
 	    s->has_device ? FLAT_DEVICE : FLAT_NDC, &out);
 
 	if (why == NULL)
-		why = scene_flat_map(s, FLAT_NDC, FLAT_WINDOW, &back);
+		why = scene_map(s, FLAT_NDC, FLAT_WINDOW, &back);
 	for (int k = 0; k < 4 && why == NULL; k++) {
 		struct sum half = back.m[k / 2][k / 2];
 		struct sum edge = sum_add(back.m[3][k / 2],

@@ -22,10 +22,16 @@ enum space {
 	SPACE_CLIP, /* has four coordinates; the other spaces three */
 	SPACE_NDC,
 	SPACE_DEVICE,
+	/* the spaces of the commands for 2D windows, with two coordinates each */
+	FLAT_WINDOW,
+	FLAT_NDC,
+	FLAT_DEVICE,
 };
 
-/* The spaces of the commands for 2D windows, with two coordinates each. */
-enum flat_space { FLAT_WINDOW, FLAT_NDC, FLAT_DEVICE };
+static inline bool space_is_flat(enum space s)
+{
+	return s >= FLAT_WINDOW;
+}
 
 /* A scene document as it was read. If the document lacks a member, the member has its
  * default, or its has_... is false. */
@@ -44,7 +50,7 @@ struct scene {
 	/* The share of width and height that projcalc fit leaves free at each side. */
 	double margin;
 	/* NULL, or known maps: [s][0] from space s to s + 1, [s][1] its inverse */
-	const struct map *known[SPACE_DEVICE][2];
+	const struct map *known[FLAT_DEVICE][2];
 };
 
 static inline const struct convention *scene_answer_convention(const struct scene *s)
@@ -52,9 +58,9 @@ static inline const struct convention *scene_answer_convention(const struct scen
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
-/* Returns the reason why a product of the scene's maps has lost digits: STEPS_TOO_WIDE
- * of a list of steps or, without one, SCENE_TOO_WIDE. */
-const char *scene_too_wide(const struct scene *);
+/* Returns the reason why a product of the scene's maps, between flat spaces or others,
+ * has lost digits: STEPS_TOO_WIDE of a list of steps or, without one, SCENE_TOO_WIDE. */
+const char *scene_too_wide(const struct scene *, bool flat);
 
 /* Returns whether a number is from SCENE_SIZE_MIN to SCENE_MAGNITUDE_MAX. */
 bool scene_is_size(double);
@@ -63,13 +69,11 @@ bool scene_is_size(double);
  * document: numbers are in range, near differs from far, and opposite edges differ. */
 bool scene_is_valid(const struct scene *);
 
-/* scene_map and scene_flat_map compute the map between two spaces, the product of the
- * maps from each space to the next. Images are homogeneous; transform.h divides them.
- * Return NULL, or the member at fault, as a JSON pointer, and why. */
+/* Computes the map between two spaces, both flat or neither: the product of the maps
+ * from each space to the next. Images are homogeneous; transform.h divides them. Returns
+ * NULL, or the member at fault, as a JSON pointer, and why. */
 const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
-const char *scene_flat_map(const struct scene *, enum flat_space from,
-    enum flat_space to, struct map *);
 
 /* The part of the plane that a 2D window shows, rounded to doubles. */
 struct window_extent {
@@ -85,4 +89,4 @@ const char *scene_window_extent(const struct scene *, struct window_extent *);
  * are beyond this range, the member at fault and why. */
 const char *scene_map_factor(const struct scene *, enum space from, enum space to,
     struct map *);
-const char *scene_map_refuse_range(const struct scene *, const struct map *);
+const char *scene_map_refuse_range(const struct scene *, bool flat, const struct map *);

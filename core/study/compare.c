@@ -30,7 +30,8 @@ static const char *task_of(const struct regime *r, double severity, struct task 
 	t->n = s->has_window ? 2 : 3;
 	if (s->has_window) {
 		truth_flat(s, FLAT_WINDOW, FLAT_DEVICE, &t->truth);
-		return transform_of_window(s, FLAT_WINDOW, FLAT_DEVICE, &t->exact);
+		return transform_of_scene(s, FLAT_WINDOW, FLAT_DEVICE, false,
+		    &t->exact);
 	}
 	truth_scene(s, from, to, &t->truth);
 	return transform_of_scene(s, from, to, false, &t->exact);
@@ -94,7 +95,7 @@ static const char *place(const struct task *t, double (*in)[3])
 	struct transform to;
 	struct map clip;
 	const char *why = s->has_window ?
-	    transform_of_window(s, FLAT_NDC, FLAT_WINDOW, &to) :
+	    transform_of_scene(s, FLAT_NDC, FLAT_WINDOW, false, &to) :
 	    transform_of_scene(s, SPACE_VIEW,
 		t->regime->back ? SPACE_DEVICE : SPACE_MODEL, false, &to);
 

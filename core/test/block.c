@@ -58,9 +58,10 @@ void sample_round_points(struct block *b, size_t n)
 static bool sample_flat_transform(struct scene *s, struct transform *t,
     struct truth *truth)
 {
-	enum flat_space from = sample_below(3), to = sample_below(3);
+	enum space from = FLAT_WINDOW + sample_below(3),
+		   to = FLAT_WINDOW + sample_below(3);
 
-	if (transform_of_window(s, from, to, t) != NULL)
+	if (transform_of_scene(s, from, to, false, t) != NULL)
 		return false;
 	truth_flat(s, from, to, truth);
 	return true;

@@ -84,7 +84,7 @@ static bool window_holds(const struct scene *s, const struct bounds *b)
 	struct frustum f;
 	unsigned out = 0;
 
-	assert_null(frustum_of_window(s, FLAT_WINDOW, &f));
+	assert_null(frustum_of(s, FLAT_WINDOW, false, &f));
 	for (int k = 0; k < 4 && !b->sphere; k++)
 		out |= frustum_outside(&f,
 		    (double[4]){ k & 1 ? b->max[0] : b->min[0],
@@ -207,7 +207,7 @@ static void refusals(void **state)
 static void check_shown(const struct scene *s, const struct window_extent *w)
 {
 	struct truth back = { 0 }, out = { 0 };
-	enum flat_space to = s->has_device ? FLAT_DEVICE : FLAT_NDC;
+	enum space to = s->has_device ? FLAT_DEVICE : FLAT_NDC;
 
 	truth_flat(s, FLAT_NDC, FLAT_WINDOW, &back);
 	truth_flat(s, FLAT_WINDOW, to, &out);

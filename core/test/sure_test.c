@@ -170,7 +170,7 @@ static void count_block(const struct regime *r, struct block *b, struct counts *
 	assert_null(transform_of_scene(&s, SPACE_MODEL, SPACE_WORLD, false, &t));
 	count_transform(&t, KERNEL_AFFINE, b, n, RATIONAL);
 	sample_regime_points(r, s.camera.eye, b);
-	assert_null(transform_of_window(&s, FLAT_WINDOW, FLAT_DEVICE, &t));
+	assert_null(transform_of_scene(&s, FLAT_WINDOW, FLAT_DEVICE, false, &t));
 	count_transform(&t, KERNEL_FLAT, b, n, FLAT);
 	sample_regime_points(r, s.camera.eye, b);
 	assert_null(transform_of_scene(&s, SPACE_WORLD, SPACE_VIEW, false, &t));

@@ -34,8 +34,7 @@ void truth_compose(struct truth *);
 /* Sets the stages to those between two spaces of a scene that is not degenerate, and
  * multiplies them. */
 void truth_scene(const struct scene *, enum space from, enum space to, struct truth *);
-void truth_flat(const struct scene *, enum flat_space from, enum flat_space to,
-    struct truth *);
+void truth_flat(const struct scene *, enum space from, enum space to, struct truth *);
 
 /* Returns 1 if the camera looks along +z of view space, -1 for -z. */
 double truth_gaze_sign(const struct convention *);

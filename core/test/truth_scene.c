@@ -476,8 +476,7 @@ void truth_matrix(const struct scene *s, enum space from, enum space to, real m[
 	memcpy(m, t.product.m, sizeof t.product.m);
 }
 
-void truth_flat(const struct scene *s, enum flat_space from, enum flat_space to,
-    struct truth *t)
+void truth_flat(const struct scene *s, enum space from, enum space to, struct truth *t)
 {
 	t->n = 0;
 	t->irrational = false;

@@ -8,14 +8,15 @@ static void check_windows(const char *what, int e, int tries)
 
 	SAMPLES(i, tries) {
 		struct scene s = { .has_device = true };
-		enum flat_space from = sample_below(3), to = sample_below(3);
+		enum space from = FLAT_WINDOW + sample_below(3),
+			   to = FLAT_WINDOW + sample_below(3);
 		bool both = from != to && from != FLAT_NDC && to != FLAT_NDC;
 		struct map m;
 		struct truth t;
 		int mark = real_mark();
 
 		sample_flat(&s.window, &s.device, e);
-		if (scene_flat_map(&s, from, to, &m) == NULL) {
+		if (scene_map(&s, from, to, &m) == NULL) {
 			truth_flat(&s, from, to, &t);
 			truth_compare(&t, &m, both ? &two : &one);
 		}
