@@ -4,129 +4,104 @@
 #include <string.h>
 
 /* The matrix of a projection that is given by parameters:
- *	 x   0   0   0
- *	 0   y   0   0
- *	 zx  zy  zz  zw
- *	 tx  ty  tz  tw
- * Its columns are divided by dx, dy, dz and 1, and the whole matrix by d. Columns z and
- * w, and d, are exact unless the projection is a volume with a view angle. */
+ *	 s0  0   0   0
+ *	 0   s1  0   0
+ *	 z0  z1  z2  z3
+ *	 t0  t1  t2  t3
+ * Its columns are divided by d0, d1, d2 and 1, and the whole matrix by `divisor`. Columns
+ * 2 and 3, and the divisor, are exact unless it is a volume with a view angle. */
 struct scaled_matrix {
-	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d;
+	struct sum s[2], z[4], t[4], d[3], divisor;
 };
 
-/* Sets one quotient, x / dx if sets_x, else y / dy, to scale / divisor. Sets the other
- * quotient so that y / dy is aspect[0] / aspect[1] times x / dx. */
-static void set_scales(const double aspect[2], bool sets_x, struct sum scale,
-    double divisor, struct scaled_matrix *f)
+/* Sets s[k] / d[k] to scale / divisor, and the other such quotient so that s[1] / d[1]
+ * is aspect[0] / aspect[1] times s[0] / d[0]. */
+static void set_scales(const double aspect[2], int k, struct sum scale, double divisor,
+    struct scaled_matrix *f)
 {
-	struct sum w = sum_of_double(aspect[0]), h = sum_of_double(aspect[1]);
-
-	sum_set(&f->dx, divisor);
-	sum_set(&f->dy, divisor);
-	f->x = f->y = scale;
-	if (sets_x) {
-		f->y = sum_mul(scale, w);
-		f->dy = sum_mul(f->dy, h);
-	} else {
-		f->x = sum_mul(scale, h);
-		f->dx = sum_mul(f->dx, w);
-	}
+	sum_copy(&f->s[k], &scale);
+	sum_set(&f->d[k], divisor);
+	f->s[!k] = sum_scale(scale, aspect[k]);
+	f->d[!k] = sum_scale(f->d[k], aspect[!k]);
 }
 
 /* Computes scale = 2, size = r - l and edge_sum = l + r, each times cos a cos b, for
- * the edges l = tan a and r = tan b at distance 1. */
-static void tangents(double a, double b, enum angle_unit unit, struct sum *scale,
+ * the edges l = tan a and r = tan b at distance 1 of the two angles a and b. */
+static void tangents(const double angle[2], enum angle_unit unit, struct sum *scale,
     struct sum *size, struct sum *edge_sum)
 {
 	struct sum sa, ca, sb, cb;
 
-	trig_sin_cos(a, unit, &sa, &ca);
-	trig_sin_cos(b, unit, &sb, &cb);
+	trig_sin_cos(angle[0], unit, &sa, &ca);
+	trig_sin_cos(angle[1], unit, &sb, &cb);
 	struct sum left = sum_mul(sa, cb), right = sum_mul(sb, ca);
 
-	*scale = sum_mul(sum_of_double(2), sum_mul(ca, cb));
+	*scale = sum_scale(sum_mul(ca, cb), 2);
 	*size = sum_sub(right, left);
 	*edge_sum = sum_add(left, right);
 }
 
-/* Sets x / dx = 2 d / (r - l) and sums[0] / dx = (l + r) / (r - l), where l and r are
- * the left and right edge at distance d. Sets y, dy and sums[1] likewise. */
+/* Sets s[0] / d[0] = 2 d / (r - l) and sums[0] / d[0] = (l + r) / (r - l), where l and r
+ * are the left and right edge at distance d. Sets s[1], d[1] and sums[1] likewise. */
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum sums[2])
 {
 	const struct projection_section *s = &p->section;
-	bool wide = p->aspect[0] >= p->aspect[1], sets_x = false;
+	const double size[2] = { s->width, s->height };
+	const bool wide = p->aspect[0] >= p->aspect[1];
 
-	sum_set(&sums[0], 0);
-	sum_set(&sums[1], 0);
-	sum_set(&f->x, 2 * d);
-	sum_set(&f->y, 2 * d);
-	sum_set(&f->dx, s->width);
-	sum_set(&f->dy, s->height);
-	switch (s->way) {
-	case SECTION_FOVY:
-	case SECTION_FOVX:
-	case SECTION_VIEW_ANGLE:
-		sets_x = s->way == SECTION_FOVX ||
-		    (s->way == SECTION_VIEW_ANGLE && !wide);
-		set_scales(p->aspect, sets_x, trig_cot(s->angle / 2, p->unit), 1, f);
-		break;
-	case SECTION_FIELD:
-		set_scales(p->aspect, wide, sum_of_double(1), s->field, f);
-		break;
-	case SECTION_WIDTH:
-		set_scales(p->aspect, true, f->x, s->width, f);
-		break;
-	case SECTION_HEIGHT:
-		set_scales(p->aspect, false, f->y, s->height, f);
-		break;
-	case SECTION_SIZE:
-		break;
-	case SECTION_ANGLES:
-		tangents(s->angles[0], s->angles[1], p->unit, &f->x, &f->dx, &sums[0]);
-		tangents(s->angles[2], s->angles[3], p->unit, &f->y, &f->dy, &sums[1]);
-		break;
-	case SECTION_INTRINSICS: /* edges from 0 to the viewport's size */
-		sums[0] = f->dx;
-		sums[1] = f->dy;
-		break;
-	case SECTION_EDGES:
-		f->dx = sum_difference(s->right, s->left);
-		f->dy = sum_difference(s->top, s->bottom);
-		sums[0] = sum_difference(s->left, -s->right);
-		sums[1] = sum_difference(s->bottom, -s->top);
-		if (sum_sign(f->dx) == 0)
-			return "/projection/right: equal to left; "
-			       "the edges must differ";
-		if (sum_sign(f->dy) == 0)
-			return "/projection/top: equal to bottom; "
-			       "the edges must differ";
-		break;
+	for (int k = 0; k < 2; k++) {
+		sum_set(&sums[k], 0);
+		sum_set(&f->s[k], 2 * d);
+		sum_set(&f->d[k], size[k]);
+		if (s->way == SECTION_ANGLES)
+			tangents(s->angles + 2 * k, p->unit, &f->s[k], &f->d[k],
+			    &sums[k]);
+		if (s->way == SECTION_INTRINSICS) /* edges from 0 to the size */
+			sum_copy(&sums[k], &f->d[k]);
+		if (s->way != SECTION_EDGES)
+			continue;
+		f->d[k] = sum_difference(s->edges[2 * k + 1], s->edges[2 * k]);
+		sums[k] = sum_difference(s->edges[2 * k], -s->edges[2 * k + 1]);
+		if (sum_sign(f->d[k]) == 0)
+			return k == 0 ?
+			    "/projection/right: equal to left; the edges must differ" :
+			    "/projection/top: equal to bottom; the edges must differ";
 	}
+	if (s->way <= SECTION_VIEW_ANGLE)
+		set_scales(p->aspect,
+		    s->way == SECTION_FOVY || (s->way == SECTION_VIEW_ANGLE && wide),
+		    trig_cot(s->angle / 2, p->unit), 1, f);
+	if (s->way == SECTION_FIELD)
+		set_scales(p->aspect, !wide, sum_one, s->field, f);
+	if (s->way == SECTION_WIDTH || s->way == SECTION_HEIGHT)
+		set_scales(p->aspect, s->way == SECTION_HEIGHT, f->s[0],
+		    size[s->way == SECTION_HEIGHT], f);
 	return NULL;
 }
 
-/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) for near n and far f, or their limits
- * for an infinite f. reverse_z exchanges n and f. An open projection has depth 1/w. */
+/* Sets z[2] / d[2] = f/(f-n) and t[2] / d[2] = -nf/(f-n) for near n and far f, or their
+ * limits for an infinite f. reverse_z exchanges n and f. An open projection has depth
+ * 1/w. */
 static void depth_column(const struct projection *p, struct scaled_matrix *f)
 {
 	double n = projection_is_open(p) ? 1 : p->near;
 
 	if (isinf(p->far)) {
-		sum_set(&f->dz, 1);
-		sum_set(&f->zz, p->reverse_z ? 0 : 1);
-		sum_set(&f->tz, p->reverse_z ? n : -n);
+		sum_set(&f->d[2], 1);
+		sum_set(&f->z[2], p->reverse_z ? 0 : 1);
+		sum_set(&f->t[2], p->reverse_z ? n : -n);
 	} else {
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
 
-		f->dz = sum_difference(b, a);
-		sum_set(&f->zz, b);
-		f->tz = sum_scale(sum_of_double(-a), b);
+		f->d[2] = sum_difference(b, a);
+		sum_set(&f->z[2], b);
+		f->t[2] = sum_scale(sum_of_double(-a), b);
 	}
 }
 
-/* Computes the rows (x 0 0 0), (0 y 0 0), (zx zy zz 1), (0 0 tz 0). With intrinsics,
+/* Computes the rows (s0 0 0 0), (0 s1 0 0), (z0 z1 z2 1), (0 0 t2 0). With intrinsics,
  * the rows map the canonical space of prepend_intrinsics to clip space. */
 static const char *persp_matrix(const struct projection *p, const struct convention *c,
     struct scaled_matrix *f)
@@ -143,11 +118,10 @@ static const char *persp_matrix(const struct projection *p, const struct convent
 	if (!(p->near < p->far))
 		return "/projection/near: not less than far; near is the plane "
 		       "nearer to the eye, also with \"reverse_z\": true";
-	sum_set(&f->d, 1);
 	depth_column(p, f);
-	f->zx = sum_neg(sums[0]);
-	f->zy = sum_negated_if(!down, sums[1]);
-	sum_set(&f->zw, 1);
+	f->z[0] = sum_neg(sums[0]);
+	f->z[1] = sum_negated_if(!down, sums[1]);
+	sum_set(&f->z[3], 1);
 	return NULL;
 }
 
@@ -160,15 +134,14 @@ static const char *ortho_matrix(const struct projection *p, struct scaled_matrix
 
 	if (why != NULL)
 		return why;
-	sum_set(&f->d, 1);
-	f->dz = sum_difference(b, a);
-	if (sum_sign(f->dz) == 0)
+	f->d[2] = sum_difference(b, a);
+	if (sum_sign(f->d[2]) == 0)
 		return "/projection/far: equal to near; the planes must differ";
-	sum_set(&f->zz, 1);
-	sum_set(&f->tz, -a);
-	f->tx = sum_neg(sums[0]);
-	f->ty = sum_neg(sums[1]);
-	sum_set(&f->tw, 1);
+	sum_set(&f->z[2], 1);
+	sum_set(&f->t[2], -a);
+	for (int k = 0; k < 2; k++)
+		f->t[k] = sum_neg(sums[k]);
+	sum_set(&f->t[3], 1);
 	return NULL;
 }
 
@@ -178,30 +151,29 @@ static const char *oblique_matrix(const struct projection *p, struct scaled_matr
 {
 	const struct projection_shear *s = &p->shear;
 	const char *why = ortho_matrix(p, f);
-	struct sum cot = sum_of_double(s->kind == OBLIQUE_CABINET ? 0.5 : 1), sine,
-		   cosine;
+	struct sum cot = sum_of_double(s->kind == OBLIQUE_CABINET ? 0.5 : 1), turn[2];
 
 	if (why != NULL)
 		return why;
 	if (s->kind == OBLIQUE_ANGLE)
 		cot = trig_cot(s->projector_angle, p->unit);
-	trig_sin_cos(s->direction, s->direction_unit, &sine, &cosine);
-	f->zx = sum_mul(sum_mul(cot, cosine), f->x);
-	f->zy = sum_mul(sum_mul(cot, sine), f->y);
-	f->tx = sum_sub(f->tx, sum_scale(f->zx, s->plane));
-	f->ty = sum_sub(f->ty, sum_scale(f->zy, s->plane));
+	trig_sin_cos(s->direction, s->direction_unit, &turn[1], &turn[0]);
+	for (int k = 0; k < 2; k++) {
+		f->z[k] = sum_mul(sum_mul(cot, turn[k]), f->s[k]);
+		f->t[k] = sum_sub(f->t[k], sum_scale(f->z[k], s->plane));
+	}
 	return NULL;
 }
 
 static void volume_section(const struct projection *p, struct scaled_matrix *f)
 {
-	bool wide = p->aspect[0] >= p->aspect[1];
-
-	f->x = f->y = sum_of_double(1);
-	sum_set(&f->dx, p->volume.half_width);
-	sum_set(&f->dy, p->volume.half_height);
+	for (int k = 0; k < 2; k++)
+		sum_set(&f->s[k], 1);
+	sum_set(&f->d[0], p->volume.half_width);
+	sum_set(&f->d[1], p->volume.half_height);
 	if (p->aspect[1] != 0)
-		set_scales(p->aspect, !wide, f->x, p->volume.half_width, f);
+		set_scales(p->aspect, p->aspect[0] >= p->aspect[1], sum_one,
+		    p->volume.half_width, f);
 }
 
 /* Computes 1/z of the eye from the view angle: tan(angle/2) over the smaller of half
@@ -212,12 +184,11 @@ static void inverse_eye_z_of_angle(const struct projection *p, struct sum *numer
 	struct scaled_matrix f;
 
 	volume_section(p, &f);
-	bool tall = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
+	const bool wide = sum_sign(sum_minor(f.d[0], f.s[1], f.d[1], f.s[0])) > 0;
 	struct sum cot = trig_cot(p->volume.view_angle / 2, p->unit);
 
-	*numerator = sum_negated_if(p->volume.z_near < p->volume.z_far,
-	    tall ? f.x : f.y);
-	*denominator = sum_mul(tall ? f.dx : f.dy, cot);
+	*numerator = sum_negated_if(p->volume.z_near < p->volume.z_far, f.s[wide]);
+	*denominator = sum_mul(f.d[wide], cot);
 	if (!sum_is_exact(denominator)) {
 		*numerator = sum_quotient(*numerator, *denominator);
 		sum_set(denominator, 1);
@@ -256,18 +227,18 @@ static const char *const eye_plane_refusals[] = {
 };
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-sx x, -sy y, -wf, -qn), (0, 0, wf zn, qd).
- * x and y are those of volume_section times qd. sx and sy are x/z and y/z of the
+ * x and y are s of volume_section times qd. sx and sy are x/z and y/z of the
  * volume's axis. q = qn / qd is 1/z of the eye. Up to a sign, w is wf / qd = 1 - zf q
  * at z_far, and wn / qd = 1 - zn q at z_near: their signs tell where the eye is. */
 static const char *volume_matrix(const struct projection *p, struct scaled_matrix *f)
 {
 	const struct projection_volume *v = &p->volume;
 	struct sum zn = sum_of_double(v->z_near), zf = sum_of_double(v->z_far);
-	struct sum qn, qd, skew[2];
+	struct sum qn, qd;
 
 	volume_section(p, f);
-	f->dz = sum_sub(zn, zf);
-	if (sum_sign(f->dz) == 0)
+	f->d[2] = sum_sub(zn, zf);
+	if (sum_sign(f->d[2]) == 0)
 		return "/projection/z_far: equal to z_near; the planes must differ";
 	if (v->eye_given_by == EYE_BY_POINT && v->eye[2] == 0)
 		return "/projection/eye: its z is 0, in the rectangle's "
@@ -278,39 +249,35 @@ static const char *volume_matrix(const struct projection *p, struct scaled_matri
 
 	if (sum_sign(wf) * sum_sign(wn) <= 0)
 		return eye_plane_refusals[v->eye_given_by];
-	for (int k = 0; k < 2; k++)
-		skew[k] = v->eye_given_by == EYE_BY_POINT ?
+	for (int k = 0; k < 2; k++) {
+		struct sum skew = v->eye_given_by == EYE_BY_POINT ?
 		    sum_of_double(v->eye[k]) :
 		    sum_scale(qd, v->tan_skew[k]);
-	f->zx = sum_neg(sum_mul(skew[0], f->x));
-	f->zy = sum_neg(sum_mul(skew[1], f->y));
-	f->x = sum_mul(qd, f->x);
-	f->y = sum_mul(qd, f->y);
-	f->tw = qd;
-	f->d = sum_negated_if(sum_sign(wf) != sum_sign(qd), qd);
-	f->zz = sum_neg(wf);
-	f->zw = sum_neg(qn);
-	f->tz = sum_mul(wf, zn);
+
+		f->z[k] = sum_neg(sum_mul(skew, f->s[k]));
+		f->s[k] = sum_mul(qd, f->s[k]);
+	}
+	f->divisor = sum_negated_if(sum_sign(wf) != sum_sign(qd), qd);
+	f->z[2] = sum_neg(wf);
+	f->z[3] = sum_neg(qn);
+	f->t[2] = sum_mul(wf, zn);
+	sum_copy(&f->t[3], &qd);
 	return NULL;
 }
 
 static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 {
-	const struct sum *z[] = { &f->zx, &f->zy, &f->zz, &f->zw },
-			 *t[] = { &f->tx, &f->ty, &f->tz, &f->tw };
-
 	map_identity(r);
-	sum_copy(&r->m[0][0], &f->x);
-	sum_copy(&r->m[1][1], &f->y);
+	for (int k = 0; k < 2; k++)
+		sum_copy(&r->m[k][k], &f->s[k]);
 	for (int k = 0; k < 4; k++) {
-		sum_copy(&r->m[2][k], z[k]);
-		sum_copy(&r->m[3][k], t[k]);
-		sum_copy(&r->m[4][k], t[k]);
+		sum_copy(&r->m[2][k], &f->z[k]);
+		sum_copy(&r->m[3][k], &f->t[k]);
+		sum_copy(&r->m[4][k], &f->t[k]);
 	}
-	map_divide(r, f->d);
-	map_divide_column(r, 0, f->dx);
-	map_divide_column(r, 1, f->dy);
-	map_divide_column(r, 2, f->dz);
+	map_divide(r, f->divisor);
+	for (int k = 0; k < 3; k++)
+		map_divide_column(r, k, f->d[k]);
 }
 
 /* Makes the plane of an oblique projection, or z_near of a volume, the origin's z if
@@ -325,54 +292,50 @@ static void set_plane_origin(const struct projection *p, const struct scaled_mat
 	struct map image;
 
 	if (z == 0 ||
-	    (sum_is_exact(&f->zx) && sum_is_exact(&f->zy) && sum_is_exact(&f->zz)))
+	    (sum_is_exact(&f->z[0]) && sum_is_exact(&f->z[1]) &&
+		sum_is_exact(&f->z[2])))
 		return;
 	if (oblique) { /* there is no shear in the plane */
 		ortho_matrix(p, &at);
-		at.tz = sum_add(at.tz, sum_of_double(z));
+		at.t[2] = sum_add(at.t[2], sum_of_double(z));
 	} else {
-		at.tx = sum_scale(f->zx, z);
-		at.ty = sum_scale(f->zy, z);
-		sum_set(&at.tz, 0);
-		at.tw = sum_add(f->tw, sum_scale(f->zw, z));
+		for (int k = 0; k < 2; k++)
+			at.t[k] = sum_scale(f->z[k], z);
+		sum_set(&at.t[2], 0);
+		at.t[3] = sum_add(f->t[3], sum_scale(f->z[3], z));
 	}
 	map_of_scaled(&at, &image);
 	memcpy(r->m[4], image.m[3], sizeof r->m[4]);
 	r->origin[2] = z;
 }
 
-/* Returns the inverse (A', 0; -B' C A', B') of the matrix of 2x2 blocks (A, 0; C, B),
- * where A = (x 0; 0 y), B = (zz zw; tz tw) and C = (zx zy; tx ty). A' and B' are the
+/* Writes the inverse (A', 0; -B' C A', B') of the matrix of 2x2 blocks (A, 0; C, B),
+ * where A = (s0 0; 0 s1), B = (z2 z3; t2 t3) and C = (z0 z1; t0 t1). A' and B' are the
  * inverses of A and B, and det is the determinant of B. The divisors of columns become
  * factors of the inverse's rows. */
-static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
+static void scaled_inverse(const struct scaled_matrix *f, struct scaled_matrix *r)
 {
-	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
-	struct sum one = sum_of_double(1), d = f->d;
+	const struct sum *z = f->z, *t = f->t;
+	struct sum det = sum_minor(z[2], t[3], z[3], t[2]), d = f->divisor;
 
 	if (!sum_is_exact(&det)) {
 		d = sum_quotient(d, det);
-		det = one;
+		sum_set(&det, 1);
 	}
-	struct sum x = sum_mul(f->d, det), z = sum_mul(d, f->dz);
-	struct sum minus_z = sum_neg(z);
+	struct sum s = sum_mul(f->divisor, det), dz = sum_mul(d, f->d[2]);
 
-	return (struct scaled_matrix){
-		.x = sum_mul(f->dx, x),
-		.y = sum_mul(f->dy, x),
-		.zx = sum_mul(minus_z, sum_minor(f->tw, f->zx, f->zw, f->tx)),
-		.zy = sum_mul(minus_z, sum_minor(f->tw, f->zy, f->zw, f->ty)),
-		.zz = sum_mul(z, f->tw),
-		.zw = sum_mul(minus_z, f->zw),
-		.tx = sum_mul(d, sum_minor(f->tz, f->zx, f->zz, f->tx)),
-		.ty = sum_mul(d, sum_minor(f->tz, f->zy, f->zz, f->ty)),
-		.tz = sum_neg(sum_mul(d, f->tz)),
-		.tw = sum_mul(d, f->zz),
-		.dx = f->x,
-		.dy = f->y,
-		.dz = one,
-		.d = det,
-	};
+	for (int k = 0; k < 2; k++) {
+		r->s[k] = sum_mul(f->d[k], s);
+		r->z[k] = sum_mul(dz, sum_minor(z[3], t[k], t[3], z[k]));
+		r->t[k] = sum_mul(d, sum_minor(t[2], z[k], z[2], t[k]));
+		sum_copy(&r->d[k], &f->s[k]);
+	}
+	r->z[2] = sum_mul(dz, t[3]);
+	r->z[3] = sum_neg(sum_mul(dz, z[3]));
+	r->t[2] = sum_neg(sum_mul(d, t[2]));
+	r->t[3] = sum_mul(d, z[2]);
+	sum_set(&r->d[2], 1);
+	sum_copy(&r->divisor, &det);
 }
 
 /* Returns whether a matrix that is not affine has the last row, but not the last
@@ -436,12 +399,14 @@ const char *projection_map(const struct projection *p, const struct convention *
 		.view_y_down = volume && c->view_y_down,
 		.ndc_y_down = volume && c->view_y_down,
 	};
-	struct scaled_matrix f;
-	struct sum *const often_0[] = { &f.zx, &f.zy, &f.zw, &f.tx, &f.ty, &f.tw };
+	struct scaled_matrix f, back;
 	const char *why = NULL;
 
-	for (int i = 0; i < 6; i++)
-		sum_set(often_0[i], 0);
+	for (int k = 0; k < 4; k++) {
+		sum_set(&f.z[k], 0);
+		sum_set(&f.t[k], 0);
+	}
+	sum_set(&f.divisor, 1);
 	switch (p->type) {
 	case PROJECTION_NONE:
 		map_identity(r);
@@ -464,8 +429,8 @@ const char *projection_map(const struct projection *p, const struct convention *
 	if (why != NULL)
 		return why;
 	if (inverse)
-		f = scaled_inverse(&f);
-	map_of_scaled(&f, r);
+		scaled_inverse(&f, &back);
+	map_of_scaled(inverse ? &back : &f, r);
 	if (!inverse && (p->type == PROJECTION_OBLIQUE || p->type == PROJECTION_VOLUME))
 		set_plane_origin(p, &f, r);
 	if (projection_has_intrinsics(p))
