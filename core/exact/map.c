@@ -194,8 +194,7 @@ void map_image(const struct map *m, int j, const struct sum p[4], struct sum *r)
 	struct sum q[5] = { [4] = p[3] }; /* factors of rows 0 to 4 */
 
 	for (int k = 0; k < 3; k++)
-		q[k] = sum_minor(p[k], sum_of_double(1), p[3],
-		    sum_of_double(m->origin[k]));
+		q[k] = sum_minor(p[k], sum_one, p[3], sum_of_double(m->origin[k]));
 	sum_dot(5, q, &m->m[0][j], 4, r);
 }
 

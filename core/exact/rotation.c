@@ -179,17 +179,16 @@ bool rotation_about(const double vector[3], struct sum r[3][3])
 bool rotation_by_angle(const double axis[3], double angle, enum angle_unit unit,
     struct sum r[3][3], struct sum *d)
 {
-	const struct sum one = sum_of_double(1);
 	struct sum v[3], sine, cosine;
 
 	trig_sin_cos(angle, unit, &sine, &cosine);
-	struct sum versine = sum_sub(one, cosine);
+	struct sum versine = sum_sub(sum_one, cosine);
 
 	for (int i = 0; i < 3; i++)
 		sum_set(&v[i], axis[i]);
 	*d = vec3_dot(v, v);
 	if (!sum_is_exact(&cosine) && sum_sign(cosine) > 0)
-		versine = sum_quotient(sum_mul(sine, sine), sum_add(one, cosine));
+		versine = sum_quotient(sum_mul(sine, sine), sum_add(sum_one, cosine));
 	rodrigues(v, sum_mul(sine, sum_sqrt(*d)), versine, *d, r);
 	return !vec3_is_zero(v);
 }

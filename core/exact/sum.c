@@ -265,11 +265,7 @@ int(sum_sign)(const struct sum *a)
 
 int(sum_compare)(const struct sum *a, const struct sum *b)
 {
-	struct sum r;
-
-	dot_of_pointers(2, (const struct sum *[]){ a, b },
-	    (const struct sum *[]){ &sum_one, &sum_minus_one }, &r);
-	return sum_sign(r);
+	return sum_sign(sum_sub(*a, *b));
 }
 
 struct sum(sum_snap_zero)(const struct sum *a)

@@ -160,7 +160,6 @@ static struct sum sine_of_rest(const struct reduced_angle *r)
 void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
     struct sum *cosine)
 {
-	const struct sum one = sum_of_double(1);
 	struct reduced_angle r;
 
 	if (unit == ANGLE_RADIANS)
@@ -169,7 +168,7 @@ void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
 		reduce_degrees(angle, &r);
 	const bool odd = r.quarters & 1, back = r.quarters & 2;
 	struct sum s = sine_of_rest(&r);
-	struct sum c = sum_sqrt(sum_sub(one, sum_mul(s, s)));
+	struct sum c = sum_sqrt(sum_sub(sum_one, sum_mul(s, s)));
 
 	*sine = sum_negated_if(back, odd ? c : s);
 	*cosine = sum_negated_if(back != odd, odd ? s : c);
