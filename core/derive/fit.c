@@ -93,12 +93,13 @@ static struct sum extent_middle(const struct extents *r, int j)
  * widened range, rounded to nearest, could both be on one side of the bounds. */
 static void depth_range(const struct extents *r, double *low, double *high)
 {
-	struct sum one = sum_of_double(1), middle = extent_middle(r, 2);
+	struct sum middle = extent_middle(r, 2);
 
 	*low = 0 -
-	    fmax(extent_ratio(r, 2, sum_neg(r->low[2]), one),
-		ratio_up(sum_neg(middle), one));
-	*high = fmax(extent_ratio(r, 2, r->high[2], one), ratio_up(middle, one));
+	    fmax(extent_ratio(r, 2, sum_neg(r->low[2]), sum_one),
+		ratio_up(sum_neg(middle), sum_one));
+	*high = fmax(extent_ratio(r, 2, r->high[2], sum_one),
+	    ratio_up(middle, sum_one));
 	*high = fmax(*high, nextafter(*low, HUGE_VAL));
 }
 
@@ -177,13 +178,11 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	struct map model, view, ends;
 	struct sum slope[4], lowest[4];
 	struct extents r;
-	const char *why = hull_extents(h, s, &r);
+	const char *why;
 
-	if (why == NULL)
-		why = find_plane_slopes(s, &view, slope);
-	if (why == NULL)
-		why = frustum_planes(s, SPACE_MODEL, &model, &ends);
-	if (why != NULL)
+	if ((why = hull_extents(h, s, &r)) != NULL ||
+	    (why = find_plane_slopes(s, &view, slope)) != NULL ||
+	    (why = frustum_planes(s, SPACE_MODEL, &model, &ends)) != NULL)
 		return why;
 	/* t is the largest step of the eye along the gaze after which near is at least
 	 * ratio times far, low - t >= ratio (high - t), and min_near: low - t >= least.
@@ -297,13 +296,11 @@ static const char *center_picture(struct scene *s, bool has_eye, const struct hu
 	struct sum step[3] = { 0 };
 	struct map to_world, clip;
 	struct extents r;
-	const char *why = hull_extents(h, s, &r);
+	const char *why;
 
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world);
-	if (why != NULL)
+	if ((why = hull_extents(h, s, &r)) != NULL ||
+	    (why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL ||
+	    (why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world)) != NULL)
 		return why;
 	for (int j = 0; j < 3; j++)
 		step[j] = extent_middle(&r, j);
@@ -467,13 +464,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 {
 	const struct projection_section given = s->projection.section;
 	struct hull h;
-	const char *why = hull_of(b, 3, &h);
+	const char *why;
 
-	if (why == NULL)
-		why = fit_prepare(s);
-	if (why == NULL && !has_eye)
-		why = eye_to_middle(s, &h);
-	if (why != NULL)
+	if ((why = hull_of(b, 3, &h)) != NULL || (why = fit_prepare(s)) != NULL ||
+	    (!has_eye && (why = eye_to_middle(s, &h)) != NULL))
 		return why;
 	switch (projection_family(&s->projection)) {
 	case FAMILY_PERSP:
@@ -506,13 +500,10 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;
-	if (why == NULL)
-		why = fit_maps(&s, &xy, &depth);
-	if (why == NULL && persp)
-		why = frustum_planes(&s, SPACE_MODEL, &sides, &ends);
-	if (why == NULL && to_middle)
-		why = scene_map(&s, SPACE_MODEL, SPACE_WORLD, &world);
-	if (why != NULL)
+	if (why != NULL || (why = fit_maps(&s, &xy, &depth)) != NULL ||
+	    (persp && (why = frustum_planes(&s, SPACE_MODEL, &sides, &ends)) != NULL) ||
+	    (to_middle &&
+		(why = scene_map(&s, SPACE_MODEL, SPACE_WORLD, &world)) != NULL))
 		return why;
 	all->n = 0;
 	for (int k = 0; k < 6; k++)

@@ -72,16 +72,13 @@ static const char *set_to_world(struct lens *l)
 const char *lens_of(const struct scene *s, struct lens *l)
 {
 	const struct convention *c = scene_answer_convention(s);
-	const char *why = frustum_refuse_singular(s);
+	const char *why;
 
 	l->scene = *s;
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &l->to_clip);
-	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view);
-	if (why == NULL)
-		why = set_to_world(l);
-	if (why != NULL)
+	if ((why = frustum_refuse_singular(s)) != NULL ||
+	    (why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &l->to_clip)) != NULL ||
+	    (why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view)) != NULL ||
+	    (why = set_to_world(l)) != NULL)
 		return why;
 	l->scene.known[SPACE_WORLD][false] = &l->to_view;
 	l->scene.known[SPACE_WORLD][true] = &l->to_world;

@@ -15,11 +15,10 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	const char *why = frustum_refuse_singular(s);
+	const char *why;
 
-	if (why == NULL)
-		why = frustum_planes(s, SPACE_VIEW, &sides, m);
-	if (why != NULL)
+	if ((why = frustum_refuse_singular(s)) != NULL ||
+	    (why = frustum_planes(s, SPACE_VIEW, &sides, m)) != NULL)
 		return why;
 	for (int i = 0; i < 3; i++)
 		gradient[i] = m->m[i][plane];
