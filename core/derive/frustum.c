@@ -82,38 +82,32 @@ const char *frustum_planes(const struct scene *s, enum space from, struct map *s
 	return why;
 }
 
-/* Stages the planes by way of view space. view_planes has made these maps before. */
-static void stage_planes(const struct scene *s, enum space from, struct frustum *f)
-{
-	struct map m;
-
-	scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &m);
-	planes_of_clip(s, &m, &f->sides.from_view, &f->ends.from_view);
-	scene_map_factor(s, from, SPACE_VIEW, &m);
-	transform_stage(&f->sides, &m);
-	transform_stage(&f->ends, &m);
-}
-
+/* From a space before view space, the planes are staged by way of view space. */
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f)
 {
 	const bool by_distance = from == SPACE_DEVICE && s->viewport.distance;
-	const char *why = frustum_planes(s, by_distance ? SPACE_VIEW : from,
-	    &f->sides.map, &f->ends.map);
+	const bool by_view = from <= SPACE_VIEW;
+	struct transform *const t[] = { &f->sides, &f->ends };
+	const char *why = NULL;
 
-	if (why == NULL && by_distance) {
-		why = distance_by_view(s, from, SPACE_CLIP, &f->sides);
-		return why != NULL ? why :
-				     distance_by_view(s, from, SPACE_CLIP, &f->ends);
-	}
-	if (why != NULL)
-		return why;
-	transform_init(&f->sides, from, SPACE_CLIP, homogeneous);
-	if (!space_is_flat(from))
-		transform_init(&f->ends, from, SPACE_CLIP, homogeneous);
-	if (from <= SPACE_VIEW)
-		stage_planes(s, from, f);
-	return NULL;
+	if (by_view)
+		why = scene_map_factor(s, from, SPACE_VIEW, &f->sides.map);
+	if (why == NULL)
+		why = by_view ? frustum_planes(s, SPACE_VIEW, &f->sides.from_view,
+				    &f->ends.from_view) :
+				frustum_planes(s, by_distance ? SPACE_VIEW : from,
+				    &f->sides.map, &f->ends.map);
+	if (why == NULL && by_view)
+		map_copy(&f->ends.map, &f->sides.map);
+	for (int i = 0; i < (space_is_flat(from) ? 1 : 2) && why == NULL; i++)
+		if (by_distance)
+			why = distance_by_view(s, from, SPACE_CLIP, t[i]);
+		else if (by_view)
+			why = transform_by_view(s, from, SPACE_CLIP, homogeneous, t[i]);
+		else
+			transform_init(t[i], from, SPACE_CLIP, homogeneous);
+	return why;
 }
 
 unsigned frustum_outside(const struct frustum *f, const double in[4])

@@ -97,15 +97,17 @@ const char *transform_check(const struct scene *s, const struct transform *t)
 	    scene_too_wide(s, t->kernel == KERNEL_FLAT);
 }
 
-void transform_stage(struct transform *t, const struct map *to_view)
+/* Stages the exact images of a transform if the map from view space has elements with
+ * errors. The member map is still the map to view space. */
+static void transform_stage(struct transform *t)
 {
 	bool exact = true;
 
 	for (int i = 0; i < 16; i++)
 		exact &= sum_is_exact(&t->from_view.m[i / 4][i % 4]);
-	t->staged = !exact && map_leaves_room(to_view);
+	t->staged = !exact && map_leaves_room(&t->map);
 	if (t->staged)
-		set_relative_map(t, to_view);
+		set_relative_map(t, &t->map);
 }
 
 static void set_kind(struct transform *t, enum space from, enum space to,
@@ -156,7 +158,7 @@ const char *transform_by_view(const struct scene *s, enum space from, enum space
     bool homogeneous, struct transform *t)
 {
 	map_find_origin(&t->map);
-	transform_stage(t, &t->map);
+	transform_stage(t);
 	map_multiply(&t->map, &t->from_view, false);
 	const char *why = scene_map_refuse_range(s, false, &t->map);
 

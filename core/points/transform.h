@@ -61,7 +61,3 @@ const char *transform_by_view(const struct scene *, enum space from, enum space 
 /* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the
  * scene and a reason. */
 const char *transform_check(const struct scene *, const struct transform *);
-
-/* Stages the exact images of a transform, if the map from view space, which the caller
- * has set, has elements with errors. The product of both maps is the member map. */
-void transform_stage(struct transform *, const struct map *to_view);
