@@ -103,6 +103,11 @@ static void list_names(const struct member *row, int variant, uint64_t bits,
 	names[n] = NULL;
 }
 
+static const struct value *root_of(const struct value *v)
+{
+	return v->parent != NULL ? root_of(v->parent) : v;
+}
+
 /* Offers the objects of the scene that have a member v->name, or an alias of it: those
  * with the very name, before those that the document has, before those that the command
  * uses, before others. */
@@ -114,17 +119,18 @@ static void offer_objects(const struct value *v, const struct member *table,
 	const char *names[MEMBERS_MAX + 1];
 	char list[LIST_ROOM];
 	unsigned best = 0, n = 0;
+	struct value given;
 
 	for (const struct member *s = scene; s->name != NULL; s++) {
 		const struct member *m = s->members == table ?
 		    NULL :
 		    member_named(s->members, ANY_VARIANT, v->name, true);
-		const unsigned bit = (unsigned)(s - scene);
 
 		if (m == NULL)
 			continue;
-		const unsigned fit = (strcmp(m->name, v->name) == 0 ? 8u : 0u) +
-		    (source->seen >> bit & 1) * 4 + (source->used >> bit & 1) * 2 + 1;
+		const unsigned fit = (strcmp(m->name, v->name) == 0) * 8u +
+		    value_member(root_of(v), s->name, &given) * 4u +
+		    (source->used >> (s - scene) & 1) * 2 + 1;
 
 		if (fit > best)
 			n = 0;
@@ -261,10 +267,8 @@ static _Noreturn void refuse_unknown(const struct value *v, const struct member 
     int variant)
 {
 	struct unknown u = { .found = v->item };
-	const struct value *root = v;
+	const struct value *root = root_of(v);
 
-	while (root->parent != NULL)
-		root = root->parent;
 	walk_unknown(root, root->source->row, &u);
 	if (u.found != NULL)
 		tell_unknown(v, table, variant, &u);

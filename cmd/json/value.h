@@ -32,9 +32,9 @@ struct json_source {
 	bool is_operand;              /* is POINTS, which --keep-going never skips */
 	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	/* For hints in messages: the rows of a scene, and as bits those of the members
-	 * that the document has, and that the command uses. */
+	 * that the command uses. */
 	const struct member *scene_members;
-	unsigned seen, used;
+	unsigned used;
 	const struct member *row; /* of the document: a scene or one object */
 };
 

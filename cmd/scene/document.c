@@ -88,24 +88,16 @@ unsigned document_used_members(const struct document_wants *w)
 
 /* Sets m[i] to the member with bit i, and returns the members of the document as bits.
  * If it has none, or only angle_unit, the document itself is w->lone_member. */
-static unsigned find_members(struct document *d, struct json_source *source,
-    const struct value *root, const struct document_wants *w,
-    struct value m[SCENE_MEMBERS])
+static unsigned find_members(struct json_source *source, const struct value *root,
+    const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
 	unsigned seen = 0;
 
 	if (!value_is(root, JSON_OBJECT))
 		value_refuse_type(root, "an object, {...},");
-	for (struct value e = value_child(root); e.item != NULL; value_next(&e)) {
-		const struct member *row = member_named(scene_members, 0, e.name,
-		    false);
-
-		if (row != NULL && m[row - scene_members].item == NULL) {
-			m[row - scene_members] = e;
-			seen |= 1u << (row - scene_members);
-		}
-	}
-	source->seen = seen;
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		if (value_member(root, scene_members[i].name, &m[i]))
+			seen |= 1u << i;
 	source->used = document_used_members(w);
 	if (w->lone_member == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
 		object_read(root, &scene_row, 0, NULL);
@@ -113,7 +105,6 @@ static unsigned find_members(struct document *d, struct json_source *source,
 	}
 	const int lone = __builtin_ctz(w->lone_member);
 
-	d->lone_member = scene_members[lone].name;
 	source->row = &scene_members[lone];
 	m[lone] = *root;
 	return seen | w->lone_member;
@@ -205,23 +196,22 @@ void document_read(struct document *d, const char *name, char *text, size_t size
     const struct document_wants *wants)
 {
 	struct document_wants w = *wants;
-	struct json_source source = wants->source;
+	struct json_source *source = &d->source;
 	struct span points;
-
-	source.name = name;
-	source.scene_members = scene_members;
-	source.row = &scene_row;
-	struct value root = value_parse_document(&source, "/points", text, size,
-	    &points);
-	struct value m[SCENE_MEMBERS] = { { .item = NULL } };
+	struct value m[SCENE_MEMBERS];
 	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
-	*d = (struct document){ .source = source };
-	unsigned seen = find_members(d, &source, &root, wants, m);
+	*d = (struct document){ .source = wants->source };
+	source->name = name;
+	source->scene_members = scene_members;
+	source->row = &scene_row;
+	const struct value root = value_parse_document(source, "/points", text, size,
+	    &points);
+	const unsigned seen = find_members(source, &root, wants, m);
 
 	refuse_flat(&root, wants, seen);
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat_members) != 0;
-	source.flat = d->flat;
+	source->flat = d->flat;
 	if (d->flat) {
 		w.needed = 0;
 		w.used = document_used_members(wants) & ~(unsigned)SCENE_SPATIAL;
@@ -232,14 +222,14 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 	d->scene.convention = w.convention != NULL ? *w.convention :
 						     conventions[CONVENTION_D3D];
 	read_members(d, m, seen & first);
-	source.has_axes = w.convention != NULL ||
+	source->has_axes = w.convention != NULL ||
 	    given_by_convention(&m[ROW_OF(CONVENTION)]) != 0;
-	d->written.convention = source.has_axes || (seen & SCENE_CONVENTION) != 0;
+	d->written.convention = source->has_axes || (seen & SCENE_CONVENTION) != 0;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
-	source.column_vectors = d->scene.convention.column_vectors;
-	source.unit = d->unit;
+	source->column_vectors = d->scene.convention.column_vectors;
+	source->unit = d->unit;
 	check_needed(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
@@ -269,9 +259,10 @@ char *document_read_points(const char *name, char *text, size_t size, int coordi
 static struct place document_place(const struct document *d, const char *s, size_t n,
     char pointer[POINTER_ROOM])
 {
-	size_t lone = d->lone_member != NULL ? strlen(d->lone_member) : 0;
+	const char *name = d->source.row->name;
+	const size_t lone = name != NULL ? strlen(name) : 0;
 
-	if (lone > 0 && n > lone && strncmp(s + 1, d->lone_member, lone) == 0 &&
+	if (lone > 0 && n > lone && strncmp(s + 1, name, lone) == 0 &&
 	    (n == lone + 1 || s[lone + 1] == '/')) {
 		s += lone + 1;
 		n -= lone + 1;

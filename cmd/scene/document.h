@@ -26,10 +26,10 @@ struct document {
 	/* whether bounds, the camera's eye, and pick are given */
 	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
-	struct json_source source; /* the text, for messages */
-	/* If the whole document is one member of a scene, such as a camera, the name of
-	 * this member, which JSON pointers in messages leave out; else NULL. */
-	const char *lone_member;
+	/* The text, for messages. Its `row` is that of a scene or, if the whole document
+	 * is one member of a scene, such as a camera, the row of this member, whose name
+	 * JSON pointers in messages leave out. */
+	struct json_source source;
 	/* The member points, rewritten in the document's text as lines, as those of
 	 * document_read_points; or NULL. */
 	const char *points;

@@ -75,16 +75,16 @@ static void test_bare(void **state)
 	    "\"gaze\":[4,5,6]}");
 
 	(void)state;
-	assert_string_equal(d.lone_member, "camera");
+	assert_string_equal(d.source.row->name, "camera");
 	assert_string_equal(d.source.name, "s.json");
 	assert_true(d.scene.has_camera);
 	assert_false(d.scene.has_world);
 	assert_null(d.points);
 	d = read_as(&lookat, "{\"camera\":{\"eye\":[1,2,3],\"at\":[4,5,6]}}");
-	assert_null(d.lone_member);
+	assert_null(d.source.row->name);
 	assert_true(d.scene.has_camera);
 	d = read_as(&(struct document_wants){ WANTS }, "{}");
-	assert_null(d.lone_member);
+	assert_null(d.source.row->name);
 	assert_false(d.scene.has_camera);
 	assert_int_equal(d.scene.projection.type, PROJECTION_NONE);
 }
@@ -269,7 +269,8 @@ struct reason {
 static void refuse(const void *argument)
 {
 	const struct reason *r = argument;
-	struct document d = { .source.name = "-", .lone_member = r->bare };
+	const struct member row = { .name = r->bare };
+	struct document d = { .source = { .name = "-", .row = &row } };
 
 	document_refuse(&d, r->why);
 }
