@@ -48,6 +48,12 @@ void vdie_at(int status, const struct place *place, const char *format, va_list 
 	die_at(status, place, "%s", format);
 }
 
+void quit(int status, bool of_scene)
+{
+	(void)of_scene;
+	die_at(status, NULL, "");
+}
+
 /* Nothing is printed. */
 void output_write(const char *text, size_t n)
 {

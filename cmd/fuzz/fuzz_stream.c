@@ -138,9 +138,9 @@ void vdie_at(int status, const struct place *place, const char *format, va_list 
 	die_at(status, place, "%s", format);
 }
 
-void quit(int status)
+void quit(int status, bool of_scene)
 {
-	(void)status;
+	(void)status, (void)of_scene;
 	abort();
 }
 

@@ -194,32 +194,29 @@ static bool is_ignored(const struct value *v)
 	    (row != NULL && row->in_any_document && v->parent->parent == NULL);
 }
 
-/* The unknown members of a document. The message about the last is held back, as the
- * program ends with it. */
+/* The unknown members of a document. */
 struct unknown {
 	size_t n;
 	const struct cJSON *found; /* the one that was found first; NULL: it is told */
-	struct place place;
-	char pointer[POINTER_ROOM], remedy[REMEDY_ROOM];
 };
 
 enum { UNKNOWN_TOLD_MAX = 10 };
 
-/* Tells what the unknown member before v may mean, and finds what v may mean. */
+/* Tells what the unknown member v may mean. */
 static void tell_unknown(const struct value *v, const struct member *table, int variant,
     struct unknown *u)
 {
 	struct word_guess g = { .word = v->name };
+	char pointer[POINTER_ROOM];
 
 	if (u->found == v->item)
 		u->found = NULL;
-	if (u->n > 0 && u->n <= UNKNOWN_TOLD_MAX)
-		say_at(EXIT_INPUT, &u->place, "unknown member; %s", u->remedy);
 	if (++u->n > UNKNOWN_TOLD_MAX)
 		return;
+	const struct place place = value_place(v, pointer);
+
 	offer_members(v, table, variant, &g);
-	strcpy(u->remedy, g.remedy);
-	u->place = value_place(v, u->pointer);
+	say_at(EXIT_INPUT, &place, "unknown member; %s", g.remedy);
 }
 
 /* Returns the variant of the object v by the table's first row. */
@@ -274,7 +271,7 @@ static _Noreturn void refuse_unknown(const struct value *v, const struct member 
 		tell_unknown(v, table, variant, &u);
 	if (u.n > UNKNOWN_TOLD_MAX)
 		value_refuse(root, "%zu unknown members", u.n);
-	die_at(EXIT_INPUT, &u.place, "unknown member; %s", u.remedy);
+	quit(EXIT_INPUT, !root->source->is_operand);
 }
 
 /* Reads the default of a row to a field; keeps it for the next object. */

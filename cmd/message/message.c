@@ -188,7 +188,7 @@ void vdie_at(int status, const struct place *place, const char *format, va_list 
 {
 	if (place != NULL && place->of_scene && message_state.on_refusal != NULL) {
 		print_line(EXIT_INPUT, place, format, args);
-		longjmp(*message_state.on_refusal, 1);
+		quit(EXIT_INPUT, true);
 	}
 	wait_unless_first();
 	print_line(status, place, format, args);
@@ -204,8 +204,10 @@ void die_at(int status, const struct place *place, const char *format, ...)
 	va_end(args);
 }
 
-void quit(int status)
+void quit(int status, bool of_scene)
 {
+	if (of_scene && message_state.on_refusal != NULL)
+		longjmp(*message_state.on_refusal, 1);
 	wait_unless_first();
 	exit(status);
 }

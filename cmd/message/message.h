@@ -64,7 +64,9 @@ _Noreturn void die_at(int status, const struct place *, const char *format, ...)
 _Noreturn void vdie_at(int status, const struct place *, const char *format, va_list)
     __attribute__((format(printf, 3, 0)));
 #define die(status, ...) die_at(status, NULL, __VA_ARGS__)
-_Noreturn void quit(int status); /* without a message */
+
+/* Does the same without a message. */
+_Noreturn void quit(int status, bool of_scene);
 
 /* Returns memory as realloc does, or exits with status 3. */
 void *xrealloc(void *old, size_t size);

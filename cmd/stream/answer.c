@@ -184,7 +184,7 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 	report_imageless();
 	if (refused) {
 		output_close();
-		quit(EXIT_INPUT);
+		quit(EXIT_INPUT, false);
 	}
 	if (c->piece.state == PIECE_TOO_LONG)
 		die_at(EXIT_INPUT, &end, "a line of more than 64 MiB");
