@@ -22,13 +22,12 @@ static struct {
 	/* Offsets in text: the document begins at `begin`, and the search for its end,
 	 * which counts quotes and brackets only, continues at `end`. */
 	size_t begin, end;
-	/* The lines and columns (in bytes) of `begin` and `end`, from 1. next_scene
-	 * sets all four before the readers of the document change the text. */
-	long long line, end_line;
-	size_t column, end_column;
-	long level;           /* number of brackets open at `end` */
-	bool quoted, escaped; /* `end` is in a string; follows a backslash */
-} params = { .line = 1, .column = 1, .end_line = 1, .end_column = 1 };
+	/* The line and column (in bytes) of `begin`, from 1. Before the readers of the
+	 * document change the text, they become those of `end`. */
+	long long line;
+	size_t column;
+	long level; /* number of brackets open at `end` */
+} params = { .line = 1, .column = 1 };
 
 static void params_open(const struct options *o)
 {
@@ -79,29 +78,26 @@ static bool params_skip_blanks(void)
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
-/* Moves params.end to the document's end. Returns false if the text ends before it. */
+/* Moves params.end to the document's end. Returns false if the text ends before it, or
+ * with a string; params.end is then before the string. */
 static bool params_find_end(void)
 {
+	const char *const end = params.text.s + params.text.size;
+
 	if (params.end == params.begin && !params_skip_blanks())
 		return false;
-	while (params.end < params.text.size) {
-		char c = params.text.s[params.end];
+	for (const char *s = params.text.s + params.end, *next; s < end; s = next) {
+		const bool closes = *s == ']' || *s == '}';
 
-		if (!params.quoted && params.level == 0 && json_is_blank(c))
+		if (params.level == 0 && json_is_blank(*s))
 			return true;
-		params.end++;
-		if (params.escaped) {
-			params.escaped = false;
-		} else if (params.quoted) {
-			params.escaped = c == '\\';
-			params.quoted = c != '"';
-		} else if (c == '"') {
-			params.quoted = true;
-		} else if (c == '{' || c == '[') {
-			params.level++;
-		} else if ((c == '}' || c == ']') && --params.level <= 0) {
+		next = *s == '"' ? json_string_end(s, end) : s + 1;
+		if (*s == '"' && next == end)
+			break;
+		params.end = (size_t)(next - params.text.s);
+		params.level += (*s == '[' || *s == '{') - closes;
+		if (closes && params.level <= 0)
 			return true;
-		}
 	}
 	return false;
 }
@@ -109,24 +105,17 @@ static bool params_find_end(void)
 static bool next_scene(void)
 {
 	params.begin = params.end;
-	params.line = params.end_line;
-	params.column = params.end_column;
 	params.level = 0;
-	params.quoted = params.escaped = false;
 	message_state.scene = (struct scene_place){ params.number, (long)params.line };
 	while (!params_find_end())
 		if (!params_more()) {
 			params.end = params.text.size;
 			break;
 		}
-	params.end_line = params.line;
-	params.end_column = params.column;
-	json_count_lines(params.text.s + params.begin, params.text.s + params.end,
-	    &params.end_line, &params.end_column);
 	const bool found = params.begin < params.end;
 
-	message_state.scene.number = found ? params.number : 0;
-	message_state.scene.line = (long)params.line;
+	message_state.scene = (struct scene_place){ found ? params.number : 0,
+		(long)params.line };
 	return found;
 }
 
@@ -185,6 +174,9 @@ void params_read_document(const struct options *o, struct document *d)
 	}
 	wants.source.lines_before = (long)params.line - 1;
 	wants.source.bytes_before = params.column - 1;
+	if (o->scenes)
+		json_count_lines(params.text.s + params.begin,
+		    params.text.s + params.end, &params.line, &params.column);
 	wants.source.two_numbers_hint = find_two_numbers_hint(o);
 	if (o->plane.n > 0)
 		wants.source.task = TASK_PLANE;
