@@ -339,5 +339,5 @@ void help_json(const struct command *commands, const char *version)
 	put_words(&p, "formats", format_names, ~0u);
 	put_words(&p, "spaces", space_names, ~0u);
 	put_close(&p, "}\n");
-	output_printf("%s", text);
+	output_write(text, (size_t)(p.at - text));
 }

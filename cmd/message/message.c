@@ -259,23 +259,19 @@ void output_write(const char *s, size_t size)
 	}
 }
 
+/* The longest help, that of persp, has less than 5,000 bytes. */
 static struct {
-	char *s;
+	char s[1 << 15];
 	size_t n;
 } printed;
 
 void output_printf(const char *format, ...)
 {
-	va_list args, again;
+	va_list args;
 
 	va_start(args, format);
-	va_copy(again, args);
-	size_t n = (size_t)vsnprintf(NULL, 0, format, args);
-
-	printed.s = xrealloc(printed.s, printed.n + n + 1);
-	vsnprintf(printed.s + printed.n, n + 1, format, again);
-	printed.n += n;
-	va_end(again);
+	printed.n += (size_t)vsnprintf(printed.s + printed.n,
+	    sizeof printed.s - printed.n, format, args);
 	va_end(args);
 }
 

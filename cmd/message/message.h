@@ -83,8 +83,8 @@ void pipe_enlarge(int fd, int size);
 /* Writes all bytes to standard output, or exits with status 3. */
 void output_write(const char *s, size_t size);
 
-/* Appends text, formatted as by printf, to a buffer that output_close writes. stdio is
- * not used, because it loses text if a non-blocking pipe is full. */
+/* Appends text of the help, formatted as by printf, to a buffer that output_close
+ * writes. stdio is not used, because it loses text if a non-blocking pipe is full. */
 void output_printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes the buffer of output_printf, and closes standard output. Exits with status 3
