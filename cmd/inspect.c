@@ -220,8 +220,7 @@ void run_inspect(const struct options *o, struct document *d, struct job *j)
 	static char text[(320 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = options_matrix_style(o),
-		.compact = o->out == FORMAT_JSON,
-		.separator = "" };
+		.compact = o->out == FORMAT_JSON };
 
 	(void)j;
 	if (d->flat && (o->tolerance.n > 0 || o->distances.n > 0 || o->textbook))

@@ -53,8 +53,7 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 	char *const text = hit_at(at, 0)->text;
 	struct printer p = { .at = text,
 		.style = h->style,
-		.compact = true,
-		.separator = "" };
+		.compact = true };
 
 	if (h->json) {
 		put_number(put_name(&p, "distance"), hit.distance);

@@ -13,7 +13,8 @@ void put_text(struct printer *p, const char *s)
 
 void put_open(struct printer *p, const char *bracket)
 {
-	put_text(p, p->separator);
+	if (p->separator != NULL)
+		put_text(p, p->separator);
 	put_text(p, bracket);
 	p->separator = "";
 	p->level++;

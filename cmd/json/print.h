@@ -15,8 +15,8 @@ struct printer {
 	 * not, each member of the outermost object begins a line. */
 	bool compact;
 	int level; /* the number of open brackets */
-	/* What is put before the next value: "" before the first value of the output,
-	 * of an array or of an object, otherwise a comma and perhaps blanks. */
+	/* What is put before the next value: NULL before the first value of the output,
+	 * "" before that of an array or of an object, else a comma and perhaps blanks. */
 	const char *separator;
 };
 

@@ -160,7 +160,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	const struct convention *answer = w->convention;
 	struct value given;
 
-	s->camera.unit = d->unit;
+	s->camera.unit = (enum angle_unit)d->source.unit;
 	s->projection.without_camera = !s->has_camera;
 	d->written.angle_unit = (seen & SCENE_ANGLE_UNIT) != 0;
 	d->written.scale = s->has_viewport &&
@@ -229,7 +229,6 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
 	source->column_vectors = d->scene.convention.column_vectors;
-	source->unit = d->unit;
 	check_needed(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
@@ -308,8 +307,8 @@ void put_scene(struct printer *p, const struct scene *s)
 
 	/* the world is printed as it was given, with its angles in radians; the other
 	 * angles that inspect finds are in degrees */
-	d.unit = s->has_world ? s->world.unit : ANGLE_DEGREES;
-	if (d.unit == ANGLE_RADIANS) {
+	d.source.unit = s->has_world ? s->world.unit : ANGLE_DEGREES;
+	if (d.source.unit == ANGLE_RADIANS) {
 		shear->projector_angle *= PI / 180;
 		shear->direction *= PI / 180;
 	}
@@ -324,7 +323,7 @@ void put_device(struct printer *p, const struct device *d)
 void document_print(const struct document *d, bool compact)
 {
 	static char text[1 << 16];
-	struct printer p = { .at = text, .compact = compact, .separator = "" };
+	struct printer p = { .at = text, .compact = compact };
 	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
 
 	put_document(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));

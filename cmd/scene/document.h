@@ -20,7 +20,6 @@ struct pick {
 struct document {
 	struct scene scene;
 	bool flat;            /* the scene is 2D: see document_wants.flat_members */
-	enum angle_unit unit; /* of all angles */
 	struct written written;
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */

@@ -258,7 +258,7 @@ const struct member scene_members[] = {
 	    .about = "convention of the scene's axes, depths and matrices",
 	    .command = "lookat '{\"convention\": \"gl\", \"camera\": " CAMERA_EXAMPLE
 		       "}'"),
-	ROW(document, "angle_unit", type_word, unit,
+	ROW(document, "angle_unit", type_word, source.unit,
 	    .aliases = "angleunits unit units angles radians degrees",
 	    .words = angle_unit_names, .in_any_document = true,
 	    .fallback = "\"degrees\"", .about = "unit of all angles of the scene",

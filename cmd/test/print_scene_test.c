@@ -37,7 +37,7 @@ static void sample_fitted(struct document *d)
 		p->section.edges_at = 0;
 	if (p->section.way == SECTION_INTRINSICS)
 		s->has_viewport = true;
-	d->unit = s->camera.unit = p->shear.direction_unit = p->unit;
+	d->source.unit = s->camera.unit = p->shear.direction_unit = p->unit;
 	if (p->section.way == SECTION_FIELD ||
 	    !(p->section.angle < (p->unit == ANGLE_RADIANS ? PI : 180)))
 		p->section.angle = 1;

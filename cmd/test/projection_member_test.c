@@ -402,7 +402,7 @@ static void test_angle_unit(void **state)
 	(void)state;
 	assert_number(d.scene.projection.unit, ANGLE_RADIANS);
 	assert_number(d.scene.projection.section.angle, 3);
-	assert_number(d.unit, ANGLE_RADIANS);
+	assert_number(d.source.unit, ANGLE_RADIANS);
 	d = read_as(&project,
 	    "{\"projection\":{\"type\":\"persp\"," LENS "},\"angle_unit\":"
 	    "\"radians\",\"camera\":{\"eye\":[0,0,0],\"at\":[0,0,1],\"roll\":2}"
