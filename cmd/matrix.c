@@ -62,14 +62,10 @@ void matrix_check_unit_w(const struct options *o, bool is_printed, enum space fr
 static void divide_by_w(const struct document *d, struct map *m)
 {
 	m->divisor = sum_abs(m->m[2][3]);
-	if (sum_sign(m->divisor) == 0)
+	if (sum_sign(m->divisor) == 0 || !map_is_finite(m))
 		document_refuse(d,
 		    "--unit-w: the element that takes z to w is 0, as in a "
-		    "parallel projection; leave --unit-w out");
-	if (!map_is_finite(m))
-		document_refuse(d,
-		    "--unit-w: the matrix gets elements beyond the range of "
-		    "doubles; leave --unit-w out");
+		    "parallel projection, or too small; leave --unit-w out");
 }
 
 /* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
@@ -104,8 +100,7 @@ void matrix_print(const struct options *o, const struct document *d,
 	struct printer p = { .at = text,
 		.style = options_matrix_style(o),
 		.floats = single,
-		.compact = true,
-		.separator = "" };
+		.compact = true };
 
 	if (o->unit_w)
 		divide_by_w(d, &t->map);
