@@ -96,11 +96,7 @@ const struct member step_members[] = {
 const struct rule step_rules[] = {
 	{ .ways = WAYS("translate", "scale", "rotate_x", "rotate_y", "rotate_z",
 	      "rotate", "quaternion", "quaternion_wxyz", "rvec", "matrix vectors?",
-	      "node", "inverse"),
-	    .hint =
-		"a step has one operation: \"translate\", \"scale\", \"rotate_x\", "
-		"\"rotate_y\", \"rotate_z\", \"rotate\", \"quaternion\", "
-		"\"quaternion_wxyz\", \"rvec\", \"matrix\", \"node\" or \"inverse\"" },
+	      "node", "inverse") },
 	{ .ways = NULL },
 };
 
