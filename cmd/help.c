@@ -228,19 +228,12 @@ static void put_option(struct printer *p, const struct option_row *r,
 	put_close(p, "}");
 }
 
-/* Puts the range of a member's numbers under the names of JSON Schema. */
-static void put_range(struct printer *p, const struct value_range *r)
-{
-	put_name(p, r->min_excluded ? "exclusiveMinimum" : "minimum");
-	put_number(p, r->min);
-	put_name(p, r->max_excluded ? "exclusiveMaximum" : "maximum");
-	put_number(p, r->max);
-}
-
-/* Puts the row of a member of `object`, which has these types, or of the scene. */
+/* Puts the row of a member of `object`, which has these types, or of the scene. A range
+ * has the names of JSON Schema. */
 static void put_member(struct printer *p, const struct member *row, const char *object,
     const char *const *types)
 {
+	const struct value_range *r = row->range;
 	char type[LIST_ROOM];
 
 	open_object(p);
@@ -248,8 +241,12 @@ static void put_member(struct printer *p, const struct member *row, const char *
 	put_string(put_name(p, "in"), object);
 	put_string(put_name(p, "type"), member_type_name(row, type));
 	put_string(put_name(p, "unit"), row->unit);
-	if (row->range != NULL)
-		put_range(p, row->range);
+	if (r != NULL) {
+		put_name(p, r->min_excluded ? "exclusiveMinimum" : "minimum");
+		put_number(p, r->min);
+		put_name(p, r->max_excluded ? "exclusiveMaximum" : "maximum");
+		put_number(p, r->max);
+	}
 	put_literal(put_name(p, "default"),
 	    row->fallback != NULL ? row->fallback : "null");
 	put_string(put_name(p, "before"), row->default_from);
@@ -294,31 +291,6 @@ static void put_rules(struct printer *p, const struct member *table)
 	}
 }
 
-static void put_all_members(struct printer *p)
-{
-	put_open(put_name(p, "members"), "[");
-	put_members(p, scene_members, NULL);
-	put_close(p, "]");
-	put_open(put_name(p, "ways"), "[");
-	put_rules(p, scene_members);
-	put_close(p, "]");
-}
-
-static void put_conventions(struct printer *p)
-{
-	put_open(put_name(p, "conventions"), "[");
-	for (int i = 0; i < CONVENTIONS; i++) {
-		const bool *choice = (const bool *)&conventions[i];
-
-		open_object(p);
-		put_string(put_name(p, "name"), convention_names[i]);
-		for (const struct member *m = convention_members; m->name != NULL; m++)
-			put_string(put_name(p, m->name), m->words[choice[m->offset]]);
-		put_close(p, "}");
-	}
-	put_close(p, "]");
-}
-
 void help_json(const struct command *commands, const char *version)
 {
 	static char text[1 << 17];
@@ -334,8 +306,22 @@ void help_json(const struct command *commands, const char *version)
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		put_option(&p, r, commands);
 	put_close(&p, "]");
-	put_all_members(&p);
-	put_conventions(&p);
+	put_open(put_name(&p, "members"), "[");
+	put_members(&p, scene_members, NULL);
+	put_close(&p, "]");
+	put_open(put_name(&p, "ways"), "[");
+	put_rules(&p, scene_members);
+	put_close(&p, "]");
+	put_open(put_name(&p, "conventions"), "[");
+	for (int i = 0; i < CONVENTIONS; i++) {
+		open_object(&p);
+		put_string(put_name(&p, "name"), convention_names[i]);
+		for (const struct member *m = convention_members; m->name != NULL; m++)
+			m->type->print(put_name(&p, m->name), m,
+			    (const char *)&conventions[i] + m->offset);
+		put_close(&p, "}");
+	}
+	put_close(&p, "]");
 	put_words(&p, "formats", format_names, ~0u);
 	put_words(&p, "spaces", space_names, ~0u);
 	put_close(&p, "}\n");

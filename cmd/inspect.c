@@ -162,15 +162,6 @@ static void put_bounds(struct printer *p, const struct document *d)
 	put_close(p, "}");
 }
 
-static void put_textbook_error(struct printer *p, const struct document *d)
-{
-	static const char *const types[] = { "float", "double" };
-	double error[2];
-
-	document_refuse_if(d, textbook_errors(&d->scene, error));
-	put_object(p, "textbook_error", types, 2, error, 0);
-}
-
 static void put_window(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;
@@ -192,14 +183,17 @@ static void put_projection(struct printer *p, const struct document *d,
     const struct options *o)
 {
 	static struct picture r;
+	double error[2];
 
 	document_refuse_if(d, picture_of(&d->scene, &r));
 	check_distances(d, o, &r.depth);
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
 	put_error_bounds(p, r.error_bound, o->tolerance.n > 0 ? *o->tolerance.v : 0.5);
-	if (o->textbook)
-		put_textbook_error(p, d);
+	if (o->textbook) {
+		document_refuse_if(d, textbook_errors(&d->scene, error));
+		put_object(p, "textbook_error", (const char *const[]){ "float", "double" }, 2, error, 0);
+	}
 	put_bounds(p, d);
 	put_name(p, "scene");
 	if (r.has_scene)

@@ -11,42 +11,23 @@
 #include "scene/types.h"
 #include "call/option_row.h"
 
-/* kept_axes[n - 3]: the n rows or columns of a map that are printed; in 2D no z. */
-static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
-
-struct elements {
-	int rows, columns;
-	double at[4][4];
-};
-
-/* Binary is for row vectors: column vectors need the same bytes, stored by columns. */
-static void put_elements(struct printer *p, const struct elements *m,
-    struct dialect out)
+/* Puts a row of n elements. Binary is for row vectors: column vectors need the same
+ * bytes, stored by columns. */
+static void put_row(struct printer *p, const double *v, int n, struct dialect out)
 {
-	for (int i = 0; i < m->rows * m->columns; i++) {
-		const int j = i % m->columns;
-		const double v = m->at[i / m->columns][j];
-
-		if (format_is_binary(out.format)) {
-			little_put(p->at, out.format == FORMAT_F64, v);
-		} else {
-			p->separator = "";
-			put_number(p, v);
-			*p->at++ = j + 1 < m->columns ? out.separator : '\n';
-		}
-		p->at += format_of(out)->size;
+	if (out.format == FORMAT_JSON) {
+		put_numbers(p, v, n);
+		return;
 	}
-}
-
-static void put_matrix(struct printer *p, const struct elements *m, bool column)
-{
-	put_open(p, "{");
-	put_open(put_name(p, "matrix"), "[");
-	for (int i = 0; i < m->rows; i++)
-		put_numbers(p, m->at[i], m->columns);
-	put_close(p, "]");
-	put_string(put_name(p, "vectors"), vector_names[column]);
-	put_close(p, "}\n");
+	for (int j = 0; j < n; j++, p->at += format_of(out)->size) {
+		if (format_is_binary(out.format)) {
+			little_put(p->at, out.format == FORMAT_F64, v[j]);
+			continue;
+		}
+		p->separator = NULL;
+		put_number(p, v[j]);
+		*p->at++ = j + 1 < n ? out.separator : '\n';
+	}
 }
 
 void matrix_check_unit_w(const struct options *o, bool is_printed, enum space from,
@@ -68,35 +49,31 @@ static void divide_by_w(const struct document *d, struct map *m)
 		    "parallel projection, or too small; leave --unit-w out");
 }
 
-/* Returns the matrix of t, for column vectors if `column` is true. Rounds its elements
- * to double or, if `floats` is true, to float, and refuses those out of range. */
-static struct elements elements_of(const struct document *d, const struct transform *t,
-    bool floats, bool column)
+/* Returns the element in row i and column j of the matrix of t for row vectors, rounded
+ * to double or, if `floats` is true, to float. Refuses one out of range. In 2D the map's
+ * row or column of z is left out. */
+static double element_of(const struct document *d, const struct transform *t, int i,
+    int j, bool floats)
 {
-	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
-	struct elements m = { .rows = n[column], .columns = n[!column] };
+	static const int axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
+	const double v = map_element_nearest(&t->map, axes[t->in != 2][i],
+	    axes[t->out != 2][j], floats);
 
-	for (int i = 0; i < n[0]; i++)
-		for (int j = 0; j < n[1]; j++) {
-			double v = map_element_nearest(&t->map, kept_axes[n[0] - 3][i],
-			    kept_axes[n[1] - 3][j], floats);
-
-			if (floats && !isfinite((float)v))
-				document_refuse(d,
-				    "the matrix is beyond floats, of -p single or -o "
-				    "f32");
-			m.at[column ? j : i][column ? i : j] = v;
-		}
-	return m;
+	if (floats && !isfinite((float)v))
+		document_refuse(d,
+		    "the matrix is beyond floats, of -p single or -o f32");
+	return v;
 }
 
 void matrix_print(const struct options *o, const struct document *d,
     struct transform *t)
 {
 	static char text[16 * (NUMBER_MAX + 2) + 64];
-	bool single = o->precision == PRECISION_SINGLE;
-	bool floats = single || o->out == FORMAT_F32;
-	bool column = scene_answer_convention(&d->scene)->column_vectors;
+	const bool single = o->precision == PRECISION_SINGLE;
+	const bool floats = single || o->out == FORMAT_F32;
+	const bool column_vectors = scene_answer_convention(&d->scene)->column_vectors;
+	const bool column = column_vectors && !format_is_binary(o->out);
+	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
 	struct printer p = { .at = text,
 		.style = options_matrix_style(o),
 		.floats = single,
@@ -104,13 +81,23 @@ void matrix_print(const struct options *o, const struct document *d,
 
 	if (o->unit_w)
 		divide_by_w(d, &t->map);
-	struct elements m = elements_of(d, t, floats,
-	    column && !format_is_binary(o->out));
+	if (o->out == FORMAT_JSON) {
+		put_open(&p, "{");
+		put_open(put_name(&p, "matrix"), "[");
+	}
+	for (int i = 0; i < n[column]; i++) {
+		double row[4];
 
-	if (o->out == FORMAT_JSON)
-		put_matrix(&p, &m, column);
-	else
-		put_elements(&p, &m, dialect_of(o->out, o->separator));
+		for (int j = 0; j < n[!column]; j++)
+			row[j] = element_of(d, t, column ? j : i, column ? i : j,
+			    floats);
+		put_row(&p, row, n[!column], dialect_of(o->out, o->separator));
+	}
+	if (o->out == FORMAT_JSON) {
+		put_close(&p, "]");
+		put_string(put_name(&p, "vectors"), vector_names[column]);
+		put_close(&p, "}\n");
+	}
 	output_write(text, (size_t)(p.at - text));
 }
 
