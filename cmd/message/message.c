@@ -58,8 +58,7 @@ static void add_escaped(const char *s)
 }
 
 /* Adds the message to `line` as text; the place is last if p->before_place is set. */
-static void add_text(int status, const struct place *p, struct scene_place scene,
-    const char *message)
+static void add_text(int status, const struct place *p, const char *message)
 {
 	static const char *const colors[] = { "\033[1m", "\033[1;31m" };
 	bool colored = output_is_colored(STDERR_FILENO);
@@ -71,8 +70,8 @@ static void add_text(int status, const struct place *p, struct scene_place scene
 		add_escaped(message);
 		addf("%s", p->before_place);
 	}
-	if (scene.number > 0)
-		addf("scene %ld, line %ld: ", scene.number, scene.line);
+	if (p->scene.number > 0)
+		addf("scene %ld, line %ld: ", p->scene.number, p->scene.line);
 	if (p->file != NULL)
 		add_escaped(p->file);
 	if (p->line > 0 && !pointer)
@@ -114,14 +113,14 @@ static void add_member(const char *name, const char *s)
 }
 
 /* Adds the message to `line` as a JSON object. */
-static void add_json(int status, const struct place *p, struct scene_place scene,
-    char *message)
+static void add_json(int status, const struct place *p, char *message)
 {
 	const char *hint = cut_hint(message);
 
 	addf("{\"level\":\"%s\"", status > 0 ? "error" : "note");
-	if (scene.number > 0)
-		addf(",\"scene\":%ld,\"scene_line\":%ld", scene.number, scene.line);
+	if (p->scene.number > 0)
+		addf(",\"scene\":%ld,\"scene_line\":%ld", p->scene.number,
+		    p->scene.line);
 	if (p->file != NULL)
 		add_member("file", p->file);
 	if (p->line > 0)
@@ -139,18 +138,18 @@ static void add_json(int status, const struct place *p, struct scene_place scene
 static void print_line(int status, const struct place *place, const char *format,
     va_list args)
 {
-	static const struct place nowhere;
-	const struct place *p = place != NULL ? place : &nowhere;
-	struct scene_place scene = p->scene.number > 0 ? p->scene : message_state.scene;
+	struct place p = place != NULL ? *place : (struct place){ 0 };
 	char message[MESSAGE_MAX];
 
+	if (p.scene.number == 0)
+		p.scene = message_state.scene;
 	vsnprintf(message, sizeof message, format, args);
 	flockfile(stderr);
 	line.n = 0;
 	if (message_state.json)
-		add_json(status, p, scene, message);
+		add_json(status, &p, message);
 	else
-		add_text(status, p, scene, message);
+		add_text(status, &p, message);
 	addf("\n");
 	fwrite(line.s, 1, line.n, stderr);
 	funlockfile(stderr);
