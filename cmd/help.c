@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "help.h"
-
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>

@@ -20,12 +20,6 @@ static const char *const kind_names[] = { "multiview", "isometric", "dimetric",
 	"three-point" };
 static const char *const buffer_names[] = { "unorm16", "unorm24", "float32" };
 
-/* Puts the number *v if n is 0; else an array of n numbers, or null if *v is nan. */
-static void put_vector(struct printer *p, const double *v, int n)
-{
-	put_numbers(p, v, isnan(*v) ? 0 : n);
-}
-
 /* Puts a member: an array of rows of n numbers each, or null if is_null is true. */
 static void put_rows(struct printer *p, const char *name, const double *v, int rows,
     int n, bool is_null)
@@ -37,7 +31,7 @@ static void put_rows(struct printer *p, const char *name, const double *v, int r
 	}
 	put_open(p, "[");
 	for (int i = 0; i < rows; i++)
-		put_vector(p, v + i * n, n);
+		put_numbers(p, v + i * n, n);
 	put_close(p, "]");
 }
 
@@ -49,7 +43,7 @@ static void put_object(struct printer *p, const char *name, const char *const *n
 {
 	put_open(put_name(p, name), "{");
 	for (int k = 0; k < count; k++)
-		put_vector(put_name(p, names[k]), v + k * (n > 0 ? n : 1), n);
+		put_numbers(put_name(p, names[k]), v + k * (n > 0 ? n : 1), n);
 	put_close(p, "}");
 }
 
@@ -60,13 +54,13 @@ static void put_picture(struct printer *p, const struct picture *r)
 
 	put_string(put_name(p, "projection"), taxon_names[t->taxon]);
 	put_string(put_name(p, "kind"), kind_names[t->kind]);
-	put_vector(put_name(p, "foreshortening"), t->foreshortening, 3);
+	put_numbers(put_name(p, "foreshortening"), t->foreshortening, 3);
 	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
 	    t->taxon <= TAXON_OBLIQUE);
 	put_number(put_name(p, "fovx"), t->fov[0]);
 	put_number(put_name(p, "fovy"), t->fov[1]);
-	put_vector(put_name(p, "eye"), t->eye, 3);
-	put_vector(put_name(p, "gaze"), t->gaze, 3);
+	put_numbers(put_name(p, "eye"), t->eye, 3);
+	put_numbers(put_name(p, "gaze"), t->gaze, 3);
 	put_distance(put_name(p, "near"), r->near);
 	put_distance(put_name(p, "far"), r->far);
 	put_number(put_name(p, "aspect"), r->aspect);
@@ -105,7 +99,7 @@ static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
 	if (o->distances.n > 0)
-		put_vector(put_name(p, "distances"), o->distances.v, o->distances.n);
+		put_numbers(put_name(p, "distances"), o->distances.v, o->distances.n);
 	put_open(put_name(p, "depth_step"), "{");
 	for (enum depth_buffer b = 0; b < DEPTH_BUFFERS; b++) {
 		put_open(put_name(p, buffer_names[b]), "[");
@@ -145,14 +139,14 @@ static void put_bounds(struct printer *p, const struct document *d)
 	document_refuse_if(d, box_of(s, &d->bounds, d->flat, &r));
 	put_open(put_name(p, "bounds"), "{");
 	if (!d->flat)
-		put_vector(put_name(p, "distance"), r.distance, 2);
+		put_numbers(put_name(p, "distance"), r.distance, 2);
 	put_name(p, (d->flat ? s->has_device : s->has_viewport) ? "device" : "ndc");
 	if (isnan(r.min[0])) {
 		put_literal(p, "null");
 	} else {
 		put_open(p, "{");
-		put_vector(put_name(p, "min"), r.min, 2);
-		put_vector(put_name(p, "max"), r.max, 2);
+		put_numbers(put_name(p, "min"), r.min, 2);
+		put_numbers(put_name(p, "max"), r.max, 2);
 		put_close(p, "}");
 	}
 	put_string(put_name(p, "flags"),
@@ -174,7 +168,7 @@ static void put_window(struct printer *p, const struct document *d)
 		put_device(p, &s->device);
 	else
 		put_literal(p, "null");
-	put_vector(put_name(p, "scale"), w.scale, 2);
+	put_numbers(put_name(p, "scale"), w.scale, 2);
 	put_bounds(p, d);
 }
 
@@ -182,6 +176,7 @@ static void put_window(struct printer *p, const struct document *d)
 static void put_projection(struct printer *p, const struct document *d,
     const struct options *o)
 {
+	static const char *const types[] = { "float", "double" };
 	static struct picture r;
 	double error[2];
 
@@ -192,7 +187,7 @@ static void put_projection(struct printer *p, const struct document *d,
 	put_error_bounds(p, r.error_bound, o->tolerance.n > 0 ? *o->tolerance.v : 0.5);
 	if (o->textbook) {
 		document_refuse_if(d, textbook_errors(&d->scene, error));
-		put_object(p, "textbook_error", (const char *const[]){ "float", "double" }, 2, error, 0);
+		put_object(p, "textbook_error", types, 2, error, 0);
 	}
 	put_bounds(p, d);
 	put_name(p, "scene");

@@ -6,7 +6,6 @@
 #include "call/input.h"
 #include "call/operands.h"
 #include "call/unknown.h"
-#include "help.h"
 #include "message/message.h"
 
 #define VERSION "1.0.0"

@@ -50,6 +50,16 @@ void run_inspect(const struct options *, struct document *, struct job *);
 void check_project(const struct options *);
 void check_pick(const struct options *);
 
+/* Print help. help_all lists the commands, up to a row without a name. help_command
+ * describes one command. help_member describes a member of the scene or of its objects,
+ * and returns false if no member has the name. */
+void help_all(const struct command *);
+void help_command(const struct command *);
+bool help_member(const char *name);
+
+/* Prints all help as JSON, from which scripts make the schema and the completions. */
+void help_json(const struct command *, const char *version);
+
 /* Returns the command called `name` in the table c, which a NULL name ends; or NULL. */
 static inline const struct command *command_find(const struct command *c,
     const char *name)

@@ -74,6 +74,8 @@ void put_distance(struct printer *p, double v)
 
 void put_numbers(struct printer *p, const double *v, int n)
 {
+	if (isnan(*v))
+		n = 0;
 	if (n > 0)
 		put_open(p, "[");
 	for (int i = 0; i == 0 || i < n; i++)

@@ -34,5 +34,5 @@ void put_literal(struct printer *, const char *word); /* such as null */
 void put_number(struct printer *, double v);          /* null if v is not finite */
 void put_distance(struct printer *, double v);        /* or "infinity" */
 
-/* Prints the number *v if n is 0, otherwise an array of n numbers. */
+/* Prints the number *v if n is 0, otherwise an array of n numbers; null if *v is nan. */
 void put_numbers(struct printer *, const double *v, int n);
