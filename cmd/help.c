@@ -6,7 +6,7 @@
 #include "call/option_row.h"
 #include "call/unknown.h"
 #include "scene/convention_member.h"
-#include "scene/steps_member.h"
+#include "scene/types.h"
 #include "json/print.h"
 #include "message/message.h"
 

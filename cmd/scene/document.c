@@ -110,11 +110,18 @@ static unsigned find_members(struct json_source *source, const struct value *roo
 	return seen | w->lone_member;
 }
 
-static void check_needed(const struct value *root, const struct document_wants *w,
+/* Refuses a document that lacks a member, or that is 2D where the command is not. */
+static void check_members(const struct value *root, const struct document_wants *w,
     unsigned seen)
 {
-	unsigned missing = w->needed & ~seen;
+	const unsigned missing = w->needed & ~seen;
+	const unsigned flat = seen & (SCENE_WINDOW | SCENE_DEVICE);
 
+	if (w->flat_members == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
+	    (seen & SCENE_SPATIAL) == 0 && (flat & ~w->used) != 0)
+		value_refuse(VALUE_MISSING(root,
+				 scene_members[__builtin_ctz(flat)].name),
+		    "is of two dimensions; so are w2n, n2w, n2d, d2n, w2d and d2w");
 	if (missing == 0)
 		return;
 	const struct member *row = &scene_members[__builtin_ctz(missing)];
@@ -122,18 +129,6 @@ static void check_needed(const struct value *root, const struct document_wants *
 	value_refuse(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
 	    row->name, row->example,
 	    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" : "");
-}
-
-static void refuse_flat(const struct value *root, const struct document_wants *w,
-    unsigned seen)
-{
-	const char *name = seen & SCENE_WINDOW ? "window" : "device";
-
-	if (w->flat_members == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
-	    (seen & SCENE_SPATIAL) == 0 &&
-	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
-		value_refuse(VALUE_MISSING(root, name),
-		    "is of two dimensions; so are w2n, n2w, n2d, d2n, w2d and d2w");
 }
 
 static void read_members(struct document *d, const struct value m[SCENE_MEMBERS],
@@ -209,7 +204,6 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 	    &points);
 	const unsigned seen = find_members(source, &root, wants, m);
 
-	refuse_flat(&root, wants, seen);
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat_members) != 0;
 	source->flat = d->flat;
 	if (d->flat) {
@@ -229,7 +223,7 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
 	source->column_vectors = d->scene.convention.column_vectors;
-	check_needed(&root, &w, seen);
+	check_members(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
 	if (seen & SCENE_POINTS) {

@@ -4,7 +4,6 @@
 #include "convention_member.h"
 #include "document.h"
 #include "projection_member.h"
-#include "steps_member.h"
 #include "types.h"
 
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };

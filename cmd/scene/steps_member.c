@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "steps_member.h"
-
+/* The steps of a world or a camera are kept here until the next document with such a
+ * list is read, and struct steps of core/scene points to them; of the world also the
+ * value, which is printed as it was given, until the next document is parsed. */
 #include "../../core/scene/scene.h"
 #include "types.h"
 

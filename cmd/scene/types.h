@@ -37,5 +37,10 @@ extern const struct member_type type_intrinsics;
 /* A number, or "infinity"; in the struct a double. */
 extern const struct member_type type_far;
 
+/* A matrix as type_affine's, or a list of steps; in the struct a struct steps. */
+extern const struct member_type type_steps;
+extern const struct member step_members[];
+extern const struct rule step_rules[];
+
 /* A point or a list of points. document.c makes lines of them for the job. */
 extern const struct member_type type_points;
