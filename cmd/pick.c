@@ -51,9 +51,7 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 	const struct hits *h = j->data;
 	char *at = chunk_reserve(c, hit_stride(line->size + 8 * NUMBER_MAX + 128));
 	char *const text = hit_at(at, 0)->text;
-	struct printer p = { .at = text,
-		.style = h->style,
-		.compact = true };
+	struct printer p = { .at = text, .style = h->style, .compact = true };
 
 	if (h->json) {
 		put_number(put_name(&p, "distance"), hit.distance);

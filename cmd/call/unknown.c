@@ -66,33 +66,27 @@ static void offer_member(struct word_guess *g, unsigned objects, int variant,
 		    s->name);
 }
 
-static const char *option_takers(const struct option_row *r, char list[LIST_ROOM])
+/* Offers a hint of word_hint. If the hint is an option, and c lacks it or is NULL, says
+ * which commands take the option. */
+static void offer_hint(struct word_guess *g, const struct command *c, const char *hint)
 {
 	/* in the order of the bits of enum command_kind */
 	static const char *const names[] = { "the 3D matrix commands", "project",
 		"pick", "fit", "inspect", "trace", "the 2D commands", "help" };
 	enum { KINDS = sizeof names / sizeof *names };
 	const char *takers[KINDS + 1] = { NULL };
-	int n = 0;
+	const size_t n = strcspn(hint, "*");
+	char list[LIST_ROOM], call[LIST_ROOM];
+	int count = 0;
 
 	_Static_assert(1 << KINDS == COMMAND_ALL + 1, "each kind has a name");
-	for (unsigned i = 0; i < KINDS; i++)
-		if (r->kinds >> i & 1)
-			takers[n++] = names[i];
-	return words_join(list, takers, " and ", "");
-}
-
-/* Offers a hint of word_hint. If the hint is an option, and c lacks it or is NULL, says
- * which commands take the option. */
-static void offer_hint(struct word_guess *g, const struct command *c, const char *hint)
-{
-	const size_t n = strcspn(hint, "*");
-	const struct option_row *r;
-	char list[LIST_ROOM], call[LIST_ROOM];
-
 	snprintf(call, sizeof call, "%.*s%s", (int)n, hint,
 	    hint[n] == '*' ? g->word : "");
-	r = option_find(call + 2);
+	const struct option_row *r = option_find(call + 2);
+
+	for (unsigned i = 0; r != NULL && i < KINDS; i++)
+		if (r->kinds >> i & 1)
+			takers[count++] = names[i];
 	if (*hint == ':')
 		word_offer(g, WORD_KNOWN, "%s", hint + 2);
 	else if (*hint != '-')
@@ -101,7 +95,7 @@ static void offer_hint(struct word_guess *g, const struct command *c, const char
 		word_offer(g, WORD_KNOWN, "did you mean %s?", call);
 	else
 		word_offer(g, WORD_KNOWN, "%s is an option of %s", call,
-		    option_takers(r, list));
+		    words_join(list, takers, " and ", ""));
 }
 
 /* Offers options, members and hints that g->word names, the likeliest first. The user

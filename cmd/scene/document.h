@@ -19,7 +19,7 @@ struct pick {
 
 struct document {
 	struct scene scene;
-	bool flat;            /* the scene is 2D: see document_wants.flat_members */
+	bool flat; /* the scene is 2D: see document_wants.flat_members */
 	struct written written;
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */
