@@ -115,9 +115,10 @@ static void offer_objects(const struct value *v, const struct member *table,
     struct word_guess *g)
 {
 	const struct json_source *source = v->source;
-	const struct member *row = NULL, *scene = source->scene_members;
+	const struct member *row = NULL, *object = NULL;
+	const struct member *scene = source->scene_members;
 	const char *names[MEMBERS_MAX + 1];
-	char list[LIST_ROOM];
+	char list[LIST_ROOM], type[64] = "";
 	unsigned best = 0, n = 0;
 	struct value given;
 
@@ -137,15 +138,20 @@ static void offer_objects(const struct value *v, const struct member *table,
 		if (fit >= best) {
 			best = fit;
 			row = m;
+			object = s;
 			names[n++] = s->name;
 		}
 	}
 	names[n] = NULL;
+	if (n == 1 && row->variants != 0 && !value_member(root_of(v), *names, &given))
+		snprintf(type, sizeof type, ": {\"type\": \"%s\", ...}",
+		    object->members->words[__builtin_ctz(row->variants)]);
 	if (n == 1 && strcmp(row->name, v->name) != 0)
-		word_offer(g, WORD_KNOWN, "it is \"%s\" in \"%s\"", row->name, *names);
+		word_offer(g, WORD_KNOWN, "it is \"%s\" in \"%s\"%s", row->name, *names,
+		    type);
 	if (n > 0)
-		word_offer(g, WORD_KNOWN, "it belongs in %s",
-		    words_join(list, names, " or ", "\""));
+		word_offer(g, WORD_KNOWN, "it belongs in %s%s",
+		    words_join(list, names, " or ", "\""), type);
 }
 
 /* Offers what v, a member that the table lacks, may mean, the first of these: the
@@ -166,8 +172,11 @@ static void offer_members(const struct value *v, const struct member *table,
 	char list[LIST_ROOM];
 
 	if (row != NULL)
-		word_offer(g, WORD_KNOWN, "did you mean \"%s\"%s?", row->name,
-		    row->hint != NULL ? row->hint : "");
+		word_offer(g, WORD_KNOWN, "did you mean \"%s\"%s%s?", row->name,
+		    row->hint != NULL        ? row->hint :
+			row->example != NULL ? ", as " :
+					       "",
+		    row->hint != NULL || row->example == NULL ? "" : row->example);
 	if (hint != NULL)
 		word_offer(g, WORD_KNOWN, "%s", hint + 2);
 	offer_objects(v, table, g);
@@ -256,6 +265,14 @@ static void walk_unknown(const struct value *v, const struct member *row,
 		else if (!is_ignored(&m))
 			tell_unknown(&m, row->members, variant, u);
 	}
+}
+
+void object_tell_unknown(const struct value *v)
+{
+	const struct value *root = root_of(v);
+	struct unknown u = { 0 };
+
+	walk_unknown(root, root->source->row, &u);
 }
 
 /* Refuses the document of v, a member that `table` lacks: tells all unknown members.

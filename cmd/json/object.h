@@ -109,6 +109,9 @@ struct found object_read(const struct value *, const struct member *row, int var
 /* The type of a member that is an object without variants. */
 extern const struct member_type type_object;
 
+/* Tells the first unknown members of the value's document, before it is refused. */
+void object_tell_unknown(const struct value *);
+
 /* Reads the value of a member to its field in the struct at `base`. */
 void object_read_member(const struct value *, const struct member *, void *base);
 

@@ -345,16 +345,25 @@ void value_numbers(const struct value *v, const struct value_range *range, size_
 		*out++ = value_number(&e, range);
 }
 
-int value_word(const struct value *v, const char *const *words)
+int value_find_word(const struct value *v, const char *const *words)
 {
 	const char *word = value_string(v);
-	char all[LIST_ROOM];
 
 	for (int i = 0; word != NULL && words[i] != NULL; i++)
 		if (strcmp(word, words[i]) == 0)
 			return i;
-	struct word_guess g = { .word = word };
+	return -1;
+}
 
+int value_word(const struct value *v, const char *const *words)
+{
+	const int found = value_find_word(v, words);
+	const char *word = value_string(v);
+	struct word_guess g = { .word = word };
+	char all[LIST_ROOM];
+
+	if (found >= 0)
+		return found;
 	words_join(all, words, " or ", "\"");
 	if (word == NULL)
 		value_refuse_type(v, all);

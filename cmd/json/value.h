@@ -133,5 +133,7 @@ double value_number(const struct value *, const struct value_range *);
 void value_numbers(const struct value *, const struct value_range *, size_t n,
     double *);
 
-/* Returns the index of a string in words[], which NULL ends; refuses other values. */
+/* Return the index of a string in words[], which NULL ends. Of other values
+ * value_find_word returns -1, and value_word refuses them. */
+int value_find_word(const struct value *, const char *const *words);
 int value_word(const struct value *, const char *const *words);

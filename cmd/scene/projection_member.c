@@ -86,7 +86,7 @@ const struct member projection_members[] = {
 	ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
 	    .aliases = "fov yfov vfov fovv verticalfov fieldofview cameraangley",
 	    .hint = " (vertical, as of Unity and three.js; Unreal's is \"fovx\"; "
-	            "of " RADIANS ")",
+		    "of " RADIANS ")",
 	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", section.angle, .range = &fov_range,
 	    .aliases = "xfov fovh horizontalfov hfov cameraanglex",
@@ -234,6 +234,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 			names[n++] = projection_type_names[i];
 	}
 	names[n] = NULL;
+	object_tell_unknown(v);
 	value_refuse(VALUE_MISSING(v, "type"), "missing; add \"type\": %s",
 	    words_join(all, n > 0 ? names : projection_type_names, " or ", "\""));
 }
@@ -244,10 +245,14 @@ static void read_type(const struct value *v, struct projection *p)
 	struct value m;
 
 	p->type = implied;
-	if (value_member(v, "type", &m))
-		type_word.read(&m, projection_members, &p->type);
-	else if (implied == PROJECTION_NONE)
-		refuse_missing_type(v);
+	if (!value_member(v, "type", &m)) {
+		if (implied == PROJECTION_NONE)
+			refuse_missing_type(v);
+		return;
+	}
+	if (value_find_word(&m, projection_type_names) < 0)
+		object_tell_unknown(v);
+	type_word.read(&m, projection_members, &p->type);
 	if (implied != PROJECTION_NONE && p->type != implied)
 		value_refuse(&m, "is \"%s\", not \"%s\"; project takes any type",
 		    projection_type_names[p->type - 1],

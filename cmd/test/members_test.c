@@ -98,11 +98,14 @@ static const struct refusal cameras[] = {
 	    "or \"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"quaternion\":[1,0,0,0]," EYE "}",
 	    "/quaternion: unknown member; did you mean \"orientation\" (x, y, "
-	    "z, w, view to world; if world to view, negate x, y, z; a "
-	    "3x3 R is in \"matrix\")?" },
+	    "z, w, view to world, beside \"eye\"; with a translation it is "
+	    "\"pose\", world to view \"matrix\", as [{\"quaternion_wxyz\": q}, "
+	    "{\"translate\": t}]; a 3x3 R is in \"matrix\", Euler angles are steps "
+	    "in \"pose\")?" },
 	{ &project, "{\"camera\":{\"transform_matrix\":" M16 "}}",
 	    "/camera/transform_matrix: unknown member; did you mean \"pose\" "
-	    "(view to world)?" },
+	    "(view to world; of "
+	    "NeRF, Blender and ARKit with \"convention\": \"webgpu\")?" },
 	{ &lookat, "{\"extrinsics\":" M16 "}",
 	    "/extrinsics: unknown member; did you mean \"matrix\" (world to "
 	    "view, [R|t])?" },
@@ -137,7 +140,7 @@ static const struct refusal cameras[] = {
 	    "/matrix/vectors: is \"column\"; 4 rows of 3 are for row vectors" },
 	{ &project, "{\"projection\":{\"type\":\"matrix\",\"matrix\":" M34 "}}",
 	    "/projection/matrix: has 3 elements; 16 numbers or 4 rows of 4 are "
-	    "wanted" },
+	    "wanted; K and P are \"intrinsics\" of type \"persp\"" },
 	{ &project, "{\"projection\":{\"type\":\"matrix\",\"matrix\":" M43 "}}",
 	    "/projection/matrix/0: has 3 elements; an array of 4 numbers is "
 	    "wanted" },

@@ -52,9 +52,11 @@ static const struct refusal names[] = {
 	MEANT("dir", "gaze"),
 	MEANT("forward", "gaze"),
 	{ &lookat, "{\"rotation\":0}",
-	    "/rotation: unknown member; did you mean \"orientation\" (x, y, z, "
-	    "w, view to world; if world to view, negate x, y, z; a 3x3 R "
-	    "is in \"matrix\")?" },
+	    "/rotation: unknown member; did you mean \"orientation\" (x, y, "
+	    "z, w, view to world, beside \"eye\"; with a translation it is "
+	    "\"pose\", world to view \"matrix\", as [{\"quaternion_wxyz\": q}, "
+	    "{\"translate\": t}]; a 3x3 R is in \"matrix\", Euler angles are steps "
+	    "in \"pose\")?" },
 	{ &lookat, "{\"view\":1}",
 	    "/view: unknown member; did you mean \"matrix\" (world to view, "
 	    "[R|t])?" },
@@ -74,44 +76,49 @@ static const struct refusal names[] = {
 	MEANT("far_plane", "far"),
 	MEANT("reverseZ", "reverse_z"),
 #undef MEANT
-#define MEANT(name, right)                                                   \
-	{                                                                    \
-		&project, "{\"" name "\":{}}",                               \
-		    "/" name ": unknown member; did you mean \"" right "\"?" \
+#define MEANT(name, right)                                                 \
+	{                                                                  \
+		&project, "{\"" name "\":{}}",                             \
+		    "/" name ": unknown member; did you mean \"" right "?" \
 	}
 	{ &project, "{\"view\":{}}",
 	    "/view: unknown member; did you mean \"camera\", for a matrix "
 	    "{\"matrix\": [...]} (world to view) or {\"pose\": [...]} (view to "
 	    "world)?" },
-	MEANT("lens", "projection"),
-	MEANT("perspective", "projection"),
-	MEANT("model", "world"),
-	MEANT("screen", "viewport"),
-	MEANT("point", "points"),
+	MEANT("lens", "projection\", as " PERSP_EXAMPLE),
+	MEANT("perspective", "projection\", as " PERSP_EXAMPLE),
+	MEANT("model", "world\", as [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"),
+	MEANT("screen", "viewport\", as " RECTANGLE_EXAMPLE),
+	MEANT("point", "points\", as [[0,0,0], [1,1,1]]"),
 	{ &lookat, "{\"camra\":{}}",
 	    "/camra: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "
 	    "\"up\", \"roll\" and \"orthonormalize\"" },
 	{ &volume, "{\"near\":1}", "/near: unknown member; did you mean \"z_near\"?" },
-	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"left\"?" },
+	{ &w2n, "{\"x\":1}",
+	    "/x: unknown member; did you mean \"left\", with \"right\", "
+	    "\"bottom\" and \"top\"?" },
 	{ &lookat, "{\"convention\":\"gl\"," EYE "}",
 	    "/eye: unknown member; it belongs in \"camera\" or "
 	    "\"projection\"" },
 	{ &project, "{\"target\":1}",
 	    "/target: unknown member; it is \"at\" in \"camera\"" },
 	{ &project, "{\"half_width\":1}",
-	    "/half_width: unknown member; it belongs in \"projection\"" },
+	    "/half_width: unknown member; it belongs in \"projection\": "
+	    "{\"type\": \"volume\", ...}" },
 	{ &w2d, "{\"width\":1}",
 	    "/width: unknown member; it belongs in \"projection\", "
 	    "\"viewport\", \"window\" or \"device\"" },
 	{ &project, "{\"camera\":{\"near\":1}}",
-	    "/camera/near: unknown member; it belongs in \"projection\"" },
+	    "/camera/near: unknown member; it belongs in \"projection\": "
+	    "{\"type\": \"persp\", ...}" },
 	{ &w2d, "{\"center\":1}",
 	    "/center: unknown member; it belongs in \"window\" or "
 	    "\"bounds\"" },
 	{ &w2d, "{\"origin\":1}",
-	    "/origin: unknown member; it belongs in \"convention\" or "
-	    "\"device\"" },
+	    "/origin: unknown member; it belongs in \"device\" or, of a viewport, in "
+	    "\"convention\"; \"webgpu\" is \"gl\" with y from the top, and depth "
+	    "from 0" },
 	{ &lookat, "{\"j\":1}",
 	    "/j: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "

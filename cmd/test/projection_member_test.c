@@ -93,7 +93,7 @@ static const struct refusal projections[] = {
 	    "/near_ratio: 1 is out of range; a number above 0 and below 1 is "
 	    "wanted" },
 	{ &persp, "{\"fovy\":60,\"far\":1}",
-	    "/near: missing; give \"near\" and \"far\"" },
+	    "/near: missing; give \"near\" and \"far\", which may be \"infinity\"" },
 	{ &persp, "{\"near\":\"infinity\"}", "/near: is a string; a number is wanted" },
 	{ &persp, "{\"near\":\"1\"}", "/near: is a string; a number is wanted" },
 	{ &persp, "{\"far\":\"inf\"}", "/far: is \"inf\"; did you mean \"infinity\"?" },
@@ -216,7 +216,7 @@ static const struct refusal projections[] = {
 	    "pi/2 "
 	    "radians is wanted" },
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
-	    "/near: missing; give \"near\" and \"far\"" },
+	    "/near: missing; give \"near\" and \"far\", which may be \"infinity\"" },
 	{ &persp, "{\"fovy\":60,\"edges_at\":1}",
 	    "/edges_at: does not go with \"fovy\"; give \"fovy\", or "
 	    "\"fovx\", or \"view_angle\", or \"field\", or \"width\", "
@@ -235,17 +235,19 @@ static const struct refusal projections[] = {
 #define PIXELS                                                              \
 	"intrinsics\" ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 " \
 	"from view to clip is \"matrix\" of type \"matrix\")?"
-#define GLTF " (for glTF and NeRF with \"angle_unit\": \"radians\")?"
+#define OF "of glTF and NeRF with \"angle_unit\": \"radians\")?"
+#define FOVY "fovy\" (vertical, as of Unity and three.js; Unreal's is \"fovx\"; " OF
+#define FOVX "fovx\" (" OF
 	MEANT("K", PIXELS),
 	MEANT("fx", PIXELS),
 	MEANT("fl_x", PIXELS),
 	MEANT("camera_matrix", PIXELS),
 	MEANT("matrix", PIXELS),
-	MEANT("fov", "fovy\"" GLTF),
-	MEANT("fovY", "fovy\"" GLTF),
-	MEANT("fov_x", "fovx\"" GLTF),
-	MEANT("yfov", "fovy\"" GLTF),
-	MEANT("camera_angle_x", "fovx\"" GLTF),
+	MEANT("fov", FOVY),
+	MEANT("fovY", FOVY),
+	MEANT("fov_x", FOVX),
+	MEANT("yfov", FOVY),
+	MEANT("camera_angle_x", FOVX),
 	MEANT("znear", "near\"?"),
 	MEANT("angleLeft",
 	    "angles\" ([left, right, bottom, top] from the gaze; for OpenXR "
