@@ -6,13 +6,12 @@
 #include "../points/distance.h"
 #include "frustum.h"
 
-/* The corners of a box, and their images. Along an edge one bit of the index changes. */
+/* The corners of a box. Along an edge one bit of the index changes. */
 struct corners {
 	int n;
 	struct sum at[8][4]; /* homogeneous, in view space or in the 2D window */
-	/* x and y times w, on the device or, without one, in ndc; the function of the
-	 * near plane, not negative beyond it; w */
-	struct sum image[8][4];
+	/* the function of the near plane, not negative beyond it; 1 in a window */
+	struct sum near[8];
 };
 
 static const char *set_corners(const struct bounds *b, bool flat, const struct map *m,
@@ -81,8 +80,10 @@ static void set_planes(const struct map *sides, const struct map *ends, bool fla
 			if (sum_sign(v) < (1 << i == OUT_BEHIND))
 				out |= 1u << i;
 			if (1 << i == OUT_NEAR)
-				sum_copy(&c->image[k][2], &v);
+				sum_copy(&c->near[k], &v);
 		}
+		if (flat)
+			sum_set(&c->near[k], 1);
 		some |= out;
 		all &= out;
 	}
@@ -91,37 +92,45 @@ static void set_planes(const struct map *sides, const struct map *ends, bool fla
 	r->outside = some & ~(unsigned)OUT_BEHIND;
 }
 
-/* Widens the rectangle to hold the point whose image is p. Returns whether w <= 0. */
-static bool take_point(const struct sum p[4], struct box *r)
+/* Widens the rectangle to hold the image of a point. Returns whether w <= 0. */
+static bool take_point(const struct map *to_screen, const struct sum at[4],
+    struct box *r)
 {
-	if (sum_sign(p[3]) <= 0)
+	struct sum v, w;
+
+	map_image(to_screen, 3, at, &w);
+	if (sum_sign(w) <= 0)
 		return true;
-	for (int k = 0; k < 2; k++)
-		widen(&r->min[k], &r->max[k], &p[k], &p[3]);
+	for (int k = 0; k < 2; k++) {
+		map_image(to_screen, k, at, &v);
+		widen(&r->min[k], &r->max[k], &v, &w);
+	}
 	return false;
 }
 
 /* Finds the rectangle. The corners of the part beyond the near plane are those of the box
- * there, and the points where the plane cuts an edge. */
-static void find_rectangle(const struct corners *c, struct box *r)
+ * there, and the points where the plane cuts an edge. These are found in view space, as
+ * the differences of images would lose what the errors of sines and cosines hide. */
+static void find_rectangle(const struct map *to_screen, const struct corners *c,
+    struct box *r)
 {
 	bool reaches_eye = false;
 
 	for (int a = 0; a < c->n; a++) {
-		const struct sum *p = c->image[a];
-		const int sign = sum_sign(p[2]);
+		const struct sum *p = c->at[a], *near = &c->near[a];
+		const int sign = sum_sign(*near);
 
-		reaches_eye |= sign >= 0 && take_point(p, r);
+		reaches_eye |= sign >= 0 && take_point(to_screen, p, r);
 		for (int bit = 1; bit < c->n; bit *= 2) {
-			const struct sum *q = c->image[a | bit];
+			const struct sum *q = c->at[a | bit], *far = &c->near[a | bit];
 			struct sum cut[4];
 
-			if ((a & bit) != 0 || sign * sum_sign(q[2]) >= 0)
+			if ((a & bit) != 0 || sign * sum_sign(*far) >= 0)
 				continue;
 			for (int j = 0; j < 4; j++)
 				cut[j] = sum_negated_if(sign < 0,
-				    sum_minor(p[2], q[j], q[2], p[j]));
-			reaches_eye |= take_point(cut, r);
+				    sum_minor(*near, q[j], *far, p[j]));
+			reaches_eye |= take_point(to_screen, cut, r);
 		}
 	}
 	for (int k = 0; k < 2 && reaches_eye; k++)
@@ -138,7 +147,7 @@ const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
 	    s->has_viewport            ? SPACE_DEVICE :
 					 SPACE_NDC;
 	struct corners c;
-	struct map m, ends, to_clip;
+	struct map m, ends, to_clip, to_screen;
 	const char *why = scene_map_factor(s, model, view, &m);
 
 	for (int k = 0; k < 2; k++)
@@ -153,17 +162,10 @@ const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
 		s->known[SPACE_VIEW][false] = &to_clip;
 		set_distances(s, &c, r->distance);
 	}
-	if ((why = scene_map_factor(s, view, screen, &m)) != NULL)
-		return why;
-	for (int k = 0; k < c.n; k++) {
-		for (int j = 0; j < 4; j++)
-			if (j != 2)
-				map_image(&m, j, c.at[k], &c.image[k][j]);
-		sum_set(&c.image[k][2], 1);
-	}
-	if ((why = frustum_planes(s, view, &m, &ends)) != NULL)
+	if ((why = scene_map_factor(s, view, screen, &to_screen)) != NULL ||
+	    (why = frustum_planes(s, view, &m, &ends)) != NULL)
 		return why;
 	set_planes(&m, &ends, flat, &c, r);
-	find_rectangle(&c, r);
+	find_rectangle(&to_screen, &c, r);
 	return ex_has_overflowed() ? "/bounds: " SCENE_TOO_WIDE : NULL;
 }
