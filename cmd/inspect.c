@@ -87,8 +87,8 @@ static void check_distances(const struct document *d, const struct options *o,
 		if ((at >= near && at <= far) || (at >= far && at <= near))
 			continue;
 		snprintf(why, sizeof why,
-		    "/projection: --distances: %.15g is not from near, %.15g, to far, "
-		    "%.15g",
+		    "/projection: --distances: %.16g is not from near, %.16g, to far, "
+		    "%.16g",
 		    at, near, far);
 		document_refuse(d, why);
 	}
@@ -222,5 +222,6 @@ void run_inspect(const struct options *o, struct document *d, struct job *j)
 	else
 		put_projection(&p, d, o);
 	put_close(&p, "}\n");
+	document_refuse_if(d, ex_has_overflowed() ? SCENE_TOO_WIDE : NULL);
 	output_write(text, (size_t)(p.at - text));
 }

@@ -126,14 +126,18 @@ static void run_scenes(const struct options *o)
 	static struct job j;
 	struct document d;
 	jmp_buf refused;
+	volatile bool answered = false;
 
 	if (o->scenes && o->keep_going && !format_is_binary(options_out_format(o)))
 		message_state.on_refusal = &refused;
 	if (setjmp(refused) != 0)
-		answer_refused_scene(options_out_format(o));
+		answer_refused_scene(answered ? FORMAT_TEXT : options_out_format(o));
 	while (params_next_document(o)) {
+		answered = false;
+		ex_has_overflowed(); /* forgets what a refused scene has left */
 		params_read_document(o, &d);
 		o->command->run(o, &d, &j);
+		answered = true;
 		if (ex_has_overflowed())
 			die_at(EXIT_INPUT, &(struct place){ .of_scene = true },
 			    "what is printed is not exact: " SCENE_TOO_WIDE);

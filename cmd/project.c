@@ -68,15 +68,16 @@ static void project_check_alone(const struct options *o, enum space from, enum s
 void run_project(const struct options *o, struct document *d, struct job *j)
 {
 	const bool plane = o->plane.n > 0;
+	const bool back = o->ray || plane;
 	const enum space from = o->has_from ? o->from :
-	    plane                           ? SPACE_DEVICE :
+	    back                            ? SPACE_DEVICE :
 					      SPACE_MODEL;
 	const enum space to = o->has_to ? o->to :
-	    o->ray || plane             ? SPACE_WORLD :
+	    back                        ? SPACE_WORLD :
 	    d->scene.has_viewport       ? SPACE_DEVICE :
 					  SPACE_NDC;
 
-	if (!o->ray && !plane)
+	if (!back)
 		project_check_alone(o, from, to);
 	matrix_check_unit_w(o, o->matrix, from, plane ? SPACE_VIEW : to);
 	if (!o->has_to && to == SPACE_NDC &&
@@ -87,7 +88,8 @@ void run_project(const struct options *o, struct document *d, struct job *j)
 		    "dimensions; give \"viewport\", or say --to ndc");
 	document_refuse_if(d, project_prepare(&d->scene, o, from, to, j));
 	notes_say_of_spaces(d, from, to);
-	if (!o->has_from && !o->has_to && (d->scene.has_camera || d->scene.has_world) &&
+	if (!back && !o->has_from && !o->has_to &&
+	    (d->scene.has_camera || d->scene.has_world) &&
 	    d->scene.projection.type == PROJECTION_NONE)
 		notes_say(d, 1u << NOTE_NO_PROJECTION);
 	if (o->matrix) {

@@ -132,6 +132,7 @@ void notes_watch(const struct document *d, enum space from, enum space to,
 	j->behind.n = 0;
 	j->behind.watched = !d->written.convention && from <= SPACE_VIEW &&
 	    to >= SPACE_NDC && s->projection.type != PROJECTION_NONE &&
+	    projection_family(&s->projection) != FAMILY_VOLUME &&
 	    (!s->has_camera || s->camera.way == CAMERA_MATRIX);
 }
 

@@ -31,7 +31,7 @@ static bool can_be_added(const char *path)
 	char shown[JSON_ESCAPE_MAX * PREFIX_ROOM];
 	size_t n = strlen(path);
 
-	return *path != '/' && n < PREFIX_ROOM - 8 &&
+	return n < PREFIX_ROOM - 8 &&
 	    escape_copy(shown, sizeof shown, path, n, true, "") == n;
 }
 
@@ -43,6 +43,7 @@ static bool can_be_kept(const struct lookup *found)
 	for (int i = 0; i < found->l->reads; i++)
 		if (found->times[i] > 1 ||
 		    (found->times[i] == 0 && found->c.members &&
+			*found->l->columns.name[i] != '/' &&
 			!can_be_added(found->l->columns.name[i])))
 			return false;
 	return lookup_find_overlap(found) == 0;

@@ -80,6 +80,8 @@ static void put_values(struct splice *w, int k, bool members)
 	w->due -= due;
 	for (; due != 0; due &= due - 1) {
 		k = __builtin_ctz(due);
+		if (members && *value_name(w, k) == '/')
+			continue; /* a pointer that leads nowhere is no name */
 		if (w->fields++ > 0)
 			out = (char *)memcpy(out, w->separator.s, gap) + gap;
 		if (members) {

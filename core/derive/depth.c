@@ -137,12 +137,15 @@ double depth_step_at(const struct depth *d, enum depth_buffer b, double distance
 {
 	const double n = buffer_steps[b];
 	const int to_eye = -sum_sign(depth_determinant(d));
+	const struct sum range = sum_difference(d->plane[0], d->plane[1]);
+	const bool narrow = b != DEPTH_FLOAT32 &&
+	    sum_compare(sum_scale(sum_abs(range), n), sum_one) < 0;
 	struct sum above, below;
 	struct sum z = sum_quotient(
 	    sum_scale(sum_sub(d->num[1], sum_scale(d->den[1], distance)), n),
 	    sum_sub(sum_scale(d->den[0], distance), d->num[0]));
 
-	if (d->open || d->constant || !next_depth(&z, b, 1, &above) ||
+	if (d->open || d->constant || narrow || !next_depth(&z, b, 1, &above) ||
 	    !next_depth(&z, b, -1, &below))
 		return (double)NAN;
 	if (b == DEPTH_FLOAT32) {

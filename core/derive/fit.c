@@ -482,6 +482,8 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	case FAMILY_FIXED: /* refused by fit_prepare */
 		break;
 	}
+	if (why == NULL && ex_has_overflowed())
+		why = scene_too_wide(s, false);
 	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 

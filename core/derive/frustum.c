@@ -107,7 +107,9 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 			why = transform_by_view(s, from, SPACE_CLIP, homogeneous, t[i]);
 		else
 			transform_init(t[i], from, SPACE_CLIP, homogeneous);
-	return why;
+	return why == NULL && ex_has_overflowed() ?
+	    scene_too_wide(s, space_is_flat(from)) :
+	    why;
 }
 
 unsigned frustum_outside(const struct frustum *f, const double in[4])

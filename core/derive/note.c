@@ -122,9 +122,10 @@ static bool has_matrix_of_radians(const struct scene *s)
 	const struct projection *p = &s->projection;
 	const double aspect = s->has_viewport ? s->viewport.width / s->viewport.height :
 						1;
-	const double xs = p->matrix[0][0], ys = p->matrix[1][1];
+	const double(*m)[4] = p->matrix, xs = m[0][0], ys = m[1][1];
+	const bool parallel = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0;
 
-	return p->type == PROJECTION_MATRIX &&
+	return p->type == PROJECTION_MATRIX && !parallel &&
 	    (is_cot_of_degrees(xs, ys) ||
 		(aspect != 1 && is_cot_of_degrees(xs * aspect, ys * aspect)));
 }
@@ -141,7 +142,8 @@ static bool has_other_aspect(const struct scene *s)
 	const double width = sensor ? c->width : p->aspect[0];
 	const double height = sensor ? c->height : p->aspect[1];
 
-	if (!s->has_viewport || v->scale != SCALE_FILL || height == 0)
+	if (p->type == PROJECTION_NONE || !s->has_viewport || v->scale != SCALE_FILL ||
+	    height == 0)
 		return false;
 	const double share = width / height * v->height / v->width;
 

@@ -33,7 +33,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	for (int i = 0; i < 5; i++)
 		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
-	return NULL;
+	return ex_has_overflowed() ? scene_too_wide(s, false) : NULL;
 }
 
 static struct sum square(struct sum a)

@@ -306,8 +306,10 @@ static struct lens lens;
 unsigned picture_notes(const struct scene *s)
 {
 	struct picture p;
+	const char *why = describe(s, &lens, &p);
 
-	return describe(s, &lens, &p) != NULL ?
+	/* products that no image needs may have no room */
+	return why != NULL || ex_has_overflowed() ?
 	    0 :
 	    p.notes & ~(1u << NOTE_RADIANS) & ((1u << NOTES_SAID) - 1);
 }

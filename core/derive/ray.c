@@ -87,7 +87,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	r->depth = reversed ? v->max_z : v->min_z;
 	r->direction.in = 2;
 	transform_prepare(&r->direction);
-	return NULL;
+	return ex_has_overflowed() ? scene_too_wide(s, false) : NULL;
 }
 
 static void ray_direction(const struct ray_maker *r, const double in[4], bool single,
