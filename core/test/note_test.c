@@ -89,6 +89,7 @@ static bool matrix_fires(double xs, double ys, double width, double height)
 	s.viewport.height = height;
 	s.projection.matrix[0][0] = xs;
 	s.projection.matrix[1][1] = ys;
+	s.projection.matrix[2][3] = 1;
 	return fires(&s, NOTE_MATRIX_RADIANS);
 }
 
