@@ -144,6 +144,10 @@ $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/avx2.o: \
 $(BUILD)/core/points/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
 $(VECTOR)/avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
+# With sanitizers, cmd/lines/walk.c would be compiled for 20 s if each of its functions were
+# compiled once for each format.
+$(BUILD)/cmd/lines/walk.o: FLAGS += $(if \
+    $(findstring -fsanitize,$(CFLAGS)),-DINLINE=static)
 # These files run on threads, on the stacks of cmd/stream/stream.c, so the size of
 # their frames is limited. With -flto clang merges a command's functions of several
 # files into one frame of up to 96 KB.
@@ -277,7 +281,7 @@ coverage: ## which lines of the program the tests run
 	    --exclude '.*/(test|study|proof)/.*' core cmd $(BUILD)/coverage
 fuzzers: $(FUZZERS)
 fuzz: ## clang's libFuzzer, FUZZ_SECONDS=60 in all
-	@+$(call rebuilt,$(ADDRESS) -fsanitize=fuzzer-no-link) \
+	@+$(call rebuilt,$(ADDRESS) -g1 -fsanitize=fuzzer-no-link) \
 	    CC=clang CXX=clang++ fuzzers
 	@perl cmd/fuzz/fuzz.pl $(BUILD)/fuzz $(FUZZ_SECONDS) \
 	    $(FUZZERS:$(BUILD)/%=$(BUILD)/fuzz/%)

@@ -7,8 +7,10 @@
 #include "walk.h"
 
 /* INLINE functions are compiled once for each format, so that the compiler removes the
- * branches of other formats. */
+ * branches of other formats. Makefile defines INLINE otherwise for sanitizers. */
+#ifndef INLINE
 #define INLINE static inline __attribute__((always_inline))
+#endif
 
 struct walker {
 	const char *text;
