@@ -227,10 +227,14 @@ oracle: $(BUILD)/core/test/oracle_test $(BUILD)/core/test/integers_test ## rando
 digits: $(BUILD)/cmd/test/texts_test ## compare the digits of vector/ with number_write
 	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
-SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
+# The longest come first, so that the processors end together.
+LONGEST = $(patsubst %,%_test.t,cmd/test/compilers core/proof/proof cmd/test/fuzz \
+	cmd/test/fault cmd/test/bits)
+SCRIPTS = $(LONGEST) $(filter-out $(LONGEST), \
+	$(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t)))
 test: | $(FIRST) ## all tests
 	@+$(PARALLEL) programs
-	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(TESTS) $(SCRIPTS)
+	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(SCRIPTS) $(TESTS)
 
 # Use bits and transcripts after a change that is meant to change the output. Read the
 # diff before you commit it.
