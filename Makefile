@@ -227,6 +227,7 @@ oracle: $(BUILD)/core/test/oracle_test $(BUILD)/core/test/integers_test ## rando
 digits: $(BUILD)/cmd/test/texts_test ## compare the digits of vector/ with number_write
 	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
+compiled_tests: $(TRUTH) $(addsuffix .o,$(TESTS)) $(call objects,core/study)
 # The longest come first, so that the processors end together.
 LONGEST = $(patsubst %,%_test.t,cmd/test/compilers core/proof/proof cmd/test/fuzz \
 	cmd/test/fault cmd/test/bits)
@@ -367,8 +368,8 @@ help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-# The targets that have ## after their rule, fuzzers and in_step are no files.
-.PHONY: fuzzers in_step $(shell sed -n 's/^\([a-z0-9-]*\):.* \#\# .*/\1/p' \
+# These and the targets that have ## after their rule are no files.
+.PHONY: compiled_tests fuzzers in_step $(shell sed -n 's/^\([a-z0-9-]*\):.* \#\# .*/\1/p' \
 	$(firstword $(MAKEFILE_LIST)))
 # make keeps the objects of test programs, which are intermediate files.
 .SECONDARY:
