@@ -63,7 +63,7 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 {
 	*code = 0;
 	for (int i = 0; i < 4 && s < end && isxdigit((unsigned char)*s); i++, s++)
-		*code = *code * 16 + (*s & 15u) + (*s > '9' ? 9 : 0);
+		*code = *code * 16 + ((unsigned char)*s & 15u) + (*s > '9' ? 9 : 0);
 	return s;
 }
 

@@ -501,8 +501,7 @@ void reason_binary(const struct layout *l, struct span text, bool has_nul,
 	const char *s = text.s, *end = text.end - s > LOOK ? s + LOOK : text.end;
 
 	/* a NUL is in has_nul: strchr finds one in every string */
-	while (s < end &&
-	    ((unsigned char)*s >= ' ' || strchr("\t\n\r\33", *s) != NULL))
+	while (s < end && ((unsigned char)*s >= ' ' || strchr("\t\n\r\33", *s) != NULL))
 		s++;
 	if (s == end && !has_nul)
 		return;

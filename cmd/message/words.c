@@ -122,9 +122,9 @@ static const struct {
 	{ REMARK, "size imagesize windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
 	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
-	    ": angles are steps, such as {\"rotate_y\": 30}, in \"pose\" of \"camera\"; "
-	    "'Yaw, pitch and roll' in 'man projcalc-scene' has their order in aircraft, "
-	    "games and photogrammetry" },
+	    ": angles are steps, as \"pose\" of \"camera\": [{\"rotate_x\": 10}, "
+	    "{\"rotate_y\": 30}, {\"translate\": [0,0,5]}]; orders and signs differ, see "
+	    "'Yaw, pitch and roll' in 'man projcalc-scene'" },
 	{ WORD_MEMBER, "translation",
 	    ": where the camera stands it is \"eye\" of \"camera\", the t of [R|t] is "
 	    "\"translation\" there; 'Sensors of nuScenes' in 'man projcalc-scene' chains "

@@ -253,7 +253,8 @@ static const struct refusal projections[] = {
 	    "angles\" ([left, right, bottom, top] from the gaze; for OpenXR "
 	    "with \"angle_unit\": \"radians\")?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
-	    "/K: unknown member; it is \"intrinsics\" in \"projection\"" },
+	    "/K: unknown member; it is \"intrinsics\" in \"projection\": "
+	    "{\"type\": \"persp\", ...}" },
 	{ &project, "{\"transform_matrix\":1}",
 	    "/transform_matrix: unknown member; it is \"pose\" in \"camera\"" },
 };
