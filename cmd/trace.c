@@ -147,9 +147,8 @@ void run_trace(const struct options *o, struct document *d, struct job *j)
 	j->collect_chunk = trace_collect_chunk;
 	j->data = &trace;
 	j->behind.image = &trace.to[SPACE_NDC];
-	trace = (struct trace){ .n_spaces = SPACES };
-	if (!d->scene.has_viewport && o->from != SPACE_DEVICE)
-		trace.n_spaces--;
+	trace.printed = false;
+	trace.n_spaces = SPACES - (!d->scene.has_viewport && o->from != SPACE_DEVICE);
 	for (int s = 0; s < trace.n_spaces; s++)
 		document_refuse_if(d,
 		    distance_transform(&d->scene, o->from, (enum space)s,
