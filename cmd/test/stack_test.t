@@ -1,7 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # Checks the program with a stack limit of 256 KB, half of that of threads that do not set
-# their own: runs the transcripts, and streams of every format through threads.
+# their own: runs the transcripts of what computes deep in core, and streams of every format
+# through threads.
 use strict;
 use warnings;
 use FindBin;
@@ -16,7 +17,9 @@ spew("$tmp/small/projcalc",
     "#!/bin/sh\nulimit -s $limit\nexec '$build/projcalc' \"\$@\"\n");
 chmod 0755, "$tmp/small/projcalc";
 
-my $said = `$^X cmd/test/transcripts_test.t $tmp/small 2>&1`;
+my $deep = join ' ', map { "testdata/transcripts/$_.txt" } qw(exact fit inspect intrinsics
+    matrices notes pick planes rays scenes steps trace volume windows);
+my $said = `$^X cmd/test/transcripts_test.t $tmp/small $deep 2>&1`;
 is($?, 0, "the transcripts on $limit KB") or diag($said =~ s/^ok .*\n//mgr);
 
 # Ordinary points, and some that the fast loops leave to slower code: far away, or no
