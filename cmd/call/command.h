@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A command is a row of the table in main.c, and its functions run_ and check_ are in the
- * file of its name. They are declared here, as only that table calls them. */
+/* A command is a row of the table in main.c, and its functions run_ and check_, or help_ of
+ * the command help, are in the file of its name. They are declared here, as only main.c
+ * calls them. */
 #pragma once
 
 #include <string.h>
