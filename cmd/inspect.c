@@ -199,8 +199,10 @@ static void put_projection(struct printer *p, const struct document *d,
 	for (unsigned i = 0, all = notes_of_document(d, r.notes); i < NOTES; i++)
 		if (all >> i & 1)
 			put_string(p, note_rows[i].text);
-	if (o->textbook && projection_is_open(&d->scene.projection))
-		put_string(p, "textbook_error needs \"near\" and \"far\"");
+	if ((o->textbook || o->distances.n > 0) &&
+	    projection_is_open(&d->scene.projection))
+		put_string(p,
+		    "depth_step and textbook_error need \"near\" and \"far\"");
 	put_close(p, "]");
 }
 

@@ -40,16 +40,19 @@ const struct note_row note_rows[NOTES] = {
 	    "are fx, fy, cx and cy, in pixels of the viewport" },
 	[NOTE_VIEW_AXES] = { "/camera",
 	    "no convention is named, and the rotation is read for d3d, whose view "
-	    "space has x right, y up, z forward; say \"convention\": \"gl\" for z "
-	    "backward, \"opencv\" for y down, or \"d3d\"" },
+	    "space has x right, y up, z forward; say \"convention\": \"webgpu\" for z "
+	    "backward (\"gl\" if pixels count from the bottom), \"opencv\" for y down, "
+	    "or "
+	    "\"d3d\"" },
 	[NOTE_UP_Z] = { "/camera/up",
 	    "no convention is named, and z is up: d3d is left-handed, and mirrors a "
-	    "right-handed world; say \"convention\": \"gl\", or \"d3d\" if the world "
-	    "is left-handed" },
+	    "right-handed world; say \"convention\": \"webgpu\" (\"gl\" if pixels "
+	    "count "
+	    "from the bottom), or \"d3d\" if the world is left-handed" },
 	[NOTE_BEHIND] = { "/convention",
 	    "none is named, and no point has an image, but points would have one if "
-	    "the camera looked along -z of view space; say \"convention\": \"gl\", or "
-	    "\"d3d\"" },
+	    "the camera looked along -z of view space; say \"convention\": \"webgpu\" "
+	    "(\"gl\" if pixels count from the bottom), or \"d3d\"" },
 	[NOTE_MATRIX_RADIANS] = { "/projection/matrix",
 	    "the matrix is that of an angle of view whose degrees were taken for "
 	    "radians; make it of angle * pi / 180" },

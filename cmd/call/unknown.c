@@ -168,7 +168,9 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 	const bool option = *word == '-' &&
 	    (word[1] != '-' || option_find(word + 2) != NULL);
 	/* `word` looks like an option or operand, which has to follow a command */
-	const bool early = !topic && word_hint(word, WORD_COMMAND, '\0') == NULL &&
+	const bool early = !topic &&
+	    (word_hint(word, WORD_COMMAND, '\0') == NULL ||
+		(*word == '-' && word[1] != '-')) &&
 	    (option || first == '{' || first == '[' || strpbrk(word, "./") != NULL ||
 		access(word, R_OK) == 0);
 	const char *const help = topic ? "help " : "";

@@ -143,12 +143,15 @@ static void offer_objects(const struct value *v, const struct member *table,
 		}
 	}
 	names[n] = NULL;
-	if (n == 1 && row->variants != 0 && !value_member(root_of(v), *names, &given))
+	/* of several types none is likelier */
+	if (n == 1 && row->variants != 0 &&
+	    (row->variants & (row->variants - 1)) == 0 &&
+	    !value_member(root_of(v), *names, &given))
 		snprintf(type, sizeof type, ": {\"type\": \"%s\", ...}",
 		    object->members->words[__builtin_ctz(row->variants)]);
 	if (n == 1 && strcmp(row->name, v->name) != 0)
-		word_offer(g, WORD_KNOWN, "it is \"%s\" in \"%s\"%s", row->name, *names,
-		    type);
+		word_offer(g, WORD_KNOWN, "it is \"%s\" in \"%s\"%s%s", row->name,
+		    *names, type, row->hint != NULL ? row->hint : "");
 	if (n > 0)
 		word_offer(g, WORD_KNOWN, "it belongs in %s%s",
 		    words_join(list, names, " or ", "\""), type);

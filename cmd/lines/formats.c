@@ -66,7 +66,7 @@ static bool json_line_check(struct dialect d, struct span line, char reason[REAS
 	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
 		    "a bracket is not closed on the line; one array or object "
-		    "a line: jq -c %s",
+		    "a line: jq -c %s, for -i json",
 		    *s == '{' ? "." : "'.[]'");
 	else
 		snprintf(reason, REASON_MAX, "is no JSON: %s", c.reason);

@@ -90,7 +90,7 @@ static const struct {
 
 	{ WORD_COMMAND, "depth",
 	    ": project --to view prints z of points, and inspect the steps of depth" },
-	{ WORD_OPTION, "depth", "--to view, or \"viewport\": {\"depth\": \"distance\"}" },
+	{ WORD_OPTION, "depth distance", "--to view, or \"viewport\": {\"depth\": \"distance\"}" },
 	{ REMARK, "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ REMARK, "clip", ": project --visible leaves out points that are outside; project "
 	    "--to clip prints x y z w" },
@@ -144,9 +144,13 @@ static const struct {
 	{ REMARK, "params cameramodel",
 	    ": \"intrinsics\" are [fx, fy, cx, cy]; 'A model of COLMAP' in "
 	    "'man projcalc-scene' finds them" },
-	{ WORD_MEMBER, "asset scenes nodes accessors bufferviews cameras perspective "
-	    "orthographic",
+	{ WORD_MEMBER, "asset scenes nodes accessors bufferviews cameras",
 	    ": is it glTF? 'A camera of glTF' in 'man projcalc-scene' reads one" },
+	{ WORD_MEMBER, "perspective orthographic",
+	    ": it is the \"type\" of \"projection\", \"persp\" or \"ortho\"; 'A camera of "
+	    "glTF' in 'man projcalc-scene' reads glTF's" },
+	{ REMARK, "eyeseparation ipd interocular stereo convergence",
+	    ": PICTURES IN PAIRS AND PARTS of 'man projcalc-scene' draws pairs" },
 	{ WORD_MEMBER, "frames filepath aabbscale",
 	    ": is it NeRF's? 'A frame of NeRF' in 'man projcalc-scene' reads one" },
 	{ WORD_MEMBER, "childframeid transforms",

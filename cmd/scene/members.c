@@ -78,18 +78,18 @@ static const struct value_range height_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE
 	.wanted = "a number from 1e-150 to 1e150 is wanted; for a flipped viewport of "
 		  "Vulkan write \"webgpu\", y + height for y, and -height for height" };
 
-#define RECTANGLE(object)                                                            \
-	ROW(object, "x", type_numbers, x, .aliases = "left", .unit = "device units", \
-	    .fallback = "0", .shown = true,                                          \
-	    .about = "least device x of the rectangle"),                             \
-	    ROW(object, "y", type_numbers, y, .aliases = "top bottom",               \
-		.unit = "device units", .fallback = "0", .shown = true,              \
-		.about = "least device y of the rectangle"),                         \
-	    SIZE(object, "width", width, .unit = "device units",                     \
-		.aliases = "w imagewidth",                                           \
-		.about = "width of the rectangle, required"),                        \
-	    ROW(object, "height", type_numbers, height, .range = &height_range,      \
-		.aliases = "h imageheight", .unit = "device units",                  \
+#define RECTANGLE(object)                                                       \
+	ROW(object, "x", type_numbers, x, .aliases = "left xmin",               \
+	    .unit = "device units", .fallback = "0", .shown = true,             \
+	    .about = "least device x of the rectangle"),                        \
+	    ROW(object, "y", type_numbers, y, .aliases = "top bottom ymin",     \
+		.unit = "device units", .fallback = "0", .shown = true,         \
+		.about = "least device y of the rectangle"),                    \
+	    SIZE(object, "width", width, .unit = "device units",                \
+		.aliases = "w imagewidth",                                      \
+		.about = "width of the rectangle, required"),                   \
+	    ROW(object, "height", type_numbers, height, .range = &height_range, \
+		.aliases = "h imageheight", .unit = "device units",             \
 		.about = "height of the rectangle, required")
 
 /* "scale" in JSON sets the fields `scale` and `scales` of struct viewport. */

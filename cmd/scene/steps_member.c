@@ -69,7 +69,8 @@ const struct member step_members[] = {
 	ANGLE("y"),
 	ANGLE("z"),
 	ROW(step, "rotate", type_object, kind, .members = rotate_members,
-	    .rules = rotate_rules, .aliases = "axisangle angleaxis",
+	    .rules = rotate_rules, .example = "{\"axis\": [0,0,1], \"angle\": 90}",
+	    .aliases = "axisangle angleaxis",
 	    .about = "\"axis\" and \"angle\" of a rotation"),
 	ROW(step, "quaternion", type_numbers, rotation, .n = 4,
 	    .aliases = "quat q xyzw",
@@ -184,7 +185,9 @@ static void check_lone_step(const struct value *v)
 		if (row != NULL && row->offset != offsetof(struct step, matrix) &&
 		    row->type != &type_flag)
 			value_refuse(v,
-			    "is no list; write a list of steps, [{\"%s\": ...}]%s",
+			    "is no list; write a list of steps of one operation each, "
+			    "the "
+			    "first first: [{\"%s\": ...}, ...]%s",
 			    row->name, row->hint != NULL ? row->hint : "");
 	}
 }

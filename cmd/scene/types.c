@@ -105,14 +105,20 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 	return given;
 }
 
-static void check_transposed(const struct value *v, const double m[4][4])
+/* `column` says which vectors the rows of the matrix were read for. */
+static void check_transposed(const struct value *v, const double m[4][4], bool column)
 {
 	if (m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && m[3][3] == 1 &&
 	    (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
 		value_refuse(v,
-		    "its rows are for column vectors; add to the scene \"convention\": "
-		    "{\"vectors\": \"column\"}, or write it as {\"matrix\": [...], "
-		    "\"vectors\": \"column\"}");
+		    column ?
+			"its rows are for row vectors; write it as {\"matrix\": [...], "
+			"\"vectors\": \"row\"}" :
+			"its rows are for column vectors; write it as {\"matrix\": "
+			"[...], "
+			"\"vectors\": \"column\"}, or name the \"convention\" that it "
+			"is from, "
+			"such as \"opencv\" or \"webgpu\"");
 }
 
 /* Reads an array of rows of numbers, or an array of the numbers row after row. */
@@ -164,8 +170,8 @@ static void read_matrix(const struct value *v, const struct member *row, void *o
 	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
 	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
 		m[3][3] = 1;
-	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
-		check_transposed(v, m);
+	if (affine && n == rows)
+		check_transposed(v, m, column);
 }
 
 static void print_affine(struct printer *p, const struct member *row, const void *at)

@@ -181,28 +181,28 @@ static void assert_world(const struct convention *option, const char *convention
 
 static void test_matrix(void **state)
 {
-#define NESTED "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,2,0,1]]"
+#define NESTED "[[1,0,0,0],[0,1,0,0],[0,2,1,0],[0,0,0,1]]"
 #define FLAT "[1,0,0,0,0,1,0,0,0,0,1,0,0,2,0,1]"
 #define GL ",\"convention\":\"gl\""
 	const struct convention *d3d = &conventions[CONVENTION_D3D];
 	const struct convention *gl = &conventions[CONVENTION_GL];
 
 	(void)state;
-	assert_world(NULL, "", NESTED, 3, 1);
-	assert_world(NULL, GL, NESTED, 1, 3);
-	assert_world(NULL, ",\"convention\":{\"vectors\":\"column\"}", NESTED, 1, 3);
-	assert_world(gl, "", NESTED, 1, 3);
-	assert_world(gl, ",\"convention\":\"d3d\"", NESTED, 3, 1);
-	assert_world(d3d, GL, NESTED, 1, 3);
+	assert_world(NULL, "", NESTED, 2, 1);
+	assert_world(NULL, GL, NESTED, 1, 2);
+	assert_world(NULL, ",\"convention\":{\"vectors\":\"column\"}", NESTED, 1, 2);
+	assert_world(gl, "", NESTED, 1, 2);
+	assert_world(gl, ",\"convention\":\"d3d\"", NESTED, 2, 1);
+	assert_world(d3d, GL, NESTED, 1, 2);
 	assert_world(NULL, "", FLAT, 3, 1);
 	assert_world(NULL, GL, FLAT, 3, 1);
-	assert_world(NULL, GL, "{\"matrix\":" NESTED "}", 1, 3);
-	assert_world(NULL, GL, "{\"matrix\":" NESTED ",\"vectors\":\"row\"}", 3, 1);
-	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" NESTED "}", 1, 3);
+	assert_world(NULL, GL, "{\"matrix\":" NESTED "}", 1, 2);
+	assert_world(NULL, GL, "{\"matrix\":" NESTED ",\"vectors\":\"row\"}", 2, 1);
+	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" NESTED "}", 1, 2);
 	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" FLAT "}", 3, 1);
 	assert_true(scene_of("{\"projection\":{\"type\":\"matrix\","
 			     "\"matrix\":" NESTED "}}")
-			.projection.matrix[3][1] == 2);
+			.projection.matrix[2][1] == 2);
 }
 
 static void assert_points(const char *typed, const char *lines)

@@ -254,7 +254,9 @@ static const struct refusal projections[] = {
 	    "with \"angle_unit\": \"radians\")?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
 	    "/K: unknown member; it is \"intrinsics\" in \"projection\": "
-	    "{\"type\": \"persp\", ...}" },
+	    "{\"type\": \"persp\", ...} ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; "
+	    "a "
+	    "4x4 from view to clip is \"matrix\" of type \"matrix\")" },
 	{ &project, "{\"transform_matrix\":1}",
 	    "/transform_matrix: unknown member; it is \"pose\" in \"camera\"" },
 };
