@@ -164,7 +164,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 		die(EXIT_USAGE,
 		    "--columns: one member; of an array say --columns "
 		    "/%1$s/0,/%1$s/1%2$s",
-		    o->columns.name[0], l->reads > 2 ? " and so on" : "");
+		    o->columns.name[0] + (*o->columns.name[0] == '/'),
+		    l->reads > 2 ? " and so on" : "");
 	if (n > 0 && n != l->reads && !(format_is_binary(o->in) && l->record == 0))
 		die(EXIT_USAGE, "--columns: %d field%s; %d coordinates are read here",
 		    n, n == 1 ? "" : "s", l->reads);

@@ -219,7 +219,7 @@ const struct option_row option_rows[] = {
 	{ "plane", 0, COMMAND_PROJECT,
 	    "read x y; print where the ray meets a x + b y + c z + d = 0",
 	    "A,B,C,D", option_read_numbers, OFFSET(plane),
-	    NUMBERS(4, 4, "A,B,C,D of a x + b y + c z + d = 0", "--plane 0,1,0,0, y = 0") },
+	    NUMBERS(4, 4, "A,B,C,D of a x + b y + c z + d = 0", "--plane 0,1,0,0 for y = 0") },
 	{ "append", 0, COMMAND_MATRIX_3D | COMMAND_PROJECT | COMMAND_MATRIX_2D,
 	    "keep each line whole and add the image behind it",
 	    FLAG(append), .points_only = true },

@@ -26,7 +26,8 @@ static struct {
 	 * document change the text, they become those of `end`. */
 	long long line;
 	size_t column;
-	long level; /* number of brackets open at `end` */
+	long level;           /* number of brackets open at `end` */
+	bool quoted, escaped; /* `end` is in a string; follows a backslash */
 } params = { .line = 1, .column = 1 };
 
 static void params_open(const struct options *o)
@@ -78,26 +79,30 @@ static bool params_skip_blanks(void)
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
-/* Moves params.end to the document's end. Returns false if the text ends before it, or
- * with a string; params.end is then before the string. */
+/* Moves params.end to the document's end. Returns false if the text ends before it. Goes
+ * on where it stopped, as a string may take many reads. */
 static bool params_find_end(void)
 {
-	const char *const end = params.text.s + params.text.size;
-
 	if (params.end == params.begin && !params_skip_blanks())
 		return false;
-	for (const char *s = params.text.s + params.end, *next; s < end; s = next) {
-		const bool closes = *s == ']' || *s == '}';
+	while (params.end < params.text.size) {
+		const char c = params.text.s[params.end];
 
-		if (params.level == 0 && json_is_blank(*s))
+		if (!params.quoted && params.level == 0 && json_is_blank(c))
 			return true;
-		next = *s == '"' ? json_string_end(s, end) : s + 1;
-		if (*s == '"' && next == end)
-			break;
-		params.end = (size_t)(next - params.text.s);
-		params.level += (*s == '[' || *s == '{') - closes;
-		if (closes && params.level <= 0)
+		params.end++;
+		if (params.escaped) {
+			params.escaped = false;
+		} else if (params.quoted) {
+			params.escaped = c == '\\';
+			params.quoted = c != '"';
+		} else if (c == '"') {
+			params.quoted = true;
+		} else if (c == '{' || c == '[') {
+			params.level++;
+		} else if ((c == '}' || c == ']') && --params.level <= 0) {
 			return true;
+		}
 	}
 	return false;
 }
@@ -106,6 +111,7 @@ static bool next_scene(void)
 {
 	params.begin = params.end;
 	params.level = 0;
+	params.quoted = params.escaped = false;
 	message_state.scene = (struct scene_place){ params.number, (long)params.line };
 	while (!params_find_end())
 		if (!params_more()) {

@@ -160,8 +160,13 @@ void line_read(struct layout *l, struct span text, enum next_part *first,
 		if (first_line)
 			reason_comment_columns(l, text);
 		return;
-	} else if (!first_line || !in->header || *s == '{' || memcmp(s, "[{", 2) == 0 ||
-	    !header_read(l, text, line, reason)) { /* JSON is no header */
+	} else if (first_line && in->header &&
+	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
+		line->kind = LINE_LOST; /* JSON is neither a header nor a row */
+		text.s = s;
+		reason_field(l, 0, &(struct field){ .value = text, .whole = text },
+		    reason);
+	} else if (!first_line || !in->header || !header_read(l, text, line, reason)) {
 		read_fields(l, text, *first, line, v, reason);
 	}
 	if (binary && !line_is_bad(line))

@@ -362,7 +362,9 @@ static void say_names(const struct lookup *found, const char *typed,
 			return;
 		const bool blank = names.n == 1 && say_mend(l, header, " ", reason);
 
-		if (find_name(&names, "", 0, "WKT") >= 0)
+		const bool wkt = find_name(&names, "", 0, "WKT") >= 0;
+
+		if (wkt)
 			say_more(reason,
 			    "; ogr2ogr -lco GEOMETRY=AS_XYZ makes columns X, Y and Z "
 			    "of WKT");
@@ -374,7 +376,7 @@ static void say_names(const struct lookup *found, const char *typed,
 		else if (!blank)
 			say_more(reason,
 			    "; say with --columns which the coordinates are");
-		if (names.n < l->reads || *names.name[names.n - 1] == '\0')
+		if (!wkt && (names.n < l->reads || *names.name[names.n - 1] == '\0'))
 			say_more(reason, "; leave out a title line by sed %zud",
 			    l->seen.first_line);
 		if (blank)
@@ -497,7 +499,7 @@ void reason_binary(const struct layout *l, struct span text, bool has_nul,
 	enum { LOOK = 4096 };
 	const long long sizes[] = { 16, 4LL * l->reads, 8LL * l->reads };
 	const char *const names[] = { "f32x4", "f32", "f64" };
-	const char *before = "is binary; if it is numbers alone, say -o text -i ";
+	const char *before = "is binary; if it is numbers alone, say -i ";
 	const char *s = text.s, *end = text.end - s > LOOK ? s + LOOK : text.end;
 
 	/* a NUL is in has_nul: strchr finds one in every string */

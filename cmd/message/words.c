@@ -48,8 +48,8 @@ static const struct {
 	    ": it is a \"kind\" of \"type\": \"oblique\"; receding lines have the "
 	    "\"direction\" in the picture" },
 	{ CALL, "transpose columnmajor rowmajor columnvectors",
-	    ": a scene beside \"projection\" or \"camera\" says \"convention\": "
-	    "{\"vectors\": \"column\"}" },
+	    ": write \"convention\": {\"vectors\": \"column\"} beside \"projection\" or "
+	    "\"camera\"" },
 	{ CALL, "window", "w2n" },
 	{ CALL, "w2v window2viewport windowtoviewport", "w2d" },
 	{ CALL, "device", "n2d" },

@@ -265,7 +265,8 @@ const struct member scene_members[] = {
 		       "1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_steps, scene.world, .aliases = "model modelmatrix",
 	    .flag = FIELD(document, scene.has_world), .members = step_members,
-	    .rules = step_rules, .example = WORLD_EXAMPLE, .fallback = WORLD_EXAMPLE,
+	    .rules = step_rules, .example = "[{\"translate\": [1,2,3]}]",
+	    .fallback = WORLD_EXAMPLE,
 	    .about = "map from model to world space: a matrix or steps",
 	    .command = "project --to world '{\"world\": [1,0,0,0, 0,1,0,0, 0,0,1,0, "
 		       "10,20,30,1]}' '[1,2,3]'"),

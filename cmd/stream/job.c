@@ -163,7 +163,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "\xff\xfe", NULL }, /* low bytes come first */
 		{ "\xfe\xff", "is UTF-16; iconv -f UTF-16 -t UTF-8 makes it UTF-8" },
 		{ "\x1f\x8b",
-		    "is gzip; zcat makes it text, for - with its format, as -i csv -" },
+		    "is gzip; pipe it in by zcat, with its format, as -i csv -" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
 		{ "ply\n",
@@ -183,8 +183,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "# Camera list with",
 		    "is a table of images or cameras, no points; 'A model of COLMAP' "
 		    "in 'man projcalc-scene' reads it" },
-		{ "LASF", "is LAS; las2txt makes text of it" },
-		{ "ncols",
+		{ "ncols ",
 		    "is an ESRI grid; gdal_translate -of XYZ makes points of it" },
 	};
 	const unsigned char *s = (const unsigned char *)c->text;

@@ -87,7 +87,7 @@ static const struct refusal names[] = {
 	    "world)?" },
 	MEANT("lens", "projection\", as " PERSP_EXAMPLE),
 	MEANT("perspective", "projection\", as " PERSP_EXAMPLE),
-	MEANT("model", "world\", as [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"),
+	MEANT("model", "world\", as [{\"translate\": [1,2,3]}]"),
 	MEANT("screen", "viewport\", as " RECTANGLE_EXAMPLE),
 	MEANT("point", "points\", as [[0,0,0], [1,1,1]]"),
 	{ &lookat, "{\"camra\":{}}",

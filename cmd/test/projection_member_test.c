@@ -258,7 +258,8 @@ static const struct refusal projections[] = {
 	    "a "
 	    "4x4 from view to clip is \"matrix\" of type \"matrix\")" },
 	{ &project, "{\"transform_matrix\":1}",
-	    "/transform_matrix: unknown member; it is \"pose\" in \"camera\"" },
+	    "/transform_matrix: unknown member; it is \"pose\" in \"camera\" (view to "
+	    "world; of NeRF, Blender and ARKit with \"convention\": \"webgpu\")" },
 };
 
 REFUSES(projections)

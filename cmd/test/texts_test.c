@@ -27,6 +27,7 @@ static const struct number_style styles[] = {
 	{ NUMBER_DIGITS, 12 },
 	{ NUMBER_DIGITS, 15 },
 	{ NUMBER_DECIMALS, 13 },
+	{ NUMBER_DECIMALS, 14 },
 	{ NUMBER_DIGITS, 16 },
 	{ NUMBER_DIGITS, 17 },
 };

@@ -82,7 +82,7 @@ const char *frustum_planes(const struct scene *s, enum space from, struct map *s
 	return why;
 }
 
-/* From a space before view space, the planes are staged by way of view space. */
+/* From view space or a space before it, the planes are staged by way of view space. */
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f)
 {

@@ -307,9 +307,9 @@ unsigned picture_notes(const struct scene *s)
 {
 	struct picture p;
 	const char *why = describe(s, &lens, &p);
+	const bool wide = ex_has_overflowed(); /* by a product that no image needs */
 
-	/* products that no image needs may have no room */
-	return why != NULL || ex_has_overflowed() ?
+	return why != NULL || wide ?
 	    0 :
 	    p.notes & ~(1u << NOTE_RADIANS) & ((1u << NOTES_SAID) - 1);
 }

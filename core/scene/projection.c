@@ -9,7 +9,7 @@
  *	 z0  z1  z2  z3
  *	 t0  t1  t2  t3
  * Its columns are divided by d0, d1, d2 and 1, and the whole matrix by `divisor`. Columns
- * 2 and 3, and the divisor, are exact unless it is a volume with a view angle. */
+ * 2 and 3, and the divisor, are exact unless the projection is a volume with a view angle. */
 struct scaled_matrix {
 	struct sum s[2], z[4], t[4], d[3], divisor;
 };
@@ -68,6 +68,7 @@ static const char *cross_section(const struct projection *p, double d,
 			    "/projection/right: equal to left; the edges must differ" :
 			    "/projection/top: equal to bottom; the edges must differ";
 	}
+	_Static_assert(SECTION_WAYS == 10, "each way is read here");
 	if (s->way <= SECTION_VIEW_ANGLE)
 		set_scales(p->aspect,
 		    s->way == SECTION_FOVY || (s->way == SECTION_VIEW_ANGLE && wide),

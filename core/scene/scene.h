@@ -19,7 +19,7 @@ enum space {
 	SPACE_MODEL,
 	SPACE_WORLD,
 	SPACE_VIEW,
-	SPACE_CLIP, /* has four coordinates; the other spaces three */
+	SPACE_CLIP, /* has four coordinates; the other spaces of 3D three */
 	SPACE_NDC,
 	SPACE_DEVICE,
 	/* the spaces of the commands for 2D windows, with two coordinates each */
@@ -86,7 +86,7 @@ const char *scene_window_extent(const struct scene *, struct window_extent *);
 
 /* Computes a factor of a map: the map of scene_map, whose elements may be beyond the
  * range of doubles. scene_map_refuse_range returns NULL or, if elements of the product
- * are beyond this range, the member at fault and why. */
+ * are beyond this range, the member at fault and why; `flat` says of which spaces. */
 const char *scene_map_factor(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_map_refuse_range(const struct scene *, bool flat, const struct map *);
