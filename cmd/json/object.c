@@ -110,7 +110,8 @@ static const struct value *root_of(const struct value *v)
 
 /* Offers the objects of the scene that have a member v->name, or an alias of it: those
  * with the very name, before those that the document has, before those that the command
- * uses, before others. */
+ * uses, before others. If only one type of an object has it, and the document lacks the
+ * object, names the type. */
 static void offer_objects(const struct value *v, const struct member *table,
     struct word_guess *g)
 {
@@ -176,10 +177,10 @@ static void offer_members(const struct value *v, const struct member *table,
 
 	if (row != NULL)
 		word_offer(g, WORD_KNOWN, "did you mean \"%s\"%s%s?", row->name,
+		    row->hint == NULL && row->example != NULL ? ", as " : "",
 		    row->hint != NULL        ? row->hint :
-			row->example != NULL ? ", as " :
-					       "",
-		    row->hint != NULL || row->example == NULL ? "" : row->example);
+			row->example != NULL ? row->example :
+					       "");
 	if (hint != NULL)
 		word_offer(g, WORD_KNOWN, "%s", hint + 2);
 	offer_objects(v, table, g);
