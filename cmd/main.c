@@ -131,7 +131,7 @@ static void run_scenes(const struct options *o)
 	if (o->scenes && o->keep_going && !format_is_binary(options_out_format(o)))
 		message_state.on_refusal = &refused;
 	if (setjmp(refused) != 0)
-		answer_refused_scene(answered ? FORMAT_TEXT : options_out_format(o));
+		answer_refused_scene(!answered && options_out_format(o) == FORMAT_JSON);
 	while (params_next_document(o)) {
 		answered = false;
 		ex_has_overflowed(); /* forgets what a refused scene has left */

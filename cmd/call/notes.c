@@ -41,14 +41,12 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_VIEW_AXES] = { "/camera",
 	    "no convention is named, and the rotation is read for d3d, whose view "
 	    "space has x right, y up, z forward; say \"convention\": \"webgpu\" for z "
-	    "backward (\"gl\" if pixels count from the bottom), \"opencv\" for y down, "
-	    "or "
-	    "\"d3d\"" },
+	    "backward (\"gl\" if pixels count from the bottom), \"opencv\" for y "
+	    "down, or \"d3d\"" },
 	[NOTE_UP_Z] = { "/camera/up",
 	    "no convention is named, and z is up: d3d is left-handed, and mirrors a "
 	    "right-handed world; say \"convention\": \"webgpu\" (\"gl\" if pixels "
-	    "count "
-	    "from the bottom), or \"d3d\" if the world is left-handed" },
+	    "count from the bottom), or \"d3d\" if the world is left-handed" },
 	[NOTE_BEHIND] = { "/convention",
 	    "none is named, and no point has an image, but points would have one if "
 	    "the camera looked along -z of view space; say \"convention\": \"webgpu\" "
@@ -59,8 +57,7 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_ASPECT] = { "/projection/aspect",
 	    "the aspect differs from the viewport's width / height by more than 1 %, "
 	    "which stretches the picture; leave \"aspect\" or a sensor's \"height\" "
-	    "out, "
-	    "or give the viewport a \"scale\"" },
+	    "out, or give the viewport a \"scale\"" },
 	[NOTE_COLMAP] = { "/projection/intrinsics",
 	    "the intrinsics look like f, cx, cy, k of COLMAP; fx, fy, cx, cy are "
 	    "wanted: give f twice, and undistort points first" },

@@ -115,10 +115,8 @@ static void check_transposed(const struct value *v, const double m[4][4], bool c
 			"its rows are for row vectors; write it as {\"matrix\": [...], "
 			"\"vectors\": \"row\"}" :
 			"its rows are for column vectors; write it as {\"matrix\": "
-			"[...], "
-			"\"vectors\": \"column\"}, or name the \"convention\" that it "
-			"is from, "
-			"such as \"opencv\" or \"webgpu\"");
+			"[...], \"vectors\": \"column\"}, or name the \"convention\" "
+			"that it is from, such as \"opencv\" or \"webgpu\"");
 }
 
 /* Reads an array of rows of numbers, or an array of the numbers row after row. */

@@ -106,10 +106,10 @@ static void end_line(void)
 	answer.lacks_newline = false;
 }
 
-void answer_refused_scene(enum format out)
+void answer_refused_scene(bool prints_null)
 {
 	answer.bad_scene = true;
-	if (out != FORMAT_JSON)
+	if (!prints_null)
 		return;
 	end_line();
 	output_write("null\n", 5);

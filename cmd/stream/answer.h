@@ -14,8 +14,8 @@ void answer_begin_source(const struct job *, const struct point_source *);
  * and an error of its source end the program. Only one thread at a time may call it. */
 void answer_chunk(struct job *, struct chunk *);
 
-/* Counts a scene that was refused. If the format is JSON, prints null for it. */
-void answer_refused_scene(enum format);
+/* Counts a scene that was refused, and prints null for it if `prints_null` is set. */
+void answer_refused_scene(bool prints_null);
 
 /* Reports the totals, closes standard output, and returns the exit status. */
 int answer_end(void);
