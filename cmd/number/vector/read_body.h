@@ -163,8 +163,8 @@ static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 	    end[-5] >= '0' && end[-5] <= '9';
 }
 
-/* Reads the numbers of the mask `bad` that have a plus or an exponent or, if `all` is
- * set, all of its numbers. Returns `bad` without the bits of the numbers that are read. */
+/* Reads the numbers of the mask `bad` that have an exponent or, if `all` is set, all of
+ * its numbers. Returns `bad` without the bits of the numbers that are read. */
 static uint64_t read_stripped(const struct plain_places *at, uint64_t bad, bool all,
     double v[PLAIN_BATCH])
 {
@@ -176,18 +176,14 @@ static uint64_t read_stripped(const struct plain_places *at, uint64_t bad, bool 
 
 	for (uint64_t rest = bad; rest != 0; rest &= rest - 1) {
 		int i = __builtin_ctzll(rest);
-		const char *end = at->end[i], *s = end - at->size[i];
-		bool plus = (*s == '+') & (s[end - s > 1] >= '.');
+		bool found = get_exponent(at->end[i], at->size[i], &exponent[n]);
 
-		s += plus;
-		if (get_exponent(end, (size_t)(end - s), &exponent[n]))
-			end -= 4;
-		else if (all || plus)
-			exponent[n] = 0;
-		else
+		if (!found && !all)
 			continue;
-		places.end[n] = end;
-		places.size[n] = (uint8_t)(end - s);
+		if (!found)
+			exponent[n] = 0;
+		places.end[n] = at->end[i] - 4 * found;
+		places.size[n] = (uint8_t)(at->size[i] - 4 * found);
 		index[n++] = (uint8_t)i;
 	}
 	for (size_t k = n; k % PLAIN_GROUP != 0; k++) {
@@ -204,17 +200,13 @@ static uint64_t read_stripped(const struct plain_places *at, uint64_t bad, bool 
 	return bad;
 }
 
-/* Looks for plus and exponents at once if the first numbers have them, as others then
- * have them, too. */
+/* Looks for exponents at once if the first number has one, as others then have one, too. */
 static uint64_t loops_read(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
 	int8_t exponent;
-	bool stripped = n > 0 && get_exponent(at->end[0], at->size[0], &exponent);
 
-	for (size_t i = 0; i < n && i < 4; i++)
-		stripped |= *(at->end[i] - at->size[i]) == '+';
-	if (stripped)
+	if (n > 0 && get_exponent(at->end[0], at->size[0], &exponent))
 		return read_stripped(at, ~0ull >> (PLAIN_BATCH - n), true, v);
 	uint64_t bad = read_plain(at, n, NULL, v);
 

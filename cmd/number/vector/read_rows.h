@@ -89,8 +89,8 @@ static inline counts leading_zeros(counts x)
 
 /* The results of the first steps of set_rows, for each number. */
 struct marks {
-	/* bit i: byte i of the 32 before the number's end is a point, or a minus */
-	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
+	/* bit i: byte i of the 32 before the number's end is a point, plus or minus */
+	uint32_t points[PLAIN_BATCH], pluses[PLAIN_BATCH], minuses[PLAIN_BATCH];
 	/* LAST_KEYS (read_body.h) of the numbers of digits and of decimals; until
 	 * count_digits is called, `digits` has the sizes of the numbers instead */
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
@@ -111,9 +111,10 @@ static inline bool count_digits(struct marks *m, size_t i)
 	const counts zero = { 0 };
 	counts n = counts_at(m->digits + i), start = 32 - n;
 	counts points = counts_at(m->points + i) & (~zero << start);
+	counts plus = counts_at(m->pluses + i) >> start & 1;
 	counts minus = counts_at(m->minuses + i) >> start & 1;
 	counts decimals = LEADING_ZEROS(points);
-	counts digits = n - minus + (counts)(points != zero);
+	counts digits = n - plus - minus + (counts)(points != zero);
 	counts no_digits = (counts)(digits == zero);
 	counts divisor = (decimals & ~no_digits) + (no_digits & NO_DIGITS) +
 	    minus * (NO_POINT + 1);
@@ -151,9 +152,11 @@ static inline void set_rows(struct digit_rows *r, struct group_needs *needs, siz
 		m.digits[i] = at->size[i];
 	for (size_t i = 0; i < n; i += ROW_NUMBERS) {
 		row x = ROW_BEFORE(at->end + i, 32);
-		row_mask points = MATCH(x, '.'), minuses = MATCH(x, '-');
+		row_mask points = MATCH(x, '.'), pluses = MATCH(x, '+');
+		row_mask minuses = MATCH(x, '-');
 
 		memcpy(m.points + i, &points, sizeof points);
+		memcpy(m.pluses + i, &pluses, sizeof pluses);
 		memcpy(m.minuses + i, &minuses, sizeof minuses);
 	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
