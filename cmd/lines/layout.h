@@ -80,12 +80,19 @@ static inline int layout_field(const struct layout *l, int i)
 	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
-static inline bool layout_in_order(const struct layout *l)
+/* Returns whether the coordinates are fields one after another. */
+static inline bool layout_in_row(const struct layout *l)
 {
-	for (int i = 0; i < l->reads; i++)
-		if (layout_field(l, i) != i)
+	for (int i = 1; i < l->reads; i++)
+		if (layout_field(l, i) != layout_field(l, 0) + i)
 			return false;
 	return true;
+}
+
+/* Returns whether the coordinates are the first fields. */
+static inline bool layout_in_order(const struct layout *l)
+{
+	return layout_field(l, 0) == 0 && layout_in_row(l);
 }
 
 /* Returns whether any coordinate is looked up by the name of its column or member. */

@@ -277,6 +277,8 @@ static void put_other_fields(struct splice *w)
 	/* in JSON an empty csv field becomes "", so that fields keep their places */
 	const bool empty = in->header && !to->blanks;
 	struct cursor c = { .in = l->in, .end = line->s + line->size };
+	const bool replaced = line->kind == LINE_POINT && !l->output.append;
+	const bool in_row = in->header && replaced && layout_in_row(l);
 	uint32_t last = 1; /* the place after the last coordinate, or 1 */
 	struct field f;
 
@@ -286,7 +288,7 @@ static void put_other_fields(struct splice *w)
 	}
 	if (line->kind == LINE_LOST || line->object)
 		return;
-	if (line->kind == LINE_POINT && layout_in_order(l) && !l->output.append) {
+	if (replaced && layout_in_order(l)) {
 		c.bracket = *in->open != '\0' ? line->s : NULL;
 		cursor_after(&c, line_field(line, l->reads - 1).end);
 		if (in->blanks && to->blanks && l->columns.n == 0 && c.s != NULL) {
@@ -306,9 +308,12 @@ static void put_other_fields(struct splice *w)
 			w->out = format_convert_plain(&c, l->out, w->out);
 		if (!cursor_next(&c, &f))
 			break;
-		if ((f.whole.s == f.whole.end && !empty) ||
-		    (!l->output.append &&
-			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
+		int k = l->output.append ? -1 :
+					   coordinate_in(w, f.whole.s, f.whole.end);
+
+		if (in_row && k == 0)
+			cursor_after(&c, line_field(line, l->reads - 1).end);
+		if (k >= 0 || (f.whole.s == f.whole.end && !empty))
 			continue;
 		*w->out = l->out.separator;
 		w->out += w->fields++ > 0;
