@@ -355,6 +355,10 @@ static void say_names(const struct lookup *found, const char *typed,
 		say_more(reason, "; %s", word_hint("geometry", WORD_MEMBER, ':') + 2);
 		return;
 	}
+	if (c.members && find_name(&names, "", 0, "points") >= 0) {
+		say_more(reason, "; jq -c '.points[]' prints its points, for -i json");
+		return;
+	}
 	if (typed != NULL) {
 		say_near(found, &names, typed, reason);
 	} else if (!say_guess(&names, l->reads, NULL, reason)) {
