@@ -9,7 +9,9 @@ use warnings;
 use Cwd 'abs_path';
 use Exporter 'import';
 use File::Basename;
+use File::Spec;
 use File::Temp 'tempdir';
+use IPC::Open2;
 use Test::More;
 
 our $top = abs_path(dirname(__FILE__) . '/../..');
@@ -69,27 +71,35 @@ sub done_or {
 
 sub sorted { join ' ', sort @_ }
 
+# The shell of run(), and the process and environment that started it.
+my ($shell, $commands, $answers, $started) = (0, undef, undef, '');
+
 # Runs a command of the shell, here or in a directory, with the program that is
 # tested first on PATH and nothing on standard input. Returns the status (128 and
-# the signal, as the shell says it), output and errors.
+# the signal, as the shell says it), output and errors. One shell runs the commands,
+# each in a process of its own, as perl is large, and takes longer to fork.
 sub run {
 	my ($command, $dir) = @_;
 	my ($out, $err) = map { "$tmp/$_$$" } qw(out err);
+	my $at = File::Spec->rel2abs($dir // '.');
 	die "$build has no projcalc\n" if !-x "$build/projcalc";
-	my $pid = fork // die "fork: $!\n";
-	if ($pid == 0) {
-		chdir($dir // '.') or die "$dir: $!\n";
-		open STDIN, '<', '/dev/null';
-		open STDOUT, '>', $out;
-		open STDERR, '>', $err;
-		$ENV{PATH} = "$build:$ENV{PATH}";
-		$SIG{PIPE} = 'DEFAULT';
-		alarm 300;
-		exec 'sh', '-c', $command;
+	local $ENV{PATH} = "$build:$ENV{PATH}";
+	local $SIG{PIPE} = 'DEFAULT';
+	local $SIG{ALRM} = sub { die "not done in 300 s: $command\n" };
+	my $now = join "\n", $$, map { "$_=$ENV{$_}" } sort keys %ENV;
+	$shell = open2($answers, $commands, 'sh') if $now ne $started;
+	$started = $now;
+	alarm 300;
+	print $commands "(cd '$at' || exit\n$command\n) </dev/null >'$out' " .
+	    "2>'$err'; echo \$?\n";
+	my $status = readline $answers;
+	alarm 0;
+	if (!defined $status) { # the command has ended the shell
+		waitpid $shell, 0;
+		$status = $? & 127 ? 128 + ($? & 127) : $? >> 8;
+		$started = '';
 	}
-	waitpid $pid, 0;
-	my $status = $? & 127 ? 128 + ($? & 127) : $? >> 8;
-	return ($status, slurp($out), slurp($err));
+	return (int $status, slurp($out), slurp($err));
 }
 
 1;

@@ -28,7 +28,7 @@ my $has_shim = $plain && system("cc -O1 -shared -fPIC -o $shim " .
 # Runs a command with a fault in the calls of the command, not of the shell.
 sub faulty {
 	my ($command, $fault) = @_;
-	return run("exec env LD_PRELOAD=$shim FAULT='$fault' $command");
+	return run("LD_PRELOAD=$shim FAULT='$fault' $command");
 }
 
 sub is_run {

@@ -37,8 +37,8 @@ my %words = map { $_ => 1 } (map { /</ ? () : $_ } map { split / / } map { $_->[
 
 # Runs words of the shell. Returns the status and the output.
 sub try {
-	my $said = `cd testdata && '$build/projcalc' $_[0] 2>&1 </dev/null`;
-	return ($? >> 8, $said);
+	my ($status, $said) = run("projcalc $_[0] 2>&1", 'testdata');
+	return ($status, $said);
 }
 
 # Returns the call with the argument of its last option, and with operands.
