@@ -234,7 +234,7 @@ LONGEST = $(patsubst %,%_test.t,cmd/test/compilers core/proof/proof cmd/test/fuz
 SCRIPTS = $(LONGEST) $(filter-out $(LONGEST), \
 	$(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t)))
 test: | $(FIRST) ## all tests
-	@+$(PARALLEL) programs
+	@+$(PARALLEL) WERROR=1 programs
 	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(SCRIPTS) $(TESTS)
 
 # Use bits and transcripts after a change that is meant to change the output. Read the
