@@ -12,7 +12,7 @@ use lib $FindBin::Bin;
 use Projcalc;
 
 my $digests = 'testdata/lines.sha256';
-my $lines = 60000;
+my $lines = 30000;
 
 sub digits { join '', map { below(10) } 1 .. $_[0] }
 

@@ -6,7 +6,8 @@ use strict;
 use warnings;
 use TAP::Harness;
 
-my $jobs = shift;
+# One more than there are processors, as some tests wait.
+my $jobs = 1 + shift;
 $ENV{CMOCKA_MESSAGE_OUTPUT} = 'TAP';
 my $harness = TAP::Harness->new({
 	jobs => $jobs,
