@@ -233,8 +233,9 @@ LONGEST = $(patsubst %,%_test.t,cmd/test/compilers core/proof/proof cmd/test/fuz
 	cmd/test/fault cmd/test/bits)
 SCRIPTS = $(LONGEST) $(filter-out $(LONGEST), \
 	$(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t)))
+# Warnings are errors here, unless the flags are the caller's.
 test: | $(FIRST) ## all tests
-	@+$(PARALLEL) WERROR=1 programs
+	@+$(PARALLEL) $(if $(filter file,$(origin CFLAGS)),WERROR=1) programs
 	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(SCRIPTS) $(TESTS)
 
 # Use bits and transcripts after a change that is meant to change the output. Read the

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Checks that gcc and clang compile everything without a warning: one of them has made
 # BUILD, where `make test` makes warnings errors, and the other one compiles here. Its
-# program has the same bits, is hardened, and prints subnormals also if linked with
-# -ffast-math.
+# program has the same bits, is hardened, and prints subnormals also if it is linked
+# with -ffast-math.
 use strict;
 use warnings;
 use FindBin;
