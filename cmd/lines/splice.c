@@ -239,6 +239,7 @@ static void cursor_after(struct cursor *c, const char *s)
 		c->s = after < end ? after : NULL;
 		return;
 	}
+	s = skip_blanks(c->in, s, end); /* in quotes they are blanks, too */
 	after = skip_blanks(c->in, s + (s < end && *s == '"'), end);
 	c->s = after < end && *after == c->in.separator ? after + 1 : NULL;
 	if (c->s != NULL && c->bracket != NULL)
