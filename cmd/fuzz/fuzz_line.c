@@ -64,6 +64,10 @@ static void check_back(const struct layout *l, const double v[], struct span tex
 	/* a member that an object has twice is refused only if it is a coordinate */
 	if (line.object && strncmp(reason, "has two", 7) == 0)
 		return;
+	/* text can't quote a field of csv that begins with a comma */
+	if (format_of(back.in)->blanks && l->in.format == FORMAT_CSV &&
+	    strncmp(reason, "has commas", 10) == 0)
+		return;
 	want(line.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
 		want(l->output.style[i].kind != NUMBER_SHORTEST || same(read[i], v[i]));
