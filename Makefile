@@ -233,10 +233,12 @@ LONGEST = $(patsubst %,%_test.t,cmd/test/compilers core/proof/proof cmd/test/fuz
 	cmd/test/fault cmd/test/bits)
 SCRIPTS = $(LONGEST) $(filter-out $(LONGEST), \
 	$(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t)))
-# Warnings are errors here, unless the flags are the caller's.
+# Warnings are errors here, unless the caller has given flags.
+own_flags = $(if $(filter-out file,$(foreach flags,CFLAGS CXXFLAGS HARDENING, \
+	$(origin $(flags)))),,1)
 test: | $(FIRST) ## all tests
-	@+$(PARALLEL) $(if $(filter file,$(origin CFLAGS)),WERROR=1) programs
-	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(SCRIPTS) $(TESTS)
+	@+$(PARALLEL) $(if $(own_flags),WERROR=1) programs
+	@BUILD=$(BUILD) OWN_FLAGS=$(own_flags) perl cmd/test/run_tests.pl $(JOBS) $(SCRIPTS) $(TESTS)
 
 # Use bits and transcripts after a change that is meant to change the output. Read the
 # diff before you commit it.

@@ -81,17 +81,18 @@ my ($shell, $commands, $answers, $started) = (0, undef, undef, '');
 sub run {
 	my ($command, $dir) = @_;
 	my ($out, $err) = map { "$tmp/$_$$" } qw(out err);
-	my $at = File::Spec->rel2abs($dir // '.');
+	my ($where, @words) = map { "'" . s/'/'\\''/gr . "'" }
+	    File::Spec->rel2abs($dir // '.'), $command, $out, $err;
 	die "$build has no projcalc\n" if !-x "$build/projcalc";
 	local $ENV{PATH} = "$build:$ENV{PATH}";
 	local $SIG{PIPE} = 'DEFAULT';
-	local $SIG{ALRM} = sub { die "not done in 300 s: $command\n" };
-	my $now = join "\n", $$, map { "$_=$ENV{$_}" } sort keys %ENV;
-	$shell = open2($answers, $commands, 'sh') if $now ne $started;
+	local $SIG{ALRM} = sub { kill 'KILL', -$shell };
+	my $now = join "\n", $$, map { $_ . '=' . ($ENV{$_} // '') } sort keys %ENV;
+	$shell = open2($answers, $commands, 'setsid', 'sh') if $now ne $started;
 	$started = $now;
-	alarm 300;
-	print $commands "(cd '$at' || exit\n$command\n) </dev/null >'$out' " .
-	    "2>'$err'; echo \$?\n";
+	alarm 900;
+	printf $commands "(cd %s && eval %s) </dev/null >%s 2>%s; echo \$?\n",
+	    $where, @words;
 	my $status = readline $answers;
 	alarm 0;
 	if (!defined $status) { # the command has ended the shell
