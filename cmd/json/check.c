@@ -283,5 +283,9 @@ bool json_check(struct json_check *s)
 	skip_space(s);
 	return s->at == s->end ||
 	    refuse(s, "the end of the text",
-		!s->is_line && *s->at == '{' ? "--scenes reads several scenes" : NULL);
+		s->is_line        ? NULL :
+		    *s->at == '{' ? "--scenes reads several scenes" :
+		    *s->at == ',' && *s->text == '[' ?
+				    "several points are one list: [[0,0,0], [1,1,1]]" :
+				    NULL);
 }

@@ -109,9 +109,9 @@ static const struct value *root_of(const struct value *v)
 }
 
 /* Offers the objects of the scene that have a member v->name, or an alias of it: those
- * with the very name, before those that the document has, before those that the command
- * uses, before others. If only one type of an object has it, and the document lacks the
- * object, names the type. */
+ * with the very name, before those that the document has or the command uses, before
+ * others. If only one type of an object has it, and the document lacks the object,
+ * names the type. */
 static void offer_objects(const struct value *v, const struct member *table,
     struct word_guess *g)
 {
@@ -130,9 +130,10 @@ static void offer_objects(const struct value *v, const struct member *table,
 
 		if (m == NULL)
 			continue;
-		const unsigned fit = (strcmp(m->name, v->name) == 0) * 8u +
-		    value_member(root_of(v), s->name, &given) * 4u +
-		    (source->used >> (s - scene) & 1) * 2 + 1;
+		const bool meant = value_member(root_of(v), s->name, &given) ||
+		    (source->used >> (s - scene) & 1) != 0;
+		const unsigned fit = (strcmp(m->name, v->name) == 0) * 4u + meant * 2u +
+		    1;
 
 		if (fit > best)
 			n = 0;

@@ -334,6 +334,20 @@ static void say_near(const struct lookup *found, const struct names *names,
 	}
 }
 
+/* Says what makes lines of an object whose one member may be a list of points. */
+static bool say_list(const struct names *names, char reason[REASON_MAX])
+{
+	static const char *const lists[] = { "points", "positions", "vertices" };
+
+	for (int k = 0; k < 3 && names->n == 1; k++)
+		if (find_name(names, "", 0, lists[k]) >= 0) {
+			say_more(reason,
+			    "; jq -c '.%s[]' prints its points, for -i json", lists[k]);
+			return true;
+		}
+	return false;
+}
+
 /* Adds the result of say_near or, if typed is NULL, a guess or the remedy of say_mend;
  * except after that, the names after the cursor, "; it has x, y". */
 static void say_names(const struct lookup *found, const char *typed,
@@ -355,10 +369,8 @@ static void say_names(const struct lookup *found, const char *typed,
 		say_more(reason, "; %s", word_hint("geometry", WORD_MEMBER, ':') + 2);
 		return;
 	}
-	if (c.members && find_name(&names, "", 0, "points") >= 0) {
-		say_more(reason, "; jq -c '.points[]' prints its points, for -i json");
+	if (c.members && say_list(&names, reason))
 		return;
-	}
 	if (typed != NULL) {
 		say_near(found, &names, typed, reason);
 	} else if (!say_guess(&names, l->reads, NULL, reason)) {
@@ -552,7 +564,7 @@ void reason_text_header(const struct layout *l, struct span line,
     char reason[REASON_MAX])
 {
 	struct cursor c = line_cursor(l->in, line);
-	char remedy[REASON_MAX] = "";
+	char remedy[REASON_MAX] = "", in_order[] = "; say --columns 1,2,3,4";
 	uint32_t numbers = 0;
 	struct names names;
 	struct field f;
@@ -567,9 +579,10 @@ void reason_text_header(const struct layout *l, struct span line,
 	say_more(reason, "%s leave it out by sed %zud",
 	    say_mend(l, line, frequent, reason) ? ", or" : ";", l->seen.first_line);
 	copy_names(line_cursor(l->in, line), &names);
-	say_more(reason, "%s",
-	    isalpha((unsigned char)*names.name[0]) &&
-		    say_guess(&names, l->reads, &numbers, remedy) ?
-		remedy :
-		", with --columns if x is not first");
+	in_order[sizeof in_order - 1 - 2 * (size_t)(4 - l->reads)] = '\0';
+	if (!isalpha((unsigned char)*names.name[0]) ||
+	    !say_guess(&names, l->reads, &numbers, remedy))
+		say_more(reason, ", with --columns if x is not first");
+	else if (strcmp(remedy, in_order) != 0)
+		say_more(reason, ", and%s", remedy + 1);
 }

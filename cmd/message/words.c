@@ -48,7 +48,8 @@ static const struct {
 	    ": it is a \"kind\" of \"type\": \"oblique\"; receding lines have the "
 	    "\"direction\" in the picture" },
 	{ CALL, "transpose columnmajor rowmajor columnvectors",
-	    ": write \"convention\": {\"vectors\": \"column\"} beside \"projection\" or "
+	    ": d3d is for row vectors, the other conventions are for column vectors; of "
+	    "its own, \"convention\": {\"vectors\": \"column\"} beside \"projection\" or "
 	    "\"camera\"" },
 	{ CALL, "window", "w2n" },
 	{ CALL, "w2v window2viewport windowtoviewport", "w2d" },
@@ -85,6 +86,8 @@ static const struct {
 	{ VALUE, "directx direct3d", "--convention d3d" },
 	{ CALL, "d3d gl vulkan webgpu opencv", "--convention *" },
 	{ VALUE, "pixel pixels screen image", "--to device" },
+	{ VALUE, "texture uv",
+	    ": it is \"device\" with \"viewport\": {\"width\": 1, \"height\": 1}" },
 	{ CALL, "world view ndc device", "--to *" },
 	{ VALUE, "float", "--precision single" },
 
@@ -119,11 +122,16 @@ static const struct {
 	    "filmgauge f",
 	    ": in mm give the sensor's \"width\" and \"height\", and \"edges_at\", the "
 	    "focal length; in pixels \"intrinsics\": [fx, fy, cx, cy]" },
+	{ WORD_MEMBER, "dfov diagonalfov fovd",
+	    ": of the diagonal; \"fovy\" is 2 atan(tan(dfov / 2) height / hypot(width, "
+	    "height))" },
+	{ REMARK, "depthscale depthfactor",
+	    ": scale the depth before: awk '{$3 *= 0.001} 1'" },
 	{ REMARK, "size imagesize windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
 	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
 	    ": angles are steps, as \"pose\" of \"camera\": [{\"rotate_x\": 10}, "
-	    "{\"rotate_y\": 30}, {\"translate\": [0,0,5]}]; orders and signs differ, see "
+	    "{\"rotate_y\": 30}, {\"translate\": [0,0,5]}]; units, orders and signs differ, see "
 	    "'Yaw, pitch and roll' in 'man projcalc-scene'" },
 	{ WORD_MEMBER, "translation",
 	    ": where the camera stands it is \"eye\" of \"camera\", the t of [R|t] is "
@@ -135,6 +143,9 @@ static const struct {
 	{ REMARK, "qvec qw quaternionwxyz",
 	    ": world to view, w first, it is \"matrix\": [{\"quaternion_wxyz\": q}, "
 	    "{\"translate\": t}] of \"camera\"; view to world it is \"pose\"" },
+	{ WORD_MEMBER, "shiftx shifty lensshift",
+	    ": give left, right, bottom and top, as 'A camera of Blender' in "
+	    "'man projcalc-scene' does" },
 	{ WORD_MEMBER, "projectionmatrix",
 	    ": view to clip it is \"matrix\" in \"projection\", with \"type\": \"matrix\"; "
 	    "the 3x4 P of ROS is \"intrinsics\"" },

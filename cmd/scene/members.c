@@ -13,7 +13,7 @@ static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,
-	    .aliases = "position pos from origin location cop eyepoint viewpoint",
+	    .aliases = "position pos from origin location c cop eyepoint viewpoint",
 	    .unit = "world units", .about = "position of the camera in world space"),
 	ROW(camera, "at", type_numbers, at, .n = 3,
 	    .aliases = "target center centre lookat to", .unit = "world units",

@@ -89,7 +89,7 @@ const struct member projection_members[] = {
 		    "of " RADIANS ")",
 	    .about = "angle between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", section.angle, .range = &fov_range,
-	    .aliases = "xfov fovh horizontalfov hfov cameraanglex",
+	    .aliases = "xfov fovh horizontalfov hfov cameraanglex anglex",
 	    .hint = " (of " RADIANS ")",
 	    .about = "angle between the left and the right plane"),
 	ANGLE(PERSP, "view_angle", section.angle, .range = &fov_range,

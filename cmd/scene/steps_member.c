@@ -186,7 +186,8 @@ static void check_lone_step(const struct value *v)
 		    row->type != &type_flag)
 			value_refuse(v,
 			    "is no list; write a list of steps of one operation each, "
-			    "the first first: [{\"%s\": ...}, ...]%s",
+			    "as they act on the point (of an object mostly scale, "
+			    "rotation, translation): [{\"%s\": ...}, ...]%s",
 			    row->name, row->hint != NULL ? row->hint : "");
 	}
 }
