@@ -165,7 +165,6 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		{ "\x1f\x8b",
 		    "is gzip; pipe it in by zcat, with its format, as -i csv -" },
 		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
-		{ "LASF", "is LAS; las2txt --parse xyz makes text of it" },
 		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
 		{ "ply\n",
 		    "is PLY; sed 1,/end_header/d | head -n N keeps the points of "
