@@ -208,92 +208,41 @@ static bool is_ignored(const struct value *v)
 	    (row != NULL && row->in_any_document && v->parent->parent == NULL);
 }
 
-/* The unknown members of a document. */
-struct unknown {
-	size_t n;
-	const struct cJSON *found; /* the one that was found first; NULL: it is told */
-};
-
-enum { UNKNOWN_TOLD_MAX = 10 };
-
-/* Tells what the unknown member v may mean. */
-static void tell_unknown(const struct value *v, const struct member *table, int variant,
-    struct unknown *u)
-{
-	struct word_guess g = { .word = v->name };
-	char pointer[POINTER_ROOM];
-
-	if (u->found == v->item)
-		u->found = NULL;
-	if (++u->n > UNKNOWN_TOLD_MAX)
-		return;
-	const struct place place = value_place(v, pointer);
-
-	offer_members(v, table, variant, &g);
-	say_at(EXIT_INPUT, &place, "unknown member; %s", g.remedy);
-}
-
-/* Returns the variant of the object v by the table's first row. */
-static int find_variant(const struct value *v, const struct member *table)
-{
-	struct value type;
-	const char *word;
-
-	if (table->words == NULL || !value_member(v, table->name, &type) ||
-	    (word = value_string(&type)) == NULL)
-		return (int)v->source->implied_type - 1;
-	for (int i = 0; table->words[i] != NULL; i++)
-		if (strcmp(table->words[i], word) == 0)
-			return i;
-	return ANY_VARIANT;
-}
-
-/* Tells the unknown members of v, of objects in it, and of those in arrays. The row is
- * that of v, or of the array around it. */
-static void walk_unknown(const struct value *v, const struct member *row,
-    struct unknown *u)
-{
-	const bool object = value_is(v, JSON_OBJECT);
-
-	if (row == NULL || row->members == NULL ||
-	    (!object && !value_is(v, JSON_ARRAY)))
-		return;
-	const int variant = object ? find_variant(v, row->members) : 0;
-
-	for (struct value m = value_child(v); m.item != NULL; value_next(&m)) {
-		const struct member *known = object ?
-		    member_named(row->members, variant, m.name, false) :
-		    row;
-
-		if (known != NULL)
-			walk_unknown(&m, known, u);
-		else if (!is_ignored(&m))
-			tell_unknown(&m, row->members, variant, u);
-	}
-}
-
-void object_tell_unknown(const struct value *v)
-{
-	const struct value *root = root_of(v);
-	struct unknown u = { 0 };
-
-	walk_unknown(root, root->source->row, &u);
-}
-
-/* Refuses the document of v, a member that `table` lacks: tells all unknown members.
- * The walk from the document's row does not meet members of a matrix and the like. */
-static _Noreturn void refuse_unknown(const struct value *v, const struct member *table,
+/* Tells what the unknown member v may mean. Returns the row of the table that it names
+ * by an alias or a slip, as a bit, or 0. */
+static uint64_t tell_unknown(const struct value *v, const struct member *table,
     int variant)
 {
-	struct unknown u = { .found = v->item };
-	const struct value *root = root_of(v);
+	const struct member *row = member_named(table, variant, v->name, true);
+	struct word_guess g = { .word = v->name };
 
-	walk_unknown(root, root->source->row, &u);
-	if (u.found != NULL)
-		tell_unknown(v, table, variant, &u);
-	if (u.n > UNKNOWN_TOLD_MAX)
-		value_refuse(root, "%zu unknown members", u.n);
-	quit(EXIT_INPUT, !root->source->is_operand);
+	offer_members(v, table, variant, &g);
+	for (const struct member *m = table; row == NULL && m->name != NULL; m++)
+		if (has_variant(m->variants, variant) &&
+		    word_closeness(v->name, m->name) == g.closeness)
+			row = m;
+	json_faults.unknown++;
+	value_fault(v, "unknown member; %s", g.remedy);
+	return row != NULL ? UINT64_C(1) << (row - table) : 0;
+}
+
+uint64_t object_check_names(const struct value *v, const struct member *table,
+    int variant)
+{
+	struct value m = value_child(v), first;
+	uint64_t meant = 0;
+
+	for (; m.item != NULL; value_next(&m)) {
+		if (*m.name == '_')
+			continue;
+		if (member_named(table, variant, m.name, false) == NULL &&
+		    !is_ignored(&m))
+			meant |= tell_unknown(&m, table, variant);
+		value_member(v, m.name, &first);
+		if (first.item != m.item)
+			value_fault(&m, "repeated; give it once");
+	}
+	return meant;
 }
 
 /* Reads the default of a row to a field; keeps it for the next object. */
@@ -315,11 +264,22 @@ static void read_default(const struct member *row, void *to)
 	memcpy(to, k->field, row->type->number_size * (row->n > 0 ? row->n : 1));
 }
 
+void object_attempt(void (*read)(const struct value *, const struct member *, void *),
+    const struct value *v, const struct member *row, void *out)
+{
+	jmp_buf here, *const outer = json_faults.next;
+
+	json_faults.next = &here;
+	if (setjmp(here) == 0)
+		read(v, row, out);
+	json_faults.next = outer;
+}
+
 void object_read_member(const struct value *v, const struct member *row, void *base)
 {
-	row->type->read(v, row, (char *)base + row->offset);
 	if (row->flag != 0)
 		*(bool *)((char *)base + row->flag - 1) = true;
+	object_attempt(row->type->read, v, row, (char *)base + row->offset);
 }
 
 /* A rule for one variant of object, for the task of fit or for others. In a set of
@@ -378,10 +338,10 @@ static void write_ways(char out[LIST_ROOM], const struct rule_bits *b, uint64_t 
 	}
 }
 
-/* Refuses v because of the first of `members`. If `way` is 0, v lacks it; if not, it is
- * not of the way that v has, of which `way` has the given members. */
-static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *b,
-    uint64_t given, uint64_t members, uint64_t way)
+/* Tells that the first of `members` is wrong in v. If `way` is 0, v lacks it; if not, it
+ * is not of the way that v has, of which `way` has the given members. */
+static void tell_way(const struct value *v, const struct rule_bits *b, uint64_t given,
+    uint64_t members, uint64_t way)
 {
 	const int first = __builtin_ctzll(members);
 	const struct value *m = VALUE_MISSING(v, b->table[first].name);
@@ -390,19 +350,21 @@ static _Noreturn void refuse_way(const struct value *v, const struct rule_bits *
 	uint64_t others = way;
 
 	write_ways(ways, b, given);
-	if (way == 0)
-		value_refuse(m, "missing; %s",
+	if (way == 0) {
+		value_fault(m, "missing; %s",
 		    b->rule->hint != NULL ? b->rule->hint : ways);
+		return;
+	}
 	for (size_t i = 0; i < b->n; i++)
 		if (b->way[i].all >> first & 1)
 			others &= ~b->way[i].all;
 	list_names(b->table, b->variant, others != 0 ? others : way, names);
-	value_refuse(m, "does not go with %s; %s",
+	value_fault(m, "does not go with %s; %s",
 	    words_join(rivals, names, " and ", "\""),
 	    b->rule->hint != NULL ? b->rule->hint : ways);
 }
 
-/* Returns the index of the way that the members `given` of v are. */
+/* Returns the index of the way that the members `given` of v are, or b->n after a fault. */
 static size_t find_way(const struct value *v, const struct rule_bits *b, uint64_t given)
 {
 	uint64_t extra = 0, lacking = 0, way = 0;
@@ -423,7 +385,8 @@ static size_t find_way(const struct value *v, const struct rule_bits *b, uint64_
 	}
 	if (extra == 0 && lacking == 0)
 		lacking = b->way[0].required;
-	refuse_way(v, b, given, extra != 0 ? extra : lacking, way);
+	tell_way(v, b, given, extra != 0 ? extra : lacking, way);
+	return b->n;
 }
 
 /* Returns the members that v leaves to another member of the scene. */
@@ -442,6 +405,8 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
 		return 0;
 	const size_t way = find_way(v, b, given);
 
+	if (way == b->n)
+		return 0;
 	if (base != NULL && rule->field != 0)
 		*(unsigned *)(void *)((char *)base + rule->field - 1) = rule->way_0 +
 		    (unsigned)way;
@@ -452,7 +417,7 @@ struct found object_read(const struct value *v, const struct member *row, int va
     void *base)
 {
 	const struct member *table = row->members;
-	struct found found = { 0, 0 };
+	struct found found = { 0 };
 	char wanted[LIST_ROOM];
 
 	if (!value_is(v, JSON_OBJECT)) {
@@ -466,27 +431,29 @@ struct found object_read(const struct value *v, const struct member *row, int va
 		if (base != NULL && m->fallback != NULL && m->type->number_size > 0 &&
 		    has_variant(m->variants, variant))
 			read_default(m, (char *)base + m->offset);
-	struct value m = value_child(v), first;
+	const size_t faults = json_faults.n;
+	const uint64_t meant = object_check_names(v, table, variant);
+	struct value m = value_child(v);
 
 	for (; m.item != NULL; value_next(&m)) {
 		const struct member *known = member_named(table, variant, m.name,
 		    false);
 
-		if (*m.name == '_')
+		const uint64_t bit = known != NULL ? UINT64_C(1) << (known - table) : 0;
+
+		if (known == NULL || (found.given & bit) != 0)
 			continue;
-		if (known == NULL && !is_ignored(&m))
-			refuse_unknown(&m, table, variant);
-		value_member(v, m.name, &first);
-		if (first.item != m.item)
-			value_refuse(&m, "repeated; give it once");
-		if (known == NULL)
-			continue;
-		found.given |= UINT64_C(1) << (known - table);
+		found.given |= bit;
 		if (base != NULL)
 			object_read_member(&m, known, base);
 	}
-	for (const struct rule *r = row->rules; r != NULL && r->ways != NULL; r++)
-		found.left |= check_rule(v, r, table, variant, found.given, base);
+	const uint64_t given = found.given | meant;
+
+	for (const struct rule *r = row->rules;
+	     r != NULL && r->ways != NULL && (given != 0 || json_faults.n == faults);
+	     r++)
+		found.left |= check_rule(v, r, table, variant, given, base);
+	found.faulty = json_faults.n != faults;
 	return found;
 }
 

@@ -97,22 +97,31 @@ struct rule {
  * those that it leaves to another member of the scene, as |NAME of a rule allows. */
 struct found {
 	uint64_t given, left;
+	bool faulty; /* faults were told */
 };
 
 /* Reads an object of the variant, which is 0 if the table has none, and returns what it
  * found. Sets the struct at `base`, if not NULL: defaults, given members, ways. Ignores
  * $schema, names that begin with _ and, in the outermost object, members that any
- * document may have. Refuses unknown and repeated members, and broken rules. */
+ * document may have. Tells all faults: unknown, repeated and wrong members, and broken
+ * rules, of which it takes an unknown member for the one that it may mean, and an object
+ * without members of the table breaks one alone. */
 struct found object_read(const struct value *, const struct member *row, int variant,
     void *base);
 
 /* The type of a member that is an object without variants. */
 extern const struct member_type type_object;
 
-/* Tells the first unknown members of the value's document, before it is refused. */
-void object_tell_unknown(const struct value *);
+/* Tells the unknown and the repeated members of an object, as object_read does. Returns
+ * the rows that unknown members may mean, as bits. */
+uint64_t object_check_names(const struct value *, const struct member *table,
+    int variant);
 
-/* Reads the value of a member to its field in the struct at `base`. */
+/* Calls `read`; a fault that it refuses is told, and then this function returns. */
+void object_attempt(void (*read)(const struct value *, const struct member *, void *),
+    const struct value *, const struct member *, void *out);
+
+/* Reads the value of a member to its field in the struct at `base`, by object_attempt. */
 void object_read_member(const struct value *, const struct member *, void *base);
 
 /* Prints the struct at `base` as an object with those members in `bits` that objects of

@@ -12,6 +12,8 @@
 #include "../number/number.h"
 #include "text.h"
 
+struct json_faults json_faults;
+
 const struct value_range range_any = { -SCENE_MAGNITUDE_MAX, SCENE_MAGNITUDE_MAX,
 	.wanted = "numbers go up to 1e150" };
 const struct value_range range_positive = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
@@ -179,6 +181,7 @@ struct value value_parse_document(struct json_source *source, const char *pointe
 	}
 	if (!source->is_operand)
 		take_back();
+	json_faults = (struct json_faults){ 0 };
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL, c.found.end };
 	return (
 	    struct value){ .source = source, .item = parse_without(&c, text, *array) };
@@ -226,7 +229,8 @@ void value_next(struct value *v)
 bool value_member(const struct value *object, const char *name, struct value *member)
 {
 	*member = value_child(object);
-	while (member->item != NULL && strcmp(member->name, name) != 0)
+	while (member->item != NULL &&
+	    (member->name == NULL || strcmp(member->name, name) != 0))
 		value_next(member);
 	return member->item != NULL;
 }
@@ -273,15 +277,47 @@ struct place value_place(const struct value *v, char pointer[POINTER_ROOM])
 	return json_source_place(v->source, pointer);
 }
 
-void value_refuse(const struct value *v, const char *format, ...)
+static void tell_fault(const struct value *v, const char *format, va_list args)
 {
 	char pointer[POINTER_ROOM];
+
+	json_faults.n++;
+	if (json_faults.unknown > UNKNOWN_TOLD_MAX)
+		return;
 	const struct place place = value_place(v, pointer);
+
+	vsay_at(EXIT_INPUT, &place, format, args);
+}
+
+void value_fault(const struct value *v, const char *format, ...)
+{
 	va_list args;
 
 	va_start(args, format);
-	vdie_at(EXIT_INPUT, &place, format, args);
+	tell_fault(v, format, args);
 	va_end(args);
+}
+
+void value_refuse(const struct value *v, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	tell_fault(v, format, args);
+	va_end(args);
+	value_give_up(v);
+}
+
+void value_give_up(const struct value *v)
+{
+	if (json_faults.next != NULL)
+		longjmp(*json_faults.next, 1);
+	if (json_faults.unknown > UNKNOWN_TOLD_MAX) {
+		const struct place place = json_source_place(v->source, "");
+
+		say_at(EXIT_INPUT, &place, "%zu unknown members", json_faults.unknown);
+	}
+	quit(EXIT_INPUT, !v->source->is_operand);
 }
 
 void value_refuse_type(const struct value *v, const char *wanted)

@@ -3,6 +3,7 @@
  * /camera/eye/0. Only value.c includes cJSON. */
 #pragma once
 
+#include <setjmp.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -97,7 +98,8 @@ void value_next(struct value *v);
 	    .parent = (object),                       \
 	    .name = (label) })
 
-/* Sets *member to the first member with the name. Returns false if there is none. */
+/* Sets *member to the first member with the name. Returns false if there is none, as of
+ * an array. */
 bool value_member(const struct value *object, const char *name, struct value *member);
 
 /* Returns whether the value exists and has the type. */
@@ -118,8 +120,27 @@ struct place json_source_place(const struct json_source *, const char *pointer);
 enum { TOKEN_MAX = 64, POINTER_ROOM = JSON_LEVELS_MAX * TOKEN_MAX + 1 };
 struct place value_place(const struct value *, char pointer[POINTER_ROOM]);
 
-/* Prints "projcalc: NAME: /pointer: ..." and exits with 1 or, by --keep-going, goes on
- * with the next document of --scenes. */
+/* The faults of the document that was parsed last. All are told before it is refused:
+ * who reads a member sets `next`, to which the reading of this member jumps after a
+ * fault, and reads the next one. NULL: the document is refused. */
+extern struct json_faults {
+	size_t n, unknown; /* `unknown` of the n are unknown members */
+	jmp_buf *next;
+} json_faults;
+
+/* Of more than ten unknown members the others are only counted, and no other fault is
+ * told: the document is meant for another program. */
+enum { UNKNOWN_TOLD_MAX = 10 };
+
+/* Prints "projcalc: NAME: /pointer: ..." for a fault after which reading goes on. */
+void value_fault(const struct value *, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Goes on after faults: with the next member or, if there is none, exits with 1 or, by
+ * --keep-going, goes on with the next document of --scenes. */
+_Noreturn void value_give_up(const struct value *);
+
+/* Does what value_fault and then value_give_up do. */
 _Noreturn void value_refuse(const struct value *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

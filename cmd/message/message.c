@@ -135,8 +135,7 @@ static void add_json(int status, const struct place *p, char *message)
 	addf(",\"status\":%d}", status > 0 ? status : EXIT_OK);
 }
 
-static void print_line(int status, const struct place *place, const char *format,
-    va_list args)
+void vsay_at(int status, const struct place *place, const char *format, va_list args)
 {
 	struct place p = place != NULL ? *place : (struct place){ 0 };
 	char message[MESSAGE_MAX];
@@ -160,7 +159,7 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	va_list args;
 
 	va_start(args, format);
-	print_line(status, place, format, args);
+	vsay_at(status, place, format, args);
 	va_end(args);
 }
 
@@ -183,24 +182,20 @@ static void wait_unless_first(void)
 		pause();
 }
 
-void vdie_at(int status, const struct place *place, const char *format, va_list args)
-{
-	if (place != NULL && place->of_scene && message_state.on_refusal != NULL) {
-		print_line(EXIT_INPUT, place, format, args);
-		quit(EXIT_INPUT, true);
-	}
-	wait_unless_first();
-	print_line(status, place, format, args);
-	exit(status);
-}
-
 void die_at(int status, const struct place *place, const char *format, ...)
 {
+	const bool ends = place == NULL || !place->of_scene ||
+	    message_state.on_refusal == NULL;
 	va_list args;
 
+	if (ends)
+		wait_unless_first();
 	va_start(args, format);
-	vdie_at(status, place, format, args);
+	vsay_at(ends ? status : EXIT_INPUT, place, format, args);
 	va_end(args);
+	if (ends)
+		exit(status);
+	quit(EXIT_INPUT, true);
 }
 
 void quit(int status, bool of_scene)

@@ -36,6 +36,8 @@ struct place {
  * which text says before the place if status is SAY_NOTE. */
 void say_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+void vsay_at(int status, const struct place *, const char *format, va_list)
+    __attribute__((format(printf, 3, 0)));
 
 /* Returns whether to say a note of this kind, from 0 to 31: true at the first call for
  * each kind, unless message_state.quiet is set. */
@@ -58,11 +60,9 @@ extern struct message_state {
  * environment has NO_COLOR (no-color.org) or TERM=dumb. */
 bool output_is_colored(int fd);
 
-/* die_at and vdie_at do what say_at does, and exit with status, from any thread. */
+/* Does what say_at does, and exits with status, from any thread. */
 _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-_Noreturn void vdie_at(int status, const struct place *, const char *format, va_list)
-    __attribute__((format(printf, 3, 0)));
 #define die(status, ...) die_at(status, NULL, __VA_ARGS__)
 
 /* Does the same without a message. */

@@ -77,7 +77,7 @@ const struct member_type type_convention = { "a name or an object",
 void convention_require(const struct value *object, const char *name)
 {
 	if (!object->unused && !object->source->has_axes)
-		value_refuse(VALUE_MISSING(object, name),
+		value_fault(VALUE_MISSING(object, name),
 		    "needs a \"convention\"; opencv has x right, y down, z forward, "
 		    "webgpu right, up, backward");
 }

@@ -110,7 +110,7 @@ static unsigned find_members(struct json_source *source, const struct value *roo
 	return seen | w->lone_member;
 }
 
-/* Refuses a document that lacks a member, or that is 2D where the command is not. */
+/* Tells that a document lacks a member, or refuses one that is 2D where the command is not. */
 static void check_members(const struct value *root, const struct document_wants *w,
     unsigned seen)
 {
@@ -126,7 +126,7 @@ static void check_members(const struct value *root, const struct document_wants 
 		return;
 	const struct member *row = &scene_members[__builtin_ctz(missing)];
 
-	value_refuse(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
+	value_fault(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
 	    row->name, row->example,
 	    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" : "");
 }
@@ -139,12 +139,19 @@ static void read_members(struct document *d, const struct value m[SCENE_MEMBERS]
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns the rows that a "convention" gives, as bits: a name all, a missing one none. */
-static uint64_t given_by_convention(const struct value *v)
+/* Returns whether a "convention" gives a member, as each name does, or has any if `name`
+ * is NULL. */
+static bool is_given_by_convention(const struct value *v, const char *name)
 {
+	struct value given;
+
 	if (!value_is(v, JSON_OBJECT))
-		return v->item != NULL ? ALL_MEMBERS : 0;
-	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL).given;
+		return v->item != NULL;
+	for (const struct member *row = convention_members; row->name != NULL; row++)
+		if ((name == NULL || strcmp(name, row->name) == 0) &&
+		    value_member(v, row->name, &given))
+			return true;
+	return false;
 }
 
 /* A device without "origin" takes it from -c or, without -c, from the document's. */
@@ -163,22 +170,24 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	d->has_eye = s->has_camera &&
 	    (s->camera.way >= CAMERA_TRANSLATION ||
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
-	if (s->camera.way == CAMERA_RVEC || s->camera.way == CAMERA_RVEC_TRANSLATION)
-		convention_require(&m[ROW_OF(CAMERA)], "rvec");
-	if (s->camera.steps.step != NULL)
+	if (s->camera.steps.step != NULL || s->camera.way == CAMERA_RVEC ||
+	    s->camera.way == CAMERA_RVEC_TRANSLATION) {
 		convention_require(&m[ROW_OF(CAMERA)],
-		    s->camera.way == CAMERA_POSE ? "pose" : "matrix");
+		    s->camera.way == CAMERA_POSE       ? "pose" :
+			s->camera.way == CAMERA_MATRIX ? "matrix" :
+							 "rvec");
+		d->source.has_axes = true; /* told once */
+	}
 	if (s->has_viewport && s->viewport.distance &&
 	    (value_member(&m[ROW_OF(VIEWPORT)], "min_z", &given) ||
 		value_member(&m[ROW_OF(VIEWPORT)], "max_z", &given)))
-		value_refuse(&given,
+		value_fault(&given,
 		    "not together with \"depth\": \"distance\"; it is for \"buffer\"");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_device && answer == NULL &&
-	    (given_by_convention(&m[ROW_OF(CONVENTION)]) &
-		member_bits(convention_members, 0, "origin")) != 0)
+	    is_given_by_convention(&m[ROW_OF(CONVENTION)], "origin"))
 		answer = &s->convention;
 	if (s->has_device && answer != NULL &&
 	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
@@ -217,13 +226,15 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 						     conventions[CONVENTION_D3D];
 	read_members(d, m, seen & first);
 	source->has_axes = w.convention != NULL ||
-	    given_by_convention(&m[ROW_OF(CONVENTION)]) != 0;
+	    is_given_by_convention(&m[ROW_OF(CONVENTION)], NULL);
 	d->written.convention = source->has_axes || (seen & SCENE_CONVENTION) != 0;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
 	source->column_vectors = d->scene.convention.column_vectors;
-	check_members(&root, &w, seen);
+	/* an unknown member may be the one that is missing */
+	if (json_faults.unknown == 0)
+		check_members(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
 	if (seen & SCENE_POINTS) {
@@ -231,6 +242,8 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 		    w.coordinates);
 		d->points = w.coordinates > 0 ? points.s : NULL;
 	}
+	if (json_faults.n > 0)
+		value_give_up(&root);
 }
 
 char *document_read_points(const char *name, char *text, size_t size, int coordinates,

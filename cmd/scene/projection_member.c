@@ -128,8 +128,10 @@ const struct member projection_members[] = {
 	MEMBER(PERSP, "intrinsics", type_intrinsics, section.intrinsics,
 	    .aliases = "k fx fy cx cy flx fly cameramatrix matrix "
 		       "intrinsic p principalpoint skew",
-	    .hint = " ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 from view to "
-		    "clip is \"matrix\" of type \"matrix\")",
+	    .hint =
+		" ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels of the \"viewport\", "
+		"with a \"convention\" such as \"opencv\"; a 4x4 from view to clip is "
+		"\"matrix\" of type \"matrix\")",
 	    .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
 	SIZE(PERSP, "edges_at", section.edges_at, .aliases = "distance d",
@@ -234,7 +236,7 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 			names[n++] = projection_type_names[i];
 	}
 	names[n] = NULL;
-	object_tell_unknown(v);
+	object_check_names(v, projection_members, ANY_VARIANT);
 	value_refuse(VALUE_MISSING(v, "type"), "missing; add \"type\": %s",
 	    words_join(all, n > 0 ? names : projection_type_names, " or ", "\""));
 }
@@ -251,7 +253,7 @@ static void read_type(const struct value *v, struct projection *p)
 		return;
 	}
 	if (value_find_word(&m, projection_type_names) < 0)
-		object_tell_unknown(v);
+		object_check_names(v, projection_members, ANY_VARIANT);
 	type_word.read(&m, projection_members, &p->type);
 	if (implied != PROJECTION_NONE && p->type != implied)
 		value_refuse(&m, "is \"%s\", not \"%s\"; project takes any type",
@@ -286,7 +288,7 @@ static void read_projection(const struct value *v, const struct member *row, voi
 	    !(is_given(p, found.given, "near") && is_given(p, found.given, "far"))) {
 		p->far = 1; /* both were 0 */
 	}
-	if (p->section.way == SECTION_ANGLES &&
+	if (!found.faulty && p->section.way == SECTION_ANGLES &&
 	    !(p->section.angles[0] < p->section.angles[1] &&
 		p->section.angles[2] < p->section.angles[3]))
 		value_refuse(VALUE_MISSING(v, "angles"),
@@ -305,14 +307,14 @@ static void set_image_size(const struct value *v, const struct viewport *viewpor
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
 	if (viewport == NULL)
-		value_refuse(given,
+		value_fault(given,
 		    "needs a \"viewport\", in whose units it is; write "
 		    "{\"projection\": {...}, \"viewport\": {...}}");
-	if (viewport->scale != SCALE_FILL)
-		value_refuse(given, "excludes the viewport's \"scale\"; omit that");
+	else if (viewport->scale != SCALE_FILL)
+		value_fault(given, "excludes the viewport's \"scale\"; omit that");
 	convention_require(v, "intrinsics");
-	p->section.width = viewport->width;
-	p->section.height = viewport->height;
+	p->section.width = viewport != NULL ? viewport->width : 0;
+	p->section.height = viewport != NULL ? viewport->height : 0;
 }
 
 void projection_complete(const struct value *v, const struct viewport *viewport,
@@ -322,17 +324,17 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	const bool widened = v->source->task == TASK_FIT && viewport != NULL &&
 	    projection_family(p) == FAMILY_PARALLEL;
 
-	if (v->unused)
+	if (v->unused || p->type == PROJECTION_NONE)
 		return;
 	if (projection_has_intrinsics(p))
 		set_image_size(v, viewport, p);
 	if (p->aspect[0] > 0 || (p->aspect[1] == 0 && !widened))
 		return;
 	if (viewport == NULL)
-		value_refuse(VALUE_MISSING(v, "aspect"),
+		value_fault(VALUE_MISSING(v, "aspect"),
 		    "missing; give it, or a \"viewport\"");
 	p->aspect[0] = p->aspect[1] = 1;
-	if (viewport->scale != SCALE_UNIFORM) {
+	if (viewport != NULL && viewport->scale != SCALE_UNIFORM) {
 		p->aspect[0] = viewport->width;
 		p->aspect[1] = viewport->height;
 	}

@@ -113,16 +113,20 @@ static struct list {
 static struct value given_world;
 
 /* Reads the step v, an object with one operation, to *s, whose kind it sets. */
-static void read_step(const struct value *v, struct step *s)
+static void read_step(const struct value *v, const struct member *row, void *out)
 {
-	const struct member *row;
+	struct step *s = out;
 	struct value m;
 
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v,
 		    "a step, an object of one operation such as {\"translate\": [0, 0, "
 		    "1]},");
-	s->kind = (unsigned)__builtin_ctzll(object_read(v, &step_row, 0, NULL).given);
+	const struct found found = object_read(v, &step_row, 0, NULL);
+
+	if (found.faulty)
+		value_give_up(v);
+	s->kind = (unsigned)__builtin_ctzll(found.given);
 	row = &step_members[s->kind];
 	if (s->kind == STEP_MATRIX) {
 		type_affine.read(v, row, s->matrix);
@@ -144,7 +148,7 @@ static void read_list(const struct value *v)
 		struct step *s = &reading->step[reading->n++];
 
 		*s = (struct step){ .rotation = { [3] = 1 }, .scale = { 1, 1, 1 } };
-		read_step(&e, s);
+		object_attempt(read_step, &e, &step_row, s);
 	}
 }
 

@@ -140,7 +140,8 @@ static void read_matrix(const struct value *v, const struct member *row, void *o
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
-		object_read(v, &matrix_row, 0, NULL);
+		if (object_read(v, &matrix_row, 0, NULL).faulty)
+			value_give_up(v);
 		value_member(v, "matrix", &all);
 	}
 	if (!value_is(&all, JSON_ARRAY))
@@ -154,7 +155,8 @@ static void read_matrix(const struct value *v, const struct member *row, void *o
 	double e[16];
 
 	if (narrow && n == 3)
-		value_refuse(&all, "is 3x3; append t to its rows: [R|t]");
+		value_refuse(&all,
+		    "is 3x3; append t to its rows: [R|t]; t is -R C of an eye C");
 	if (n != rows && n != 16)
 		value_refuse(&all, "has %zu element%s; %s are wanted%s", n,
 		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS,

@@ -233,7 +233,8 @@ static const struct refusal projections[] = {
 		    "/" name ": unknown member; did you mean \"" right \
 	}
 #define PIXELS                                                              \
-	"intrinsics\" ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; a 4x4 " \
+	"intrinsics\" ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels of the " \
+	"\"viewport\", with a \"convention\" such as \"opencv\"; a 4x4 "    \
 	"from view to clip is \"matrix\" of type \"matrix\")?"
 #define OF "of glTF and NeRF with \"angle_unit\": \"radians\")?"
 #define FOVY "fovy\" (vertical, as of Unity and three.js; Unreal's is \"fovx\"; " OF
@@ -254,9 +255,9 @@ static const struct refusal projections[] = {
 	    "with \"angle_unit\": \"radians\")?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
 	    "/K: unknown member; it is \"intrinsics\" in \"projection\": "
-	    "{\"type\": \"persp\", ...} ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels; "
-	    "a "
-	    "4x4 from view to clip is \"matrix\" of type \"matrix\")" },
+	    "{\"type\": \"persp\", ...} ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels "
+	    "of the \"viewport\", with a \"convention\" such as \"opencv\"; a 4x4 from "
+	    "view to clip is \"matrix\" of type \"matrix\")" },
 	{ &project, "{\"transform_matrix\":1}",
 	    "/transform_matrix: unknown member; it is \"pose\" in \"camera\" (view to "
 	    "world; of NeRF, Blender and ARKit with \"convention\": \"webgpu\")" },
