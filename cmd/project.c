@@ -13,7 +13,9 @@ void check_project(const struct options *o)
 	if (o->ray &&
 	    ((o->has_from && o->from != SPACE_DEVICE) ||
 		(o->has_to && o->to != SPACE_WORLD)))
-		die(EXIT_USAGE, "--ray goes from device to world");
+		die(EXIT_USAGE,
+		    "--ray goes from device to world; leave --from and --to out, and "
+		    "for rays of view space the camera");
 	if (plane &&
 	    ((o->has_from && o->from < SPACE_NDC) || (o->has_to && o->to > SPACE_VIEW)))
 		die(EXIT_USAGE, "--plane is from device or ndc to model, world, view");

@@ -134,8 +134,9 @@ bool params_next_document(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses PARAMS if it looks like points: a number, after blank lines and comments. If
- * POINTS are given, so does [ and, if they are binary, any byte but {. */
+/* Refuses PARAMS if it is a list of objects, or if it looks like points: a number, after
+ * blank lines and comments. If POINTS are given, so does [ and, if they are binary, any
+ * byte but {. */
 static void check_not_points(const struct options *o)
 {
 	const struct place place = { .file = params.name };
@@ -143,6 +144,10 @@ static void check_not_points(const struct options *o)
 
 	while (*(s += strspn(s, " \t\r\n")) == '#')
 		s += strcspn(s, "\n");
+	if (*s == '[' && s[1 + strspn(s + 1, " \t\r\n")] == '{')
+		die_at(EXIT_INPUT, &place,
+		    "is a list of objects; jq -c '.[]' makes lines of scenes for "
+		    "--scenes");
 	if (!isdigit((unsigned char)s[strspn(s, "+-.(")]) &&
 	    !(o->n_points > 0 && params.begin < params.end &&
 		(*s == '[' || (format_is_binary(o->in) && *s != '{'))))
@@ -175,9 +180,10 @@ void params_read_document(const struct options *o, struct document *d)
 	if (!o->scenes) {
 		params_skip_blanks();
 		params.end = params.text.size;
-		params.text.s[params.end] = '\0';
-		check_not_points(o);
 	}
+	params.text.s[params.text.size] = '\0';
+	if (params.number == 1)
+		check_not_points(o);
 	wants.source.lines_before = (long)params.line - 1;
 	wants.source.bytes_before = params.column - 1;
 	if (o->scenes)

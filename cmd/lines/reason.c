@@ -434,9 +434,9 @@ void reason_missing(const struct lookup *found, int i, char reason[REASON_MAX])
 	if (found->times[i] == 0) {
 		say_more(reason, "%s '%s'%s",
 		    c.names ? "the header has no column" : "has no member", shown,
-		    c.names || l->columns.n > 0 ?
-			"" :
-			"; --columns names the coordinates, such as lon or /pos/x");
+		    c.names || l->columns.n > 0 ? "" :
+						  "; --columns names the coordinates, "
+						  "such as lon, /pos/x or /pos/0");
 		if (c.names && i == 2 && l->z_hint != NULL)
 			say_more(reason, "%s", l->z_hint);
 		else

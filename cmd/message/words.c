@@ -122,6 +122,16 @@ static const struct {
 	    "filmgauge f",
 	    ": in mm give the sensor's \"width\" and \"height\", and \"edges_at\", the "
 	    "focal length; in pixels \"intrinsics\": [fx, fy, cx, cy]" },
+	{ WORD_VALUE, "fisheye",
+	    ": lenses are not modelled; 'Points through a lens' in 'man projcalc-scene' "
+	    "bends points by awk" },
+	{ VALUE, "isometric dimetric trimetric axonometric",
+	    ": it is \"ortho\" of a camera askew to the axes, such as \"gaze\": "
+	    "[-1,-1,-1]" },
+	{ VALUE, "lh lefthanded", ": \"d3d\" is left-handed" },
+	{ VALUE, "rh righthanded",
+	    ": of the right-handed ones \"webgpu\" has z backward and depth from 0, \"gl\" "
+	    "depth from -1 and y from the bottom" },
 	{ WORD_MEMBER, "dfov diagonalfov fovd",
 	    ": of the diagonal; \"fovy\" is 2 atan(tan(dfov / 2) height / hypot(width, "
 	    "height))" },
@@ -133,6 +143,18 @@ static const struct {
 	    ": angles are steps, as \"pose\" of \"camera\": [{\"rotate_x\": 10}, "
 	    "{\"rotate_y\": 30}, {\"translate\": [0,0,5]}]; units, orders and signs differ, see "
 	    "'Yaw, pitch and roll' in 'man projcalc-scene'" },
+	{ WORD_MEMBER, "right top xmax ymax",
+	    ": edges are of \"projection\" or \"window\"; a viewport and a device have "
+	    "\"width\" (right - left) and \"height\" (top - bottom)" },
+	{ WORD_MEMBER, "R T t",
+	    ": world to view they are \"matrix\" of \"camera\", [R|t] as 3 rows of 4" },
+	{ WORD_MEMBER, "H homography",
+	    ": a scene has no homography; of a camera and a plane 'project -m -c opencv "
+	    "--plane 0,0,1,0' makes one" },
+	{ WORD_MEMBER, "header binningx binningy roi",
+	    ": is it ROS's? 'A CameraInfo of ROS' in 'man projcalc-scene' reads YAML" },
+	{ WORD_MEMBER, "token sensortoken sampletoken calibratedsensortoken egoposetoken",
+	    ": is it nuScenes's? 'Sensors of nuScenes' in 'man projcalc-scene' reads one" },
 	{ WORD_MEMBER, "translation",
 	    ": where the camera stands it is \"eye\" of \"camera\", the t of [R|t] is "
 	    "\"translation\" there; 'Sensors of nuScenes' in 'man projcalc-scene' chains "

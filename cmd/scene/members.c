@@ -278,6 +278,8 @@ const struct member scene_members[] = {
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "projection", type_projection, scene.projection,
 	    .members = projection_members, .aliases = "lens perspective proj",
+	    .hint = ", such as " PERSP_EXAMPLE
+		    " or {\"type\": \"matrix\", \"matrix\": [...]}",
 	    .rules = projection_rules, .example = PERSP_EXAMPLE,
 	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),

@@ -81,12 +81,15 @@ static const struct refusal names[] = {
 		&project, "{\"" name "\":{}}",                             \
 		    "/" name ": unknown member; did you mean \"" right "?" \
 	}
+#define PROJECTION                             \
+	"projection\", such as " PERSP_EXAMPLE \
+	" or {\"type\": \"matrix\", \"matrix\": [...]}"
 	{ &project, "{\"view\":{}}",
 	    "/view: unknown member; did you mean \"camera\", for a matrix "
 	    "{\"matrix\": [...]} (world to view) or {\"pose\": [...]} (view to "
 	    "world)?" },
-	MEANT("lens", "projection\", as " PERSP_EXAMPLE),
-	MEANT("perspective", "projection\", as " PERSP_EXAMPLE),
+	MEANT("lens", PROJECTION),
+	MEANT("perspective", PROJECTION),
 	MEANT("model", "world\", as [{\"translate\": [1,2,3]}]"),
 	MEANT("screen", "viewport\", as " RECTANGLE_EXAMPLE),
 	MEANT("point", "points\", as [[0,0,0], [1,1,1]]"),

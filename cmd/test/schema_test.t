@@ -45,7 +45,7 @@ my $beyond = qr{
 	too\ far\ from |
 	beyond\ the\ range\ of\ doubles | --distances
 	    (?!;\ numbers) |
-	missing;\ (?:add|it\ is|device|say|-t) | or\ --(?:at|radius) |
+	missing;\ (?:add|it\ is|device|say|-t) | give\ --(?:at|radius) |
 	project\ takes\ any | coordinates\ are\ wanted | not\ together\ with\ PO |
 	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted | --distances |
 	^projcalc:\ POINTS:

@@ -85,8 +85,8 @@ static const char *map_to_next(const struct scene *s, enum space first, bool inv
 		break;
 	case SPACE_NDC:
 		if (!s->has_viewport)
-			return "/viewport: missing; device coordinates need "
-			       "one, or use the space ndc";
+			return "/viewport: missing; device coordinates need one, such "
+			       "as {\"width\": 640, \"height\": 480}; ndc needs none";
 		return viewport_map(&s->viewport, to, inverse, r);
 	case FLAT_WINDOW:
 		return window_map(&s->window, s->has_device ? &s->device : NULL,
