@@ -139,7 +139,8 @@ bool params_next_document(const struct options *o)
  * byte but {. */
 static void check_not_points(const struct options *o)
 {
-	const struct place place = { .file = params.name };
+	const struct place place = { .file = params.name, .of_scene = o->scenes };
+	const int status = o->scenes ? EXIT_INPUT : EXIT_USAGE;
 	const char *s = params.text.s + params.begin;
 
 	while (*(s += strspn(s, " \t\r\n")) == '#')
@@ -153,9 +154,9 @@ static void check_not_points(const struct options *o)
 		(*s == '[' || (format_is_binary(o->in) && *s != '{'))))
 		return;
 	if (strstr(params.text.s + params.begin, "CAMERA_ID") != NULL)
-		die_at(EXIT_USAGE, &place, "is a table, no scene; %s",
+		die_at(status, &place, "is a table, no scene; %s",
 		    strchr(word_hint("colmap", WORD_VALUE, ':'), '\''));
-	die_at(EXIT_USAGE, &place, "holds points; a scene is wanted%s%s",
+	die_at(status, &place, "holds points; a scene is wanted%s%s",
 	    command_reads_points(o->command) ? " first, as in: scene.json " : "",
 	    command_reads_points(o->command) ? params.name : "");
 }

@@ -162,9 +162,9 @@ static void offer_objects(const struct value *v, const struct member *table,
 /* Offers what v, a member that the table lacks, may mean, the first of these: the
  * member that has v->name as an alias; a remark of word_hint about v->name or its text;
  * other objects of the scene; a member of the scene; a near name in the table; all of
- * its names. */
-static void offer_members(const struct value *v, const struct member *table,
-    int variant, struct word_guess *g)
+ * its names. Returns the row of the alias or the near name, or NULL. */
+static const struct member *offer_members(const struct value *v,
+    const struct member *table, int variant, struct word_guess *g)
 {
 	const struct member *row = member_named(table, variant, v->name, true);
 	const struct member *of_scene = member_named(v->source->scene_members, 0,
@@ -191,10 +191,18 @@ static void offer_members(const struct value *v, const struct member *table,
 			"it stands beside \"%s\"" :
 			"it is \"%2$s\", beside \"%1$s\"",
 		    v->parent->name, of_scene->name);
+	const bool known = g->closeness == WORD_KNOWN;
+
 	list_names(table, variant, ALL_MEMBERS, names);
 	word_offer_list(g, names, "did you mean \"%s\"?");
+	for (const struct member *m = table; !known && row == NULL && m->name != NULL;
+	     m++)
+		if (g->closeness > 0 && has_variant(m->variants, variant) &&
+		    word_closeness(v->name, m->name) == g->closeness)
+			row = m;
 	word_offer(g, WORD_ELSE, "there are %s",
 	    words_join(list, names, " and ", "\""));
+	return row;
 }
 
 /* Returns whether an unknown member is no error: $schema, a name that begins with _ and,
@@ -208,41 +216,25 @@ static bool is_ignored(const struct value *v)
 	    (row != NULL && row->in_any_document && v->parent->parent == NULL);
 }
 
-/* Tells what the unknown member v may mean. Returns the row of the table that it names
- * by an alias or a slip, as a bit, or 0. */
-static uint64_t tell_unknown(const struct value *v, const struct member *table,
+const struct member *object_meant(const struct value *v, const struct member *table,
     int variant)
 {
-	const struct member *row = member_named(table, variant, v->name, true);
 	struct word_guess g = { .word = v->name };
 
-	offer_members(v, table, variant, &g);
-	for (const struct member *m = table; row == NULL && m->name != NULL; m++)
-		if (has_variant(m->variants, variant) &&
-		    word_closeness(v->name, m->name) == g.closeness)
-			row = m;
-	json_faults.unknown++;
-	value_fault(v, "unknown member; %s", g.remedy);
-	return row != NULL ? UINT64_C(1) << (row - table) : 0;
+	return is_ignored(v) ? NULL : offer_members(v, table, variant, &g);
 }
 
-uint64_t object_check_names(const struct value *v, const struct member *table,
-    int variant)
+/* Tells what the unknown member v may mean, and returns what object_meant does. */
+static const struct member *tell_unknown(const struct value *v,
+    const struct member *table, int variant)
 {
-	struct value m = value_child(v), first;
-	uint64_t meant = 0;
+	struct word_guess g = { .word = v->name };
+	const struct member *row = ++json_faults.unknown > UNKNOWN_TOLD_MAX ?
+	    NULL :
+	    offer_members(v, table, variant, &g);
 
-	for (; m.item != NULL; value_next(&m)) {
-		if (*m.name == '_')
-			continue;
-		if (member_named(table, variant, m.name, false) == NULL &&
-		    !is_ignored(&m))
-			meant |= tell_unknown(&m, table, variant);
-		value_member(v, m.name, &first);
-		if (first.item != m.item)
-			value_fault(&m, "repeated; give it once");
-	}
-	return meant;
+	value_fault(v, "unknown member; %s", g.remedy);
+	return row;
 }
 
 /* Reads the default of a row to a field; keeps it for the next object. */
@@ -350,9 +342,10 @@ static void tell_way(const struct value *v, const struct rule_bits *b, uint64_t 
 	uint64_t others = way;
 
 	write_ways(ways, b, given);
+	const char *hint = b->rule->hint != NULL ? b->rule->hint : ways;
+
 	if (way == 0) {
-		value_fault(m, "missing; %s",
-		    b->rule->hint != NULL ? b->rule->hint : ways);
+		value_fault(m, "missing; %s", hint);
 		return;
 	}
 	for (size_t i = 0; i < b->n; i++)
@@ -361,15 +354,18 @@ static void tell_way(const struct value *v, const struct rule_bits *b, uint64_t 
 	list_names(b->table, b->variant, others != 0 ? others : way, names);
 	value_fault(m, "does not go with %s; %s",
 	    words_join(rivals, names, " and ", "\""),
-	    b->rule->hint != NULL ? b->rule->hint : ways);
+	    b->rule->rivals != NULL ? b->rule->rivals : hint);
 }
 
-/* Returns the index of the way that the members `given` of v are, or b->n after a fault. */
-static size_t find_way(const struct value *v, const struct rule_bits *b, uint64_t given)
+/* Returns the index of the way that the members of v are, or b->n if there is none. This
+ * is told unless `quiet` is set; so is a conflict, but not of a member that only another
+ * one may mean. */
+static size_t find_way(const struct value *v, const struct rule_bits *b,
+    const struct found *found, bool quiet)
 {
+	const uint64_t given = (found->given | found->meant) & b->all;
 	uint64_t extra = 0, lacking = 0, way = 0;
 
-	given &= b->all;
 	for (size_t i = 0; i < b->n; i++) {
 		const uint64_t required = b->way[i].required;
 		uint64_t missing = required & ~given, in = b->way[i].all & given;
@@ -385,15 +381,20 @@ static size_t find_way(const struct value *v, const struct rule_bits *b, uint64_
 	}
 	if (extra == 0 && lacking == 0)
 		lacking = b->way[0].required;
-	tell_way(v, b, given, extra != 0 ? extra : lacking, way);
+	if (extra != 0 && ((extra & found->meant) != 0 || (way & found->meant) != 0))
+		quiet = true;
+	if (!quiet)
+		tell_way(v, b, given, extra != 0 ? extra : lacking, way);
 	return b->n;
 }
 
 /* Returns the members that v leaves to another member of the scene. */
 static uint64_t check_rule(const struct value *v, const struct rule *rule,
-    const struct member *table, int variant, uint64_t given, void *base)
+    const struct member *table, int variant, const struct found *found, bool quiet,
+    void *base)
 {
 	const enum task task = v->unused ? TASK_WHOLE : v->source->task;
+	const uint64_t given = found->given | found->meant;
 
 	if (!has_variant(rule->variants, variant) ||
 	    !has_variant(rule->tasks, (int)task))
@@ -403,7 +404,7 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
 	if ((b->with.all != 0 && (b->with.all & given) == 0) ||
 	    (b->with.never & given) != 0)
 		return 0;
-	const size_t way = find_way(v, b, given);
+	const size_t way = find_way(v, b, found, quiet);
 
 	if (way == b->n)
 		return 0;
@@ -413,10 +414,52 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
 	return b->way[way].left & ~given;
 }
 
+/* Reads the members of v, and those that it may mean if their rows have no hint, by
+ * which their values may differ. Returns whether a hint of words.c sends a member to
+ * another way than those of the rules. */
+static bool read_members(const struct value *v, const struct member *table, int variant,
+    struct found *found, void *base)
+{
+	struct value m = value_child(v), first;
+	uint64_t repeated = 0;
+	bool other_way = false;
+
+	for (; m.item != NULL; value_next(&m)) {
+		const struct member *row = member_named(table, variant, m.name, false);
+		const bool known = row != NULL;
+
+		if (!known && is_ignored(&m)) {
+			if (*m.name != '_' && value_member(v, m.name, &first) &&
+			    first.item != m.item)
+				value_fault(&m, "repeated; give it once");
+			continue;
+		}
+		if (!known)
+			row = tell_unknown(&m, table, variant);
+		if (row == NULL) {
+			other_way |= word_hint(m.name, WORD_MEMBER, ':') != NULL;
+			continue;
+		}
+		const uint64_t bit = UINT64_C(1) << (row - table);
+
+		if (known && (found->given & ~repeated & bit) != 0) {
+			value_fault(&m, "repeated; give it once");
+			repeated |= bit;
+		}
+		if ((found->given & bit) != 0)
+			continue;
+		*(known ? &found->given : &found->meant) |= bit;
+		if (base != NULL && (known || row->hint == NULL))
+			object_read_member(&m, row, base);
+	}
+	return other_way;
+}
+
 struct found object_read(const struct value *v, const struct member *row, int variant,
     void *base)
 {
-	const struct member *table = row->members;
+	const size_t faults = json_faults.n;
+	const struct rule *r = row->rules;
 	struct found found = { 0 };
 	char wanted[LIST_ROOM];
 
@@ -427,32 +470,18 @@ struct found object_read(const struct value *v, const struct member *row, int va
 		    row->hint != NULL ? row->hint : "");
 		value_refuse_type(v, wanted);
 	}
-	for (const struct member *m = table; m->name != NULL; m++)
+	for (const struct member *m = row->members; m->name != NULL; m++)
 		if (base != NULL && m->fallback != NULL && m->type->number_size > 0 &&
 		    has_variant(m->variants, variant))
 			read_default(m, (char *)base + m->offset);
-	const size_t faults = json_faults.n;
-	const uint64_t meant = object_check_names(v, table, variant);
-	struct value m = value_child(v);
+	const bool other_way = read_members(v, row->members, variant, &found, base);
 
-	for (; m.item != NULL; value_next(&m)) {
-		const struct member *known = member_named(table, variant, m.name,
-		    false);
-
-		const uint64_t bit = known != NULL ? UINT64_C(1) << (known - table) : 0;
-
-		if (known == NULL || (found.given & bit) != 0)
-			continue;
-		found.given |= bit;
-		if (base != NULL)
-			object_read_member(&m, known, base);
-	}
-	const uint64_t given = found.given | meant;
-
-	for (const struct rule *r = row->rules;
-	     r != NULL && r->ways != NULL && (given != 0 || json_faults.n == faults);
-	     r++)
-		found.left |= check_rule(v, r, table, variant, given, base);
+	found.meant &= ~found.given;
+	for (; r != NULL && r->ways != NULL && variant != ANY_VARIANT; r++)
+		found.left |= check_rule(v, r, row->members, variant, &found,
+		    other_way ||
+			((found.given | found.meant) == 0 && json_faults.n != faults),
+		    base);
 	found.faulty = json_faults.n != faults;
 	return found;
 }

@@ -4,8 +4,9 @@
  * members go together. Help, completions and the schema are made of the same rows.
  *
  * The caller owns the struct that is read or printed. Rows and rules are constants, and
- * what is derived from a rule is kept until the program ends. Nothing else is kept: a
- * struct that was read does not refer to the document. */
+ * what is derived from a rule is kept until the program ends. Nothing else is kept but the
+ * count of faults (json_faults): a struct that was read does not refer to the document.
+ * After faults it is half read, and for nothing but the search for other faults. */
 #pragma once
 
 #include <stdint.h>
@@ -84,8 +85,9 @@ struct rule {
 	 * of those with ! after their names; NULL means for all objects. */
 	unsigned variants, tasks;
 	const char *with;
-	/* The end of the message that a member is missing; NULL: it lists the ways. */
-	const char *hint;
+	/* The end of the message that a member is missing; NULL: it lists the ways.
+	 * `rivals` ends the message that members are of two ways; NULL: `hint` does. */
+	const char *hint, *rivals;
 	/* FIELD of an unsigned, which becomes way_0 plus the index of the way; or 0 */
 	size_t field;
 	unsigned way_0;
@@ -93,31 +95,33 @@ struct rule {
 
 #define WAYS(...) ((const char *const[]){ __VA_ARGS__, NULL })
 
-/* What object_read found, as bits of the rows: the members that the object has, and
- * those that it leaves to another member of the scene, as |NAME of a rule allows. */
+enum { ANY_VARIANT = -1 }; /* in place of a variant: all rows are meant */
+
+/* What object_read found, as bits of the rows: the members that the object has; others
+ * that its unknown members may mean; and those that it leaves to another member of the
+ * scene, as |NAME of a rule allows. */
 struct found {
-	uint64_t given, left;
-	bool faulty; /* faults were told */
+	uint64_t given, meant, left;
+	bool faulty; /* there are faults, which are told */
 };
 
 /* Reads an object of the variant, which is 0 if the table has none, and returns what it
  * found. Sets the struct at `base`, if not NULL: defaults, given members, ways. Ignores
  * $schema, names that begin with _ and, in the outermost object, members that any
  * document may have. Tells all faults: unknown, repeated and wrong members, and broken
- * rules, of which it takes an unknown member for the one that it may mean, and an object
- * without members of the table breaks one alone. */
+ * rules, of which an object without members of the table breaks one alone. To a rule an
+ * unknown member is what it may mean. Of ANY_VARIANT looks at names alone. */
 struct found object_read(const struct value *, const struct member *row, int variant,
     void *base);
 
 /* The type of a member that is an object without variants. */
 extern const struct member_type type_object;
 
-/* Tells the unknown and the repeated members of an object, as object_read does. Returns
- * the rows that unknown members may mean, as bits. */
-uint64_t object_check_names(const struct value *, const struct member *table,
+/* Returns the row that an unknown member may mean, as its message says, or NULL. */
+const struct member *object_meant(const struct value *, const struct member *table,
     int variant);
 
-/* Calls `read`; a fault that it refuses is told, and then this function returns. */
+/* Calls `read`, and returns also if it refuses a fault, after this is told. */
 void object_attempt(void (*read)(const struct value *, const struct member *, void *),
     const struct value *, const struct member *, void *out);
 
@@ -133,7 +137,6 @@ void object_print(struct printer *, const struct member *row, int variant,
 /* Returns the first row that objects of the variant have and that is called `name`, or
  * NULL. If `alias` is true, the row may also have `name` as an alias, or a name that
  * differs from it in case, _ and - only. The table may be NULL. */
-enum { ANY_VARIANT = -1 }; /* searches all rows */
 const struct member *member_named(const struct member *, int variant, const char *name,
     bool alias);
 

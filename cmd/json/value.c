@@ -363,13 +363,13 @@ double value_number(const struct value *v, const struct value_range *range)
 }
 
 void value_numbers(const struct value *v, const struct value_range *range, size_t n,
-    double *out)
+    const char *hint, double *out)
 {
 	const size_t count = value_count(v);
-	char wanted[40];
+	char wanted[LIST_ROOM];
 
 	if (count != n) {
-		snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
+		snprintf(wanted, sizeof wanted, "an array of %zu numbers%s", n, hint);
 		if (!value_is(v, JSON_ARRAY))
 			value_refuse_type(v, wanted);
 		value_refuse(v, "has %zu element%s; %s is wanted", count,

@@ -121,22 +121,22 @@ enum { TOKEN_MAX = 64, POINTER_ROOM = JSON_LEVELS_MAX * TOKEN_MAX + 1 };
 struct place value_place(const struct value *, char pointer[POINTER_ROOM]);
 
 /* The faults of the document that was parsed last. All are told before it is refused:
- * who reads a member sets `next`, to which the reading of this member jumps after a
- * fault, and reads the next one. NULL: the document is refused. */
+ * object_attempt sets `next`, to which the reading of a member jumps after a fault, and
+ * restores it. NULL: nothing is attempted, and the first fault refuses the document. */
 extern struct json_faults {
 	size_t n, unknown; /* `unknown` of the n are unknown members */
 	jmp_buf *next;
 } json_faults;
 
-/* Of more than ten unknown members the others are only counted, and no other fault is
- * told: the document is meant for another program. */
+/* A document of more than ten unknown members is meant for another program: from the
+ * eleventh on faults are only counted. */
 enum { UNKNOWN_TOLD_MAX = 10 };
 
 /* Prints "projcalc: NAME: /pointer: ..." for a fault after which reading goes on. */
 void value_fault(const struct value *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Goes on after faults: with the next member or, if there is none, exits with 1 or, by
+/* Goes on after faults: where a member is attempted, else exits with 1 or, by
  * --keep-going, goes on with the next document of --scenes. */
 _Noreturn void value_give_up(const struct value *);
 
@@ -150,9 +150,10 @@ _Noreturn void value_refuse_type(const struct value *, const char *wanted);
 /* Returns the number of a value; refuses other types, and numbers out of range. */
 double value_number(const struct value *, const struct value_range *);
 
-/* Reads an array of exactly n numbers; refuses other values. */
+/* Reads an array of exactly n numbers; refuses other values by a message that ends with
+ * the hint. */
 void value_numbers(const struct value *, const struct value_range *, size_t n,
-    double *);
+    const char *hint, double *);
 
 /* Return the index of a string in words[], which NULL ends. Of other values
  * value_find_word returns -1, and value_word refuses them. */

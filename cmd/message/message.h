@@ -51,8 +51,8 @@ extern struct message_state {
 	unsigned color;           /* an enum color */
 	bool quiet;               /* notes are left out */
 	struct scene_place scene; /* the current scene of --scenes */
-	/* If set, die_at reports a place that is of_scene with status EXIT_INPUT, and
-	 * jumps here. Only the first thread jumps, while no other thread works. */
+	/* If set, die_at and quit jump here if a scene is refused, which die_at reports
+	 * with status EXIT_INPUT. Only the first thread jumps, while no other thread works. */
 	jmp_buf *on_refusal;
 } message_state;
 
@@ -65,7 +65,7 @@ _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 #define die(status, ...) die_at(status, NULL, __VA_ARGS__)
 
-/* Does the same without a message. */
+/* Does what die_at does at a place that is of_scene or not, but without a message. */
 _Noreturn void quit(int status, bool of_scene);
 
 /* Returns memory as realloc does, or exits with status 3. */

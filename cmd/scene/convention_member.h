@@ -26,6 +26,6 @@ extern const struct member convention_members[];
 /* A convention: a name, or an object of convention_members. */
 extern const struct member_type type_convention;
 
-/* Refuses the object's member `name`, whose numbers depend on the view axes, if neither
+/* Tells a fault of the object's member `name`, whose numbers depend on the view axes, if neither
  * the document nor the command line gives a convention. */
 void convention_require(const struct value *object, const char *name);

@@ -86,6 +86,25 @@ unsigned document_used_members(const struct document_wants *w)
 	    (w->flat_members != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
+/* Sets m[i] to the member of a faulty document that may mean the object with bit i, if
+ * this is not `seen`. Returns these objects as bits. */
+static unsigned find_meant(const struct value *root, unsigned seen,
+    struct value m[SCENE_MEMBERS])
+{
+	unsigned meant = 0;
+
+	for (struct value v = value_child(root); v.item != NULL; value_next(&v)) {
+		const struct member *row = object_meant(&v, scene_members, 0);
+		const ptrdiff_t i = row != NULL ? row - scene_members : 0;
+
+		if (row == NULL || row->members == NULL || (seen >> i & 1) != 0)
+			continue;
+		m[i] = v;
+		meant |= 1u << i;
+	}
+	return meant;
+}
+
 /* Sets m[i] to the member with bit i, and returns the members of the document as bits.
  * If it has none, or only angle_unit, the document itself is w->lone_member. */
 static unsigned find_members(struct json_source *source, const struct value *root,
@@ -100,7 +119,8 @@ static unsigned find_members(struct json_source *source, const struct value *roo
 			seen |= 1u << i;
 	source->used = document_used_members(w);
 	if (w->lone_member == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
-		object_read(root, &scene_row, 0, NULL);
+		if (object_read(root, &scene_row, 0, NULL).faulty)
+			seen |= find_meant(root, seen, m);
 		return seen;
 	}
 	const int lone = __builtin_ctz(w->lone_member);
@@ -110,25 +130,30 @@ static unsigned find_members(struct json_source *source, const struct value *roo
 	return seen | w->lone_member;
 }
 
-/* Tells that a document lacks a member, or refuses one that is 2D where the command is not. */
+/* Tells that a document lacks a member, or is 2D where the command is not. */
 static void check_members(const struct value *root, const struct document_wants *w,
     unsigned seen)
 {
 	const unsigned missing = w->needed & ~seen;
 	const unsigned flat = seen & (SCENE_WINDOW | SCENE_DEVICE);
+	const struct member *row =
+	    &scene_members[missing != 0 ? __builtin_ctz(missing) : 0];
 
 	if (w->flat_members == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 && (flat & ~w->used) != 0)
-		value_refuse(VALUE_MISSING(root,
-				 scene_members[__builtin_ctz(flat)].name),
+		value_fault(VALUE_MISSING(root,
+				scene_members[__builtin_ctz(flat)].name),
 		    "is of two dimensions; so are w2n, n2w, n2d, d2n, w2d and d2w");
-	if (missing == 0)
-		return;
-	const struct member *row = &scene_members[__builtin_ctz(missing)];
-
-	value_fault(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
-	    row->name, row->example,
-	    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" : "");
+	else if (missing != 0 && (w->used & SCENE_SPATIAL) == 0 &&
+	    (seen & SCENE_SPATIAL) != 0)
+		value_fault(VALUE_MISSING(root, row->name),
+		    "missing; of a scene of three dimensions 'project', its --from and "
+		    "--to, --ray and --plane do this");
+	else if (missing != 0)
+		value_fault(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
+		    row->name, row->example,
+		    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" :
+					   "");
 }
 
 static void read_members(struct document *d, const struct value m[SCENE_MEMBERS],
@@ -139,19 +164,23 @@ static void read_members(struct document *d, const struct value m[SCENE_MEMBERS]
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns whether a "convention" gives a member, as each name does, or has any if `name`
- * is NULL. */
-static bool is_given_by_convention(const struct value *v, const char *name)
+/* Returns whether a "convention" gives a member, as each name of one does. */
+static bool convention_gives(const struct value *v, const char *name)
 {
 	struct value given;
 
-	if (!value_is(v, JSON_OBJECT))
-		return v->item != NULL;
-	for (const struct member *row = convention_members; row->name != NULL; row++)
-		if ((name == NULL || strcmp(name, row->name) == 0) &&
-		    value_member(v, row->name, &given))
-			return true;
-	return false;
+	return value_is(v, JSON_OBJECT) ? value_member(v, name, &given) :
+					  v->item != NULL;
+}
+
+/* Returns the member of a camera that needs the axes of a convention, or NULL. */
+static const char *find_needs_axes(const struct camera *c)
+{
+	if (c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION)
+		return "rvec";
+	if (c->steps.step != NULL && c->way == CAMERA_POSE)
+		return "pose";
+	return c->steps.step != NULL && c->way == CAMERA_MATRIX ? "matrix" : NULL;
 }
 
 /* A device without "origin" takes it from -c or, without -c, from the document's. */
@@ -160,6 +189,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 {
 	struct scene *s = &d->scene;
 	const struct convention *answer = w->convention;
+	const char *needs_axes = find_needs_axes(&s->camera);
 	struct value given;
 
 	s->camera.unit = (enum angle_unit)d->source.unit;
@@ -170,14 +200,8 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	d->has_eye = s->has_camera &&
 	    (s->camera.way >= CAMERA_TRANSLATION ||
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
-	if (s->camera.steps.step != NULL || s->camera.way == CAMERA_RVEC ||
-	    s->camera.way == CAMERA_RVEC_TRANSLATION) {
-		convention_require(&m[ROW_OF(CAMERA)],
-		    s->camera.way == CAMERA_POSE       ? "pose" :
-			s->camera.way == CAMERA_MATRIX ? "matrix" :
-							 "rvec");
-		d->source.has_axes = true; /* told once */
-	}
+	if (needs_axes != NULL)
+		convention_require(&m[ROW_OF(CAMERA)], needs_axes);
 	if (s->has_viewport && s->viewport.distance &&
 	    (value_member(&m[ROW_OF(VIEWPORT)], "min_z", &given) ||
 		value_member(&m[ROW_OF(VIEWPORT)], "max_z", &given)))
@@ -187,7 +211,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_device && answer == NULL &&
-	    is_given_by_convention(&m[ROW_OF(CONVENTION)], "origin"))
+	    convention_gives(&m[ROW_OF(CONVENTION)], "origin"))
 		answer = &s->convention;
 	if (s->has_device && answer != NULL &&
 	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
@@ -224,26 +248,28 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 		m[i].unused = (w.used >> i & 1) == 0;
 	d->scene.convention = w.convention != NULL ? *w.convention :
 						     conventions[CONVENTION_D3D];
+	const size_t faults = json_faults.n;
+
 	read_members(d, m, seen & first);
-	source->has_axes = w.convention != NULL ||
-	    is_given_by_convention(&m[ROW_OF(CONVENTION)], NULL);
+	/* a wrong convention would give them */
+	source->has_axes = w.convention != NULL || json_faults.n != faults;
+	for (const struct member *row = convention_members; row->name != NULL; row++)
+		source->has_axes |= convention_gives(&m[ROW_OF(CONVENTION)], row->name);
 	d->written.convention = source->has_axes || (seen & SCENE_CONVENTION) != 0;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
 	source->column_vectors = d->scene.convention.column_vectors;
-	/* an unknown member may be the one that is missing */
-	if (json_faults.unknown == 0)
-		check_members(&root, &w, seen);
+	check_members(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
+	if (json_faults.n > 0)
+		value_give_up(&root);
 	if (seen & SCENE_POINTS) {
 		d->points_size = write_points(&m[ROW_OF(POINTS)], &points,
 		    w.coordinates);
 		d->points = w.coordinates > 0 ? points.s : NULL;
 	}
-	if (json_faults.n > 0)
-		value_give_up(&root);
 }
 
 char *document_read_points(const char *name, char *text, size_t size, int coordinates,

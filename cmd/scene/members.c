@@ -103,7 +103,7 @@ static void read_scale(const struct value *v, const struct member *row, void *ou
 
 	*by = SCALE_GIVEN;
 	if (value_is(v, JSON_ARRAY))
-		value_numbers(v, &range_positive, 2,
+		value_numbers(v, &range_positive, 2, "",
 		    (double *)(void *)((char *)out + TO_SCALES));
 	else if (value_string(v) == NULL)
 		value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
@@ -201,7 +201,7 @@ static void read_bounds_point(const struct value *v, const struct member *row,
 	const bool two = v->unused ? value_count(v) == 2 : v->source->flat;
 
 	(void)row;
-	value_numbers(v, &range_any, two ? 2 : 3, out);
+	value_numbers(v, &range_any, two ? 2 : 3, "", out);
 }
 
 static const struct member_type type_bounds_point = { "3 numbers, or 2 of a window",

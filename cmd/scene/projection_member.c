@@ -187,7 +187,12 @@ const struct rule projection_rules[] = {
 	      "width height edges_at?", "width aspect|viewport edges_at?",
 	      "height aspect|viewport edges_at?", "left right bottom top edges_at?",
 	      "angles", "intrinsics"),
-	    .field = FIELD(projection, section.way) },
+	    .field = FIELD(projection, section.way),
+	    .rivals = "one way is enough: \"fovy\" and \"aspect\", \"fovx\" and "
+		      "\"aspect\", or "
+		      "\"width\" and \"height\" at \"edges_at\"; both angles are "
+		      "\"angles\", and "
+		      "pixels belong in \"viewport\"" },
 	{ RULE(PARALLEL, "width~ height~", "width~ aspect~|viewport",
 	      "height~ aspect~|viewport", "left right bottom top"),
 	    .field = FIELD(projection, section.way), .way_0 = SECTION_SIZE },
@@ -218,11 +223,12 @@ static bool is_given(const struct projection *p, uint64_t given, const char *nam
 	return (given & member_bits(projection_members, (int)p->type - 1, name)) != 0;
 }
 
-/* Refuses a projection without a type; lists the types that have all of its members. */
-static _Noreturn void refuse_missing_type(const struct value *v)
+/* Returns the type that alone has all members of v, or PROJECTION_NONE. Writes the names
+ * of such types to `all` as a list, or of all types if there are none. */
+static unsigned find_type(const struct value *v, char all[LIST_ROOM])
 {
+	unsigned last = PROJECTION_NONE;
 	const char *names[PROJECTION_TYPES];
-	char all[LIST_ROOM];
 	int n = 0;
 
 	for (int i = 0; projection_type_names[i] != NULL; i++) {
@@ -232,31 +238,45 @@ static _Noreturn void refuse_missing_type(const struct value *v)
 		    (*m.name == '_' ||
 			member_named(projection_members, i, m.name, true) != NULL))
 			value_next(&m);
-		if (m.item == NULL)
+		if (m.item == NULL) {
 			names[n++] = projection_type_names[i];
+			last = PROJECTION_PERSP + (unsigned)i;
+		}
 	}
 	names[n] = NULL;
-	object_check_names(v, projection_members, ANY_VARIANT);
-	value_refuse(VALUE_MISSING(v, "type"), "missing; add \"type\": %s",
-	    words_join(all, n > 0 ? names : projection_type_names, " or ", "\""));
+	words_join(all, n > 0 ? names : projection_type_names, " or ", "\"");
+	return n == 1 ? last : PROJECTION_NONE;
 }
 
-static void read_type(const struct value *v, struct projection *p)
+/* Reads the type of the projection. If it is missing or wrong, the other members are
+ * read as those of the type that has them. */
+static void read_type(const struct value *v, const struct member *row,
+    struct projection *p)
 {
 	unsigned implied = v->source->implied_type;
+	char all[LIST_ROOM];
 	struct value m;
+	const bool given = value_member(v, "type", &m);
 
 	p->type = implied;
-	if (!value_member(v, "type", &m)) {
+	if (given ? value_find_word(&m, projection_type_names) < 0 :
+		    implied == PROJECTION_NONE) {
 		if (implied == PROJECTION_NONE)
-			refuse_missing_type(v);
-		return;
+			p->type = find_type(v, all);
+		if (!given)
+			value_fault(VALUE_MISSING(v, "type"),
+			    "missing; add \"type\": %s", all);
+		if (p->type != PROJECTION_NONE)
+			return; /* object_read refuses a wrong "type" */
+		object_read(v, row, ANY_VARIANT, NULL);
+		if (!given)
+			value_give_up(v);
 	}
-	if (value_find_word(&m, projection_type_names) < 0)
-		object_check_names(v, projection_members, ANY_VARIANT);
+	if (!given)
+		return;
 	type_word.read(&m, projection_members, &p->type);
 	if (implied != PROJECTION_NONE && p->type != implied)
-		value_refuse(&m, "is \"%s\", not \"%s\"; project takes any type",
+		value_fault(&m, "is \"%s\", not \"%s\"; project takes any type",
 		    projection_type_names[p->type - 1],
 		    projection_type_names[implied - 1]);
 }
@@ -269,7 +289,7 @@ static void read_projection(const struct value *v, const struct member *row, voi
 		value_refuse_type(v, "{\"type\": \"matrix\", \"matrix\": [...]}");
 	if (!value_is(v, JSON_OBJECT))
 		value_refuse_type(v, "an object");
-	read_type(v, p);
+	read_type(v, row, p);
 	/* an index in projection_type_names, which has no PROJECTION_NONE */
 	int variant = (int)p->type - 1;
 	const struct found found = object_read(v, row, variant, p);

@@ -16,6 +16,7 @@ extern const struct member_type type_projection;
 extern const char *const projection_type_names[];
 
 /* Completes a projection that was read from the value: takes a missing aspect and, for
- * intrinsics, the size of the image from the viewport, which may be NULL. */
+ * intrinsics, the size of the image from the viewport, which may be NULL. Tells the fault
+ * that it lacks them; leaves a projection whose type was refused as it is. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);

@@ -14,7 +14,7 @@ static void read_factors(const struct value *v, const struct member *row, void *
 
 	(void)row;
 	if (value_is(v, JSON_ARRAY))
-		value_numbers(v, &range_any, 3, s);
+		value_numbers(v, &range_any, 3, "", s);
 	else if (value_is(v, JSON_NUMBER))
 		s[0] = s[1] = s[2] = value_number(v, &range_any);
 	else
@@ -37,10 +37,12 @@ static const struct rule rotate_rules[] = { { .ways = WAYS("axis angle") },
 
 static const struct member node_members[] = {
 	ROW(step, "translation", type_numbers, translation, .n = 3,
+	    .aliases = "position localposition",
 	    .about = "vector added to the point, after the rotation"),
-	ROW(step, "rotation", type_numbers, rotation, .n = 4, .aliases = "quaternion",
-	    .hint = " (x, y, z, w)", .about = "quaternion x, y, z, w of the rotation"),
-	ROW(step, "scale", type_factors, scale,
+	ROW(step, "rotation", type_numbers, rotation, .n = 4,
+	    .aliases = "quaternion localrotation orientation", .hint = " (x, y, z, w)",
+	    .about = "quaternion x, y, z, w of the rotation"),
+	ROW(step, "scale", type_factors, scale, .aliases = "localscale",
 	    .about = "factor of all axes or of each, before the rotation"),
 	{ .name = NULL },
 };
@@ -73,17 +75,19 @@ const struct member step_members[] = {
 	    .aliases = "axisangle angleaxis",
 	    .about = "\"axis\" and \"angle\" of a rotation"),
 	ROW(step, "quaternion", type_numbers, rotation, .n = 4,
-	    .aliases = "quat q xyzw",
+	    .aliases = "quat q xyzw", .hint = " (x, y, z, w)",
 	    .about = "quaternion x, y, z, w of a rotation, of any length but 0"),
 	ROW(step, "quaternion_wxyz", type_numbers, rotation, .n = 4,
-	    .aliases = "wxyz qvec",
+	    .aliases = "wxyz qvec", .hint = " (w, x, y, z)",
 	    .about = "quaternion w, x, y, z of a rotation, of any length but 0"),
 	ROW(step, "rvec", type_numbers, rotation, .n = 3, .unit = "radians",
 	    .aliases = "rotationvector rodrigues",
 	    .about = "rotation vector, whose length is the angle"),
 	ROW(step, "matrix", type_affine, matrix, .about = "affine matrix"),
 	ROW(step, "node", type_object, kind, .members = node_members,
-	    .rules = node_rules, .aliases = "translation rotation trs",
+	    .rules = node_rules,
+	    .aliases = "translation rotation trs localposition "
+		       "localrotation localscale",
 	    .hint = ", an object with translation, rotation x, y, z, w and scale as in "
 		    "glTF; if w is first, as in nuScenes, \"quaternion_wxyz\" and then "
 		    "\"translate\"",
@@ -98,7 +102,9 @@ const struct member step_members[] = {
 const struct rule step_rules[] = {
 	{ .ways = WAYS("translate", "scale", "rotate_x", "rotate_y", "rotate_z",
 	      "rotate", "quaternion", "quaternion_wxyz", "rvec", "matrix vectors?",
-	      "node", "inverse") },
+	      "node", "inverse"),
+	    .rivals =
+		"give each a step of its own: [{\"scale\": 2}, {\"rotate_z\": 90}]" },
 	{ .ways = NULL },
 };
 
@@ -112,28 +118,24 @@ static struct list {
 
 static struct value given_world;
 
-/* Reads the step v, an object with one operation, to *s, whose kind it sets. */
+/* Reads the step v, an object with one operation, to the step at `out`. */
 static void read_step(const struct value *v, const struct member *row, void *out)
 {
 	struct step *s = out;
 	struct value m;
+	const struct found found = object_read(v, row, 0, NULL);
 
-	if (!value_is(v, JSON_OBJECT))
-		value_refuse_type(v,
-		    "a step, an object of one operation such as {\"translate\": [0, 0, "
-		    "1]},");
-	const struct found found = object_read(v, &step_row, 0, NULL);
-
-	if (found.faulty)
+	if (found.given == 0)
 		value_give_up(v);
 	s->kind = (unsigned)__builtin_ctzll(found.given);
-	row = &step_members[s->kind];
+	const struct member *operation = &step_members[s->kind];
+
 	if (s->kind == STEP_MATRIX) {
-		type_affine.read(v, row, s->matrix);
+		type_affine.read(v, operation, s->matrix);
 		return;
 	}
-	value_member(v, row->name, &m);
-	object_read_member(&m, row, s);
+	value_member(v, operation->name, &m);
+	object_read_member(&m, operation, s);
 }
 
 static void read_list(const struct value *v)
@@ -141,11 +143,17 @@ static void read_list(const struct value *v)
 	struct value e = value_child(v);
 
 	for (; e.item != NULL; value_next(&e)) {
-		if (reading->n == STEPS_MAX)
-			value_refuse(&e,
+		if (!value_is(&e, JSON_OBJECT))
+			value_refuse_type(&e,
+			    "a step, an object of one operation such as "
+			    "{\"translate\": [0, 0, 1]},");
+		if (reading->n++ == STEPS_MAX)
+			value_fault(&e,
 			    "is one too many; a list has at most 64 steps, with those "
 			    "inside of inverses");
-		struct step *s = &reading->step[reading->n++];
+		if (reading->n > STEPS_MAX)
+			value_give_up(&e);
+		struct step *s = &reading->step[reading->n - 1];
 
 		*s = (struct step){ .rotation = { [3] = 1 }, .scale = { 1, 1, 1 } };
 		object_attempt(read_step, &e, &step_row, s);

@@ -21,7 +21,8 @@ static void read_numbers(const struct value *v, const struct member *row, void *
 	else if (row->n == 0)
 		*(double *)out = value_number(v, range);
 	else
-		value_numbers(v, range, row->n, out);
+		value_numbers(v, range, row->n, row->hint != NULL ? row->hint : "",
+		    out);
 }
 
 static void print_numbers(struct printer *p, const struct member *row, const void *at)
@@ -108,8 +109,9 @@ static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
 /* `column` says which vectors the rows of the matrix were read for. */
 static void check_transposed(const struct value *v, const double m[4][4], bool column)
 {
-	if (m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 && m[3][3] == 1 &&
-	    (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
+	/* with faults the convention may be the wrong one */
+	if (json_faults.n == 0 && m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
+	    m[3][3] == 1 && (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
 		value_refuse(v,
 		    column ?
 			"its rows are for row vectors; write it as {\"matrix\": [...], "
@@ -125,10 +127,10 @@ static void read_rows(const struct value *v, size_t rows, size_t columns, double
 	struct value row = value_child(v);
 
 	if (value_count(v) != rows)
-		value_numbers(v, &range_any, rows * columns, out);
+		value_numbers(v, &range_any, rows * columns, "", out);
 	else
 		for (; row.item != NULL; value_next(&row), out += columns)
-			value_numbers(&row, &range_any, columns, out);
+			value_numbers(&row, &range_any, columns, "", out);
 }
 
 /* Rows for column vectors are transposed. A list of 16 numbers is not: it lists rows
@@ -140,9 +142,9 @@ static void read_matrix(const struct value *v, const struct member *row, void *o
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
-		if (object_read(v, &matrix_row, 0, NULL).faulty)
+		object_read(v, &matrix_row, 0, NULL);
+		if (!value_member(v, "matrix", &all))
 			value_give_up(v);
-		value_member(v, "matrix", &all);
 	}
 	if (!value_is(&all, JSON_ARRAY))
 		value_refuse_type(&all,
@@ -220,7 +222,7 @@ static void read_intrinsics(const struct value *v, const struct member *row, voi
 	if (nested)
 		columns = value_count(&first) == 4 ? 4 : 3;
 	if (n == 4 && !nested) {
-		value_numbers(v, &range_any, 4, e);
+		value_numbers(v, &range_any, 4, "", e);
 		for (int i = 0; i < 2; i++, value_next(&first)) {
 			value_number(&first, &range_positive);
 			k[i][i] = e[i];

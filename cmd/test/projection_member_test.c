@@ -19,10 +19,6 @@ static const struct document_wants volume = { .lone_member = SCENE_PROJECTION,
 static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
-#define PERSP_HINT                                                             \
-	"give \"fovy\", or \"fovx\", or \"view_angle\", or \"field\", or "     \
-	"\"width\" and \"height\", or \"width\", or \"height\", or \"left\", " \
-	"\"right\", \"bottom\" and \"top\", or \"angles\", or \"intrinsics\""
 #define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
@@ -62,24 +58,16 @@ static const struct refusal projections[] = {
 	    "or \"field\", or \"width\" and \"height\", or \"width\", or "
 	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
 	    "\"angles\", or \"intrinsics\"" },
+#define ONE_WAY                                                                      \
+	"one way is enough: \"fovy\" and \"aspect\", \"fovx\" and \"aspect\", or "   \
+	"\"width\" and \"height\" at \"edges_at\"; both angles are \"angles\", and " \
+	"pixels belong in \"viewport\""
 	{ &persp, "{" PLANES ",\"fovy\":60,\"fovx\":60}",
-	    "/fovx: does not go with \"fovy\"; give \"fovy\", or \"fovx\", "
-	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
-	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
-	    "\"top\", or \"angles\", or \"intrinsics\"" },
+	    "/fovx: does not go with \"fovy\"; " ONE_WAY },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"height\":60}",
-	    "/height: does not go with \"fovy\"; give \"fovy\", or \"fovx\", "
-	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
-	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
-	    "\"top\", or \"angles\", or \"intrinsics\"" },
+	    "/height: does not go with \"fovy\"; " ONE_WAY },
 	{ &persp, "{" PLANES "," SIZE ",\"aspect\":1}",
-	    "/aspect: does not go with \"width\" and \"height\"; give \"fovy\" "
-	    "and "
-	    "\"aspect\", or \"fovx\" and \"aspect\", or \"view_angle\" and "
-	    "\"aspect\", or \"field\" and \"aspect\", or \"width\" and "
-	    "\"height\", or \"width\" and \"aspect\", or \"height\" and "
-	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\", or "
-	    "\"angles\", or \"intrinsics\"" },
+	    "/aspect: does not go with \"width\" and \"height\"; " ONE_WAY },
 	{ &persp, "{\"fovy\":180}",
 	    "/fovy: 180 is out of range; an angle above 0 and below 180 "
 	    "degrees is wanted" },
@@ -170,7 +158,7 @@ static const struct refusal projections[] = {
 	    "/projection/intrinsics: needs a \"convention\"; opencv has x right, y "
 	    "down, z forward, webgpu right, up, backward" },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
-	    "/projection/intrinsics: does not go with \"fovy\"; " PERSP_HINT },
+	    "/projection/intrinsics: does not go with \"fovy\"; " ONE_WAY },
 	{ &project, PERSP_IN_VIEWPORT("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
 	    "/projection/near: missing; give \"near\" and \"far\", or none of "
 	    "them" },
@@ -218,11 +206,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
 	    "/near: missing; give \"near\" and \"far\", which may be \"infinity\"" },
 	{ &persp, "{\"fovy\":60,\"edges_at\":1}",
-	    "/edges_at: does not go with \"fovy\"; give \"fovy\", or "
-	    "\"fovx\", or \"view_angle\", or \"field\", or \"width\", "
-	    "\"height\" and \"edges_at\", or \"width\" and \"edges_at\", or "
-	    "\"height\" and \"edges_at\", or \"left\", \"right\", \"bottom\", "
-	    "\"top\" and \"edges_at\", or \"angles\", or \"intrinsics\"" },
+	    "/edges_at: does not go with \"fovy\"; " ONE_WAY },
 	{ &ortho, "{\"edges_at\":1}",
 	    "/edges_at: unknown member; there are \"type\", \"width\", "
 	    "\"height\", \"aspect\", \"left\", \"right\", \"bottom\", \"top\", "
