@@ -27,7 +27,7 @@ const struct note_row note_rows[NOTES] = {
 	    "\"vectors\" in \"convention\"" },
 	[NOTE_NEAR_BEYOND] = { "/projection",
 	    "near is beyond far: the eye or the gaze is on the other side; swap them, "
-	    "or for reversed depth say \"reverse_z\": true" },
+	    "leave out minus signs, or for reversed depth say \"reverse_z\": true" },
 	[NOTE_DEPTH_FALLS] = { "/projection",
 	    "depth falls along the convention's gaze: it is reversed, or the "
 	    "projection is of the other handedness; if reversed depth is not meant, "

@@ -84,7 +84,8 @@ static bool begins_with(struct span f, const char *words)
 	     n++)
 		word[n] = f.s[n];
 	word[n] = '\0';
-	return word_is_one_of(word, words);
+	return (f.s + n == f.end || !isdigit((unsigned char)f.s[n])) &&
+	    word_is_one_of(word, words);
 }
 
 /* Adds how to mend f, a field of text or csv. Returns false if it adds nothing. */
@@ -133,9 +134,11 @@ static const char *json_remedy(const struct field *f)
 
 	return number_read(f->value.s, f->value.end, &v) != NULL ?
 	    ", as JSON writes it" :
-	    first != '[' && first != '{' ? "" :
-	    f->name.s == NULL            ? "; one array or object a line: jq -c '.[]'" :
-					   "; --columns takes pointers, such as /x/0";
+	    first != '[' && first != '{' ?
+	    "" :
+	    f->name.s == NULL ?
+	    "; one array or object a line, for -i json: jq -c '.[]'" :
+	    "; --columns takes pointers, such as /x/0";
 }
 
 void reason_field(const struct layout *l, int i, const struct field *field,

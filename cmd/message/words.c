@@ -55,7 +55,7 @@ static const struct {
 	{ CALL, "w2v window2viewport windowtoviewport", "w2d" },
 	{ CALL, "device", "n2d" },
 	{ CALL, "bounds zoom extent", "fit" },
-	{ CALL, "info decompose frustumplanes rq", "inspect" },
+	{ CALL, "info decompose planes frustumplanes clipplanes rq", "inspect" },
 	{ CALL, "click", "pick" },
 	{ CALL, "explain", "trace" },
 	{ CALL, "usage man", "help" },
@@ -70,7 +70,7 @@ static const struct {
 	{ CALL, "render draw plot",
 	    ": 'A wireframe' in 'man projcalc-scene' makes lines for gnuplot" },
 
-	{ CALL, "format", "--output" },
+	{ CALL, "format", ": -i names the format of POINTS, -o that of the output" },
 	{ VALUE, "json", "--output json" },
 	{ VALUE, "csv", "--input csv" },
 	{ CALL, "delimiter", "--separator" },
@@ -85,6 +85,9 @@ static const struct {
 	{ VALUE, "convert opengl", "--convention gl" },
 	{ VALUE, "directx direct3d", "--convention d3d" },
 	{ CALL, "d3d gl vulkan webgpu opencv", "--convention *" },
+	{ WORD_OPTION, "pixel pixels",
+	    ": pixels are POINTS, as '[320,240]', of pick --at 320,240; --to device prints "
+	    "them" },
 	{ VALUE, "pixel pixels screen image", "--to device" },
 	{ VALUE, "texture uv",
 	    ": it is \"device\" with \"viewport\": {\"width\": 1, \"height\": 1}" },
@@ -106,13 +109,15 @@ static const struct {
 	{ REMARK, "crs epsg srs lat lon alt latitude longitude altitude",
 	    ": coordinates are lengths; of degrees cs2cs makes metres first" },
 	{ REMARK, "P0 P1 P2 P3 prect00 prect01 prect02 prect03",
-	    ": P is \"intrinsics\" of \"projection\", as 3 rows of 4 numbers" },
+	    ": P is \"intrinsics\" of \"projection\", 3 rows of 4 numbers, with \"type\": "
+	    "\"persp\", beside \"viewport\" and \"convention\": \"opencv\"" },
 	{ REMARK, "r0rect rrect rrect00 tr trvelotocam trvelocam",
 	    ": steps chain them: \"world\": [{\"matrix\": Tr}, {\"matrix\": [R0|0]}]; "
 	    "'The lidar of KITTI' in 'man projcalc-scene'" },
 	{ REMARK, "cameraintrinsic",
-	    ": it is \"intrinsics\" of \"projection\"; \"world\" takes the frames as steps, "
-	    "[{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": [0,0,0]}, ...]" },
+	    ": it is \"intrinsics\" of \"projection\"; the camera's frame is \"pose\" of "
+	    "\"camera\", as steps [{\"quaternion_wxyz\": rotation}, {\"translate\": "
+	    "translation}]; 'Sensors of nuScenes' in 'man projcalc-scene'" },
 	{ REMARK, "distortion undistort distort distortioncoefficients distortioncoeffs "
 	    "distortionmodel distortionparams radialdistortion tangentialdistortion "
 	    "distcoeffs distcoef distcoeff dist fisheye d k1 k2 k3 k4 k5 k6 p1 p2",
@@ -128,40 +133,52 @@ static const struct {
 	{ VALUE, "isometric dimetric trimetric axonometric",
 	    ": it is \"ortho\" of a camera askew to the axes, such as \"gaze\": "
 	    "[-1,-1,-1]" },
-	{ VALUE, "lh lefthanded", ": \"d3d\" is left-handed" },
+	{ VALUE, "lh lefthanded",
+	    ": the \"handedness\" is \"left\", as that of \"d3d\"" },
 	{ VALUE, "rh righthanded",
-	    ": of the right-handed ones \"webgpu\" has z backward and depth from 0, \"gl\" "
-	    "depth from -1 and y from the bottom" },
+	    ": the \"handedness\" is \"right\", as those of \"gl\", of \"vulkan\", "
+	    "\"webgpu\" and \"opencv\"" },
+	{ WORD_VALUE, "contain letterbox cover crop",
+	    ": \"grow\" contains the window, and \"shrink\" covers the device" },
+	{ WORD_VALUE, "0 1 2 3 4 5 6 7 8 9 10 12",
+	    ": of decimals it is --decimals, of digits --digits" },
 	{ WORD_MEMBER, "dfov diagonalfov fovd",
 	    ": of the diagonal; \"fovy\" is 2 atan(tan(dfov / 2) height / hypot(width, "
 	    "height))" },
 	{ REMARK, "depthscale depthfactor",
 	    ": scale the depth before: awk '{$3 *= 0.001} 1'" },
-	{ REMARK, "size imagesize windowsize resolution",
+	{ REMARK, "size imagesize imageresolution windowsize resolution",
 	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
 	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
-	    ": angles are steps, as \"pose\" of \"camera\": [{\"rotate_x\": 10}, "
-	    "{\"rotate_y\": 30}, {\"translate\": [0,0,5]}]; units, orders and signs differ, see "
-	    "'Yaw, pitch and roll' in 'man projcalc-scene'" },
+	    ": angles are steps, as \"pose\" of \"camera\", in place of \"eye\": "
+	    "[{\"rotate_x\": 10}, {\"rotate_y\": 30}, {\"translate\": [0,0,5]}], beside a "
+	    "\"convention\"; units, orders and signs differ, see 'Yaw, pitch and roll' in "
+	    "'man projcalc-scene'" },
 	{ WORD_MEMBER, "right top xmax ymax",
 	    ": edges are of \"projection\" or \"window\"; a viewport and a device have "
 	    "\"width\" (right - left) and \"height\" (top - bottom)" },
 	{ WORD_MEMBER, "R T t",
 	    ": world to view they are \"matrix\" of \"camera\", [R|t] as 3 rows of 4" },
 	{ WORD_MEMBER, "H homography",
-	    ": a scene has no homography; of a camera and a plane 'project -m -c opencv "
-	    "--plane 0,0,1,0' makes one" },
+	    ": [[a,b,c],[d,e,f],[g,h,i]] is \"projection\": {\"type\": \"matrix\", \"matrix\": "
+	    "[[a,b,0,c],[d,e,0,f],[0,0,1,0],[g,h,0,i]]} in \"convention\": {\"vectors\": "
+	    "\"column\"}; of a camera and a plane 'project -m -c opencv --plane 0,0,1,0' makes "
+	    "one" },
 	{ WORD_MEMBER, "header binningx binningy roi",
-	    ": is it ROS's? 'A CameraInfo of ROS' in 'man projcalc-scene' reads YAML" },
+	    ": is it ROS's? 'A CameraInfo of ROS' in 'man projcalc-scene' reads one, 'Frames "
+	    "of ROS and tf2' a transform" },
+	{ WORD_MEMBER, "metadata object",
+	    ": is it three.js's? a camera's \"matrix\" is \"pose\" of \"camera\", with "
+	    "\"convention\": \"webgpu\", its \"fov\" is \"fovy\"" },
 	{ WORD_MEMBER, "token sensortoken sampletoken calibratedsensortoken egoposetoken",
 	    ": is it nuScenes's? 'Sensors of nuScenes' in 'man projcalc-scene' reads one" },
 	{ WORD_MEMBER, "translation",
 	    ": where the camera stands it is \"eye\" of \"camera\", the t of [R|t] is "
 	    "\"translation\" there; 'Sensors of nuScenes' in 'man projcalc-scene' chains "
 	    "frames" },
-	{ WORD_MEMBER, "quaternion quat",
+	{ WORD_MEMBER, "quaternion quat rotation localrotation",
 	    ": x, y, z, w from view to world it is \"orientation\" of \"camera\"; to turn "
-	    "the model, \"world\": [{\"quaternion\": q}]" },
+	    "the model, \"world\": [{\"quaternion\": q}]; with w first \"quaternion_wxyz\"" },
 	{ REMARK, "qvec qw quaternionwxyz",
 	    ": world to view, w first, it is \"matrix\": [{\"quaternion_wxyz\": q}, "
 	    "{\"translate\": t}] of \"camera\"; view to world it is \"pose\"" },
@@ -178,7 +195,8 @@ static const struct {
 	    ": \"intrinsics\" are [fx, fy, cx, cy]; 'A model of COLMAP' in "
 	    "'man projcalc-scene' finds them" },
 	{ WORD_MEMBER, "asset scenes nodes accessors bufferviews cameras",
-	    ": is it glTF? 'A camera of glTF' in 'man projcalc-scene' reads one" },
+	    ": is it glTF? 'A camera of glTF' in 'man projcalc-scene' reads one; of other lists "
+	    "jq -c '.cameras[]' makes scenes for --scenes" },
 	{ WORD_MEMBER, "perspective orthographic",
 	    ": it is the \"type\" of \"projection\", \"persp\" or \"ortho\"; 'A camera of "
 	    "glTF' in 'man projcalc-scene' reads glTF's" },

@@ -41,7 +41,7 @@ const struct member convention_members[] = {
 	    "clipz ndcz depthrange zrange",
 	    "range of z in normalised device coordinates (ndc)"),
 	CHOICE("vectors", vector_names, column_vectors, "row",
-	    "vector major order transpose columnmajor rowmajor",
+	    "vector matrix major order transpose columnmajor rowmajor",
 	    "form of matrices as nested rows: row for p M, column for M p"),
 	CHOICE("ndc_y", y_names, ndc_y_down, "up", "ndc clip clipy",
 	    "direction of y in clip space and ndc"),

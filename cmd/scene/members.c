@@ -86,10 +86,10 @@ static const struct value_range height_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE
 		.unit = "device units", .fallback = "0", .shown = true,         \
 		.about = "least device y of the rectangle"),                    \
 	    SIZE(object, "width", width, .unit = "device units",                \
-		.aliases = "w imagewidth",                                      \
+		.aliases = "w imagewidth pixelwidth",                           \
 		.about = "width of the rectangle, required"),                   \
 	    ROW(object, "height", type_numbers, height, .range = &height_range, \
-		.aliases = "h imageheight", .unit = "device units",             \
+		.aliases = "h imageheight pixelheight", .unit = "device units", \
 		.about = "height of the rectangle, required")
 
 /* "scale" in JSON sets the fields `scale` and `scales` of struct viewport. */
@@ -180,10 +180,11 @@ static const struct member window_members[] = {
 	SIZE(window, "zoom", zoom, .aliases = "scale", .fallback = "1",
 	    .about = "factor of magnification; 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
-	    .flag = FIELD(window, has_about), .unit = "window units",
+	    .flag = FIELD(window, has_about), .aliases = "at anchor",
+	    .unit = "window units",
 	    .about = "point that zoom does not move; if absent, the centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
-	    .fallback = "\"stretch\"",
+	    .aliases = "fit objectfit preserveaspectratio", .fallback = "\"stretch\"",
 	    .about = "if the device's shape differs: distort, show more, less"),
 	{ .name = NULL },
 };
@@ -213,7 +214,7 @@ static const struct member_type type_bounds_point = { "3 numbers, or 2 of a wind
 
 static const struct member bounds_members[] = {
 	POINT("center", center, "centre position", "centre of the sphere"),
-	SIZE(bounds, "radius", radius, .unit = "model units",
+	SIZE(bounds, "radius", radius, .aliases = "r", .unit = "model units",
 	    .about = "radius of the sphere"),
 	POINT("min", min, "lower from", "least x, y and z of the box"),
 	POINT("max", max, "upper to", "greatest x, y and z of the box"),

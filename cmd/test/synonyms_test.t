@@ -31,7 +31,7 @@ for my $row (@rows) {
 }
 is(scalar @rows, scalar(() = $table =~ /^\t\{/mg), 'every row is read');
 my %words = map { $_ => 1 } (map { /</ ? () : $_ } map { split / / } map { $_->[1] }
-    grep { $_->[0] =~ /CALL|VALUE|REMARK/ } @rows),
+    grep { $_->[0] =~ /^(?:CALL|VALUE|REMARK)$/ } @rows),
     qw(pan rvec rotation flags columns fovy zoom eye lookAt
     radians transpose column-major near_far near-far extent);
 
@@ -97,6 +97,8 @@ for my $row (grep { $_->[2] =~ /^: / } @rows) {
 	my ($places, $words, $hint) = @$row;
 	for my $word (split / /, $words) {
 		my ($status, $said) = try($places eq 'VALUE' ? "lookat -c '$word'" :
+		    $places eq 'WORD_VALUE' ? "w2n -c '$word'" :
+		    $places eq 'WORD_OPTION' ? "project '--$word'" :
 		    $places eq 'WORD_JSON' ? "lookat '{\"eye\":[$word,0,0]}'" :
 		    $places eq 'WORD_COMMAND' ? $word :
 		    $places eq 'CALL' ? "lookat '--$word'" : "lookat '{\"$word\":1}'");
