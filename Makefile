@@ -228,9 +228,10 @@ digits: $(BUILD)/cmd/test/texts_test ## compare the digits of vector/ with numbe
 	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 compiled_tests: $(TRUTH) $(addsuffix .o,$(TESTS)) $(call objects,core/study)
-# The longest come first, so that the processors end together.
-LONGEST = $(patsubst %,%_test.t,cmd/test/compilers core/proof/proof cmd/test/fuzz \
-	cmd/test/fault cmd/test/bits)
+# The longest come first, so that the processors end together, and tests that start many
+# processes, which some systems start one after another, beside tests that compute.
+LONGEST = $(patsubst %,%_test.t,core/proof/proof $(addprefix cmd/test/, \
+	transcripts compilers fuzz synonyms lint fault lines pieces cameras stack bits))
 SCRIPTS = $(LONGEST) $(filter-out $(LONGEST), \
 	$(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t)))
 # Warnings are errors here, unless the caller has given flags.

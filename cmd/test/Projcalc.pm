@@ -76,8 +76,9 @@ my ($shell, $commands, $answers, $started) = (0, undef, undef, '');
 
 # Runs a command of the shell, here or in a directory, with the program that is
 # tested first on PATH and nothing on standard input. Returns the status (128 and
-# the signal, as the shell says it), output and errors. One shell runs the commands,
-# each in a process of its own, as perl is large, and takes longer to fork.
+# the signal, as the shell says it), output and errors. One shell runs the commands, as
+# perl is large, and takes longer to fork: a call of projcalc by itself, others in a
+# subshell, as they may change the shell.
 sub run {
 	my ($command, $dir) = @_;
 	my ($out, $err) = map { "$tmp/$_$$" } qw(out err);
@@ -90,9 +91,10 @@ sub run {
 	my $now = join "\n", $$, map { $_ . '=' . ($ENV{$_} // '') } sort keys %ENV;
 	$shell = open2($answers, $commands, 'setsid', 'sh') if $now ne $started;
 	$started = $now;
+	my $call = $command =~ s/'[^']*'//gr =~ /^projcalc [^;&|()\$`\n]*(?:2>&1)?$/;
 	alarm 900;
-	printf $commands "(cd %s && eval %s) </dev/null >%s 2>%s; echo \$?\n",
-	    $where, @words;
+	printf $commands "%s cd %s && eval %s; %s </dev/null >%s 2>%s; echo \$?\n",
+	    $call ? '{' : '(', $where, shift @words, $call ? '}' : ')', @words;
 	my $status = readline $answers;
 	alarm 0;
 	if (!defined $status) { # the command has ended the shell
