@@ -358,8 +358,8 @@ static void tell_way(const struct value *v, const struct rule_bits *b, uint64_t 
 }
 
 /* Returns the index of the way that the members of v are, or b->n if there is none. This
- * is told unless `quiet` is set; so is a conflict, but not of a member that only another
- * one may mean. */
+ * fault is told unless `quiet` is set, or it is a conflict with a member that v lacks,
+ * and that an unknown one may mean. */
 static size_t find_way(const struct value *v, const struct rule_bits *b,
     const struct found *found, bool quiet)
 {
