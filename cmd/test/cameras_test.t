@@ -8,7 +8,7 @@ use warnings;
 use FindBin;
 use JSON::PP;
 use List::Util qw(sum0);
-use Math::BigFloat;
+use Math::BigFloat try => 'GMP';
 use POSIX 'strtod';
 use lib $FindBin::Bin;
 use Projcalc;

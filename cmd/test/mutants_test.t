@@ -101,7 +101,7 @@ spew("$toy/cmd/test/mutants.equal",
 for my $file (qw(mutants.pl Mutant.pm)) {
 	spew("$toy/cmd/test/$file", slurp("cmd/test/$file"));
 }
-my ($status, $said, $err) = run('QUICK=1 PATIENCE=5 perl ' .
+my ($status, $said, $err) = run('QUICK=1 PATIENCE=3 perl ' .
     'cmd/test/mutants.pl build core', $toy);
 is("$status $err", '1 ', 'too many lived');
 is(join(' ', sort map { $_->{line} } hunks($said)), '14 3 3', 'they are told')

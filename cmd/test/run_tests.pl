@@ -6,9 +6,9 @@ use strict;
 use warnings;
 use TAP::Harness;
 
-# One more than there are processors, as some tests wait.
+# Two more than there are processors, as tests wait for processes that start.
 my $jobs = shift;
-$jobs++ if $jobs > 1;
+$jobs += 2 if $jobs > 1;
 $ENV{CMOCKA_MESSAGE_OUTPUT} = 'TAP';
 my $harness = TAP::Harness->new({
 	jobs => $jobs,
