@@ -202,8 +202,6 @@ static void print_hits(const struct job *j)
 	free(out);
 }
 
-#define PICK_MEMBER "the scene \"pick\": {\"at\": [320,240], \"radius\": 3}"
-
 static void hits_set_circle(const struct document *d, const struct options *o,
     struct hits *h)
 {
@@ -211,10 +209,12 @@ static void hits_set_circle(const struct document *d, const struct options *o,
 
 	if (o->pick_at.n == 0 && !p->has_at)
 		document_refuse(d,
-		    "/pick/at: missing; give --at X,Y and --radius R, or " PICK_MEMBER);
+		    "/pick/at: missing; give --at X,Y and --radius R, or in the scene "
+		    "\"pick\": " PICK_EXAMPLE);
 	if (o->radius.n == 0 && !(p->radius > 0))
 		document_refuse(d,
-		    "/pick/radius: missing; give --radius R, or " PICK_MEMBER);
+		    "/pick/radius: missing; give --radius R, or in the scene "
+		    "\"pick\": " PICK_EXAMPLE);
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius.n > 0 ? *o->radius.v : p->radius;

@@ -414,10 +414,10 @@ static uint64_t check_rule(const struct value *v, const struct rule *rule,
 	return b->way[way].left & ~given;
 }
 
-/* Reads the members of v, and those that it may mean if their rows have no hint, by
- * which their values may differ. Returns whether a hint of words.c sends a member to
- * another way than those of the rules. */
-static bool read_members(const struct value *v, const struct member *table, int variant,
+/* Reads each member of v. An unknown member is read by the row that it may mean, unless
+ * this has a hint: the value may then have another form. Returns whether a hint of
+ * words.c names a way that the rules lack. */
+static bool read_each(const struct value *v, const struct member *table, int variant,
     struct found *found, void *base)
 {
 	struct value m = value_child(v), first;
@@ -474,7 +474,7 @@ struct found object_read(const struct value *v, const struct member *row, int va
 		if (base != NULL && m->fallback != NULL && m->type->number_size > 0 &&
 		    has_variant(m->variants, variant))
 			read_default(m, (char *)base + m->offset);
-	const bool other_way = read_members(v, row->members, variant, &found, base);
+	const bool other_way = read_each(v, row->members, variant, &found, base);
 
 	found.meant &= ~found.given;
 	for (; r != NULL && r->ways != NULL && variant != ANY_VARIANT; r++)

@@ -136,8 +136,8 @@ static const struct {
 	{ VALUE, "lh lefthanded",
 	    ": the \"handedness\" is \"left\", as that of \"d3d\"" },
 	{ VALUE, "rh righthanded",
-	    ": the \"handedness\" is \"right\", as those of \"gl\", of \"vulkan\", "
-	    "\"webgpu\" and \"opencv\"" },
+	    ": the \"handedness\" is \"right\", as that of \"gl\", \"vulkan\", \"webgpu\" "
+	    "and \"opencv\"" },
 	{ WORD_VALUE, "contain letterbox cover crop",
 	    ": \"grow\" contains the window, and \"shrink\" covers the device" },
 	{ WORD_VALUE, "0 1 2 3 4 5 6 7 8 9 10 12",

@@ -237,7 +237,6 @@ static const struct member pick_members[] = {
 
 #define WORLD_EXAMPLE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
 #define BOUNDS_EXAMPLE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
-#define PICK_EXAMPLE "{\"at\": [320,240], \"radius\": 3}"
 
 static const struct value_range margin_range = { .min = 0,
 	.max = 0.5,

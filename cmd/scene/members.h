@@ -30,6 +30,7 @@ extern const struct member scene_members[];
 
 /* Examples for the help. SCENE_EXAMPLE takes its aspect from the viewport. */
 #define CAMERA_EXAMPLE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
+#define PICK_EXAMPLE "{\"at\": [320,240], \"radius\": 3}"
 #define PERSP_EXAMPLE                                           \
 	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
 	"\"near\": 1, \"far\": 10}"

@@ -189,10 +189,8 @@ const struct rule projection_rules[] = {
 	      "angles", "intrinsics"),
 	    .field = FIELD(projection, section.way),
 	    .rivals = "one way is enough: \"fovy\" and \"aspect\", \"fovx\" and "
-		      "\"aspect\", or "
-		      "\"width\" and \"height\" at \"edges_at\"; both angles are "
-		      "\"angles\", and "
-		      "pixels belong in \"viewport\"" },
+		      "\"aspect\", or \"width\" and \"height\" at \"edges_at\"; both "
+		      "angles are \"angles\", and pixels belong in \"viewport\"" },
 	{ RULE(PARALLEL, "width~ height~", "width~ aspect~|viewport",
 	      "height~ aspect~|viewport", "left right bottom top"),
 	    .field = FIELD(projection, section.way), .way_0 = SECTION_SIZE },

@@ -205,8 +205,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 		snprintf(reason, sizeof reason,
 		    "is a .npy file of NumPy; tail -c +%d leaves its numbers: f64 if "
 		    "descr is '<f8', f32 if '<f4' (f32x4 of 4 columns), with "
-		    "fortran_order "
-		    "False",
+		    "fortran_order False",
 		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
 	else
 		return;
