@@ -20,8 +20,7 @@ our $build = abs_path(@ARGV && -d $ARGV[0] ? shift @ARGV :
     $ENV{BUILD} // "$top/build");
 our $tmp = tempdir(CLEANUP => 1);
 our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted
-    below pick
-    done_or),
+    stack_limit below pick done_or),
     @Test::More::EXPORT);
 
 $ENV{LC_ALL} = 'C';
@@ -74,11 +73,24 @@ sub sorted { join ' ', sort @_ }
 # The shell of run(), and the process and environment that started it.
 my ($shell, $commands, $answers, $started) = (0, undef, undef, '');
 
+# The usual limit of the stack, in KB, which other programs need.
+chomp(my $usual = `sh -c 'ulimit -S -s'`);
+
+# Returns the limit for projcalc: half of what threads have that do not set their own.
+# A projcalc that is a script, or has a sanitizer, needs the usual one.
+sub stack_limit {
+	my $program = slurp("$build/projcalc");
+	return $program =~ /\A\x7fELF/ && $program !~ /__[at]san_init/ ? 256 : $usual;
+}
+
+# Matches a call of projcalc, or of a builtin that prints: neither changes the shell.
+my $call = qr/(?:(?:\w+=\S* )*projcalc|printf|echo) (?:[^;&|()\$`\n]|2>&1)*/;
+
 # Runs a command of the shell, here or in a directory, with the program that is
 # tested first on PATH and nothing on standard input. Returns the status (128 and
 # the signal, as the shell says it), output and errors. One shell runs the commands, as
-# perl is large, and takes longer to fork: a call of projcalc by itself, others in a
-# subshell, as they may change the shell.
+# perl is large, and takes longer to fork: calls and pipelines of them with the limit of
+# the stack, and others in a subshell.
 sub run {
 	my ($command, $dir) = @_;
 	my ($out, $err) = map { "$tmp/$_$$" } qw(out err);
@@ -89,12 +101,17 @@ sub run {
 	local $SIG{PIPE} = 'DEFAULT';
 	local $SIG{ALRM} = sub { kill 'KILL', -$shell };
 	my $now = join "\n", $$, map { $_ . '=' . ($ENV{$_} // '') } sort keys %ENV;
-	$shell = open2($answers, $commands, 'setsid', 'sh') if $now ne $started;
-	$started = $now;
-	my $call = $command =~ s/'[^']*'//gr =~ /^projcalc [^;&|()\$`\n]*(?:2>&1)?$/;
+	if ($now ne $started) {
+		$shell = open2($answers, $commands, 'setsid', 'sh');
+		print $commands 'ulimit -S -s ' . stack_limit() . "\n";
+		$started = $now;
+	}
+	my ($begin, $end) =
+	    $command =~ s/'[^']*'//gr =~ /^$call(?:[;|\n] *$call)*\n?$/ ?
+	    ('{', '}') : ("(ulimit -S -s $usual;", ')');
 	alarm 900;
 	printf $commands "%s cd %s && eval %s; %s </dev/null >%s 2>%s; echo \$?\n",
-	    $call ? '{' : '(', $where, shift @words, $call ? '}' : ')', @words;
+	    $begin, $where, shift @words, $end, @words;
 	my $status = readline $answers;
 	alarm 0;
 	if (!defined $status) { # the command has ended the shell
