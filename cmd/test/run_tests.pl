@@ -6,9 +6,7 @@ use strict;
 use warnings;
 use TAP::Harness;
 
-# Two more than there are processors, as tests wait for processes that start.
 my $jobs = shift;
-$jobs += 2 if $jobs > 1;
 $ENV{CMOCKA_MESSAGE_OUTPUT} = 'TAP';
 my $harness = TAP::Harness->new({
 	jobs => $jobs,

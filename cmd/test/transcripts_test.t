@@ -11,7 +11,6 @@ use Projcalc;
 use Transcript;
 
 my @files = @ARGV ? @ARGV : sort glob 'testdata/transcripts/*.txt';
-my $jobs = `getconf _NPROCESSORS_ONLN`;
 # script(1) runs a command in a terminal, which a chroot may not have.
 my $terminal =
     system('script -qec true /dev/null </dev/null >/dev/null 2>&1') == 0;
@@ -19,19 +18,6 @@ my $terminal =
 sub can_run {
 	my ($case) = @_;
 	return $terminal || $case->{command} !~ /\bscript -/;
-}
-
-# Starts a process for a file, which prints the transcript with the output of now. Each
-# process has its own copy of testdata, as commands write and remove files there.
-sub start {
-	my ($file) = @_;
-	my $pid = open(my $from, '-|') // die "fork: $!\n";
-	return $from if $pid != 0;
-	my $own = "$tmp/$$";
-	system('cp', '-R', 'testdata', $own) == 0 or die "$own: not copied\n";
-	print transcript_text(map { can_run($_) ? said({%$_, dir => $own}) : $_ }
-	    transcript($file));
-	exit 0;
 }
 
 sub compare {
@@ -45,21 +31,23 @@ sub compare {
 	diag(`diff -u --label $case->{file} --label said $tmp/want $tmp/now`);
 }
 
-my @running;
-for my $i (0 .. $#files) {
-	push @running, start($files[@running])
-	    while @running < @files && @running < $i + $jobs;
-	my $text = do { local $/; readline $running[$i] };
-	close $running[$i] or die "$files[$i]: not done\n";
-	spew($files[$i], $text) if $write;
-	my @said = transcript($files[$i], $text);
-	for my $case (transcript($files[$i])) {
-		my $said = shift @said;
-		next if $case->{command} eq '';
+# Commands write and remove files in a copy of testdata.
+my $dir = "$tmp/testdata";
+system('cp', '-R', 'testdata', $dir) == 0 or die "$dir: not copied\n";
+
+for my $file (@files) {
+	my @parts = transcript($file);
+	my @said = map { can_run($_) ? said({%$_, dir => $dir}) : $_ } @parts;
+	if ($write) {
+		spew($file, transcript_text(@said));
+		next;
+	}
+	for my $i (grep { $parts[$_]{command} ne '' } 0 .. $#parts) {
 		SKIP: {
-			skip 'no terminal', 1 if !can_run($case);
-			compare($case, $said);
+			skip 'no terminal', 1 if !can_run($parts[$i]);
+			compare($parts[$i], $said[$i]);
 		}
 	}
 }
+exit if $write;
 done_or('make transcripts');
