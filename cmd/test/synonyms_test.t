@@ -78,7 +78,8 @@ sub works {
 	    "suggested: $call") or diag($said);
 }
 
-my @commands = qw(lookat persp project fit inspect w2n);
+# A command of a camera, of points, and of a window.
+my @commands = qw(lookat project w2n);
 for my $word (sort keys %words) {
 	for my $call ($word, "help $word", map { "$_ --$word" } @commands) {
 		next if $word =~ /^-/ && $call ne $word;
