@@ -97,7 +97,7 @@ for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
 # Returns status, output and messages.
 sub dripped {
 	my ($args, @parts) = @_;
-	open my $to, '|-', "projcalc project --keep-going $args scene.json - " .
+	open my $to, '|-', "exec projcalc project --keep-going $args scene.json - " .
 	    ">$tmp/out 2>$tmp/said" or die;
 	$to->autoflush;
 	local $SIG{PIPE} = 'IGNORE'; # the program may stop before the last part
