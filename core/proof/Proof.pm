@@ -120,7 +120,7 @@ sub count_errors {
 	my ($core) = @_;
 	my ($well, $said) = (1, '');
 	for my $way ('', '-DFUSED_MADD') {
-		my ($ok, $text) = outcome(compiled('count.cc', $core,
+		my ($ok, $text) = outcome(compiled('count.cc', $core, '-O0',
 		    $way || ()));
 		$said .= ($way ? "products fused:\n" : "products rounded:\n") .
 		    $text;

@@ -10,9 +10,9 @@ use warnings;
 use Cwd 'abs_path';
 use FindBin;
 use lib $FindBin::Bin;
-use Math::BigFloat;
+use Math::BigFloat try => 'GMP';
 use List::Util qw(max);
-use Math::BigInt;
+use Math::BigInt try => 'GMP';
 use Proof;
 
 my $core = abs_path($ARGV[0] // "$here/..");
