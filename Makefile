@@ -176,9 +176,9 @@ $(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(BUT_MAIN)
 $(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(hardening_link) $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
-# A fuzzer replaces the functions of message.c, and read and poll, which source.c calls.
-# From this archive the linker takes only the objects that a fuzzer calls.
-$(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
+# A fuzzer replaces the functions of message.c, and read and poll, which source.c calls,
+# and calls no command. From this archive the linker takes only what a fuzzer calls.
+$(BUILD)/program.a: $(filter-out %/message.o $(call objects,cmd cmd/call),$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
 

@@ -12,7 +12,7 @@ if (system('echo "int LLVMFuzzerTestOneInput(void) { return 0; }" | ' .
     'clang -fsanitize=fuzzer,address -x c -o /dev/null - 2>/dev/null') != 0) {
 	plan skip_all => 'no clang with libFuzzer';
 }
-my $said = join ' ', "make -s BUILD='$build/quick' fuzz FUZZ_SECONDS=8",
+my $said = join ' ', "make -s BUILD='$build/quick' fuzz FUZZ_SECONDS=4",
     "ADDRESS='-O1 -fno-sanitize-recover=all -fsanitize=address' 2>&1";
 $said = `$said`;
 is($?, 0, 'make fuzz') ? note($said) : diag($said);
