@@ -133,11 +133,12 @@ x86 = $(if $(filter x86_64% amd64%,$(MACHINE)),$1)
 FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 	$(findstring clang,$(CC)),,-fexcess-precision=fast))
 
-# The inner loops are compiled with -O3. The program chooses between AVX2 and AVX-512
-# when it starts; every arm64 has NEON.
+# The inner loops are compiled with -O3, but not with sanitizers, which take too long
+# then. The program chooses between AVX2 and AVX-512 when it starts; every arm64 has NEON.
 $(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o \
     stream/job.o stream/writer.o) \
-    $(call objects,core/points/kernel cmd/number/vector): FLAGS += -O3
+    $(call objects,core/points/kernel cmd/number/vector): \
+    FLAGS += $(if $(findstring -fsanitize,$(CFLAGS)),,-O3)
 VECTOR = $(BUILD)/cmd/number/vector
 $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/avx2.o: \
     FLAGS += $(call x86,-mavx2 -mfma)
@@ -266,7 +267,7 @@ lint: ## the manual, the style, the scripts, the C
 	    --enable=warning,performance,portability $(addprefix --suppress=, \
 	    uninitvar ctuuninitvar nullPointerOutOfMemory nullPointerArithmeticOutOfMemory \
 	    normalCheckLevelMaxBranches) \
-	    -icore/proof -icmd/bench/peer/cglm.c -UCPU_COUNT
+	    -icore/proof -icore/test -icmd/test -icmd/bench/peer/cglm.c -UCPU_COUNT
 
 # Runs make with the flags $1 in a folder named after the target. Of the perl tests,
 # only those run that test the program of that folder.

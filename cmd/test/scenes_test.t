@@ -176,8 +176,8 @@ for my $name (sort keys %scenes) {
 		my @points = map { join(' ', map { below(999) / 100 - 4 }
 		    1 .. 3) . $w } 1 .. 40;
 		spew("$tmp/points", join '', map { "$_\n" } @points, "nan 1 1$w");
-		for my $how ('', '-p single', '-p double', '-d 3',
-		    '--digits 4', '-c gl --visible') {
+		for my $how ('', '-p single', '-p double', '--digits 4',
+		    '-c gl --visible') {
 			my $args = "$how --from $from $tmp/scene $tmp/points";
 			my %traced;
 			my (undef, $said, $err) = run("projcalc trace $args");
