@@ -196,7 +196,7 @@ $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 
 prove: ## each bound that core claims, checked by machine
 	@perl core/proof/prove.pl
-	@perl cmd/test/digits_test.t
+	@prove -Q core/proof/proof_test.t cmd/test/digits_test.t :: all
 demo: | $(FIRST) ## the Utah teapot, seen in a terminal
 	@+$(PARALLEL) all
 	@sh cmd/demo/demo.sh $(BUILD)
