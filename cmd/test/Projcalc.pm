@@ -76,11 +76,12 @@ my ($shell, $commands, $answers, $started) = (0, undef, undef, '');
 # The usual limit of the stack, in KB, which other programs need.
 chomp(my $usual = `sh -c 'ulimit -S -s'`);
 
-# Returns the limit for projcalc: half of what threads have that do not set their own.
-# A projcalc that is a script, or has a sanitizer, needs the usual one.
+# Returns the limit for projcalc, the stack of threads that do not set their own on some
+# systems; or undef for a projcalc that is a script, or has a sanitizer, which needs more.
+# fit takes half of it.
 sub stack_limit {
 	my $program = slurp("$build/projcalc");
-	return $program =~ /\A\x7fELF/ && $program !~ /__[at]san_init/ ? 256 : $usual;
+	return $program =~ /\A\x7fELF/ && $program !~ /__[at]san_init/ ? 512 : undef;
 }
 
 # Matches a call of projcalc, or of a builtin that prints: neither changes the shell.
@@ -103,7 +104,7 @@ sub run {
 	my $now = join "\n", $$, map { $_ . '=' . ($ENV{$_} // '') } sort keys %ENV;
 	if ($now ne $started) {
 		$shell = open2($answers, $commands, 'setsid', 'sh');
-		print $commands 'ulimit -S -s ' . stack_limit() . "\n";
+		print $commands 'ulimit -S -s ' . (stack_limit() // $usual) . "\n";
 		$started = $now;
 	}
 	my ($begin, $end) =
