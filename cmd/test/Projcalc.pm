@@ -78,7 +78,6 @@ chomp(my $usual = `sh -c 'ulimit -S -s'`);
 
 # Returns the limit for projcalc, the stack of threads that do not set their own on some
 # systems; or undef for a projcalc that is a script, or has a sanitizer, which needs more.
-# fit takes half of it.
 sub stack_limit {
 	my $program = slurp("$build/projcalc");
 	return $program =~ /\A\x7fELF/ && $program !~ /__[at]san_init/ ? 512 : undef;
@@ -90,8 +89,8 @@ my $call = qr/(?:(?:\w+=\S* )*projcalc|printf|echo) (?:[^;&|()\$`\n]|2>&1)*/;
 # Runs a command of the shell, here or in a directory, with the program that is
 # tested first on PATH and nothing on standard input. Returns the status (128 and
 # the signal, as the shell says it), output and errors. One shell runs the commands, as
-# perl is large, and takes longer to fork: calls and pipelines of them with the limit of
-# the stack, and others in a subshell.
+# perl is large, and takes longer to fork. It runs what $call matches itself, with the
+# limit of the stack, and other commands in a subshell, without.
 sub run {
 	my ($command, $dir) = @_;
 	my ($out, $err) = map { "$tmp/$_$$" } qw(out err);

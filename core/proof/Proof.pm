@@ -114,8 +114,8 @@ sub loose {
 	    $_, $most{$_} } grep { $most{$_} <= 0.5 } sort keys %most;
 }
 
-# Runs count.cc with rounded and with fused products. Returns whether it proves the
-# claims, and its output.
+# Runs count.cc with rounded and with fused products; to optimize it would take longer
+# than it runs. Returns whether it proves the claims, and its output.
 sub count_errors {
 	my ($core) = @_;
 	my ($well, $said) = (1, '');
