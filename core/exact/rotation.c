@@ -174,22 +174,17 @@ bool rotation_about(const double vector[3], struct sum r[3][3])
 	return true;
 }
 
-/* For an angle t, d times sine is |v| sin t, and d times versine is 1 - cos t, which is
- * sin^2 t / (1 + cos t): so small angles keep their digits. */
+/* For an angle t, d times sine is |v| sin t, and d times versine is 1 - cos t. */
 bool rotation_by_angle(const double axis[3], double angle, enum angle_unit unit,
     struct sum r[3][3], struct sum *d)
 {
 	struct sum v[3], sine, cosine;
 
 	trig_sin_cos(angle, unit, &sine, &cosine);
-	struct sum versine = sum_sub(sum_one, cosine);
-
 	for (int i = 0; i < 3; i++)
 		sum_set(&v[i], axis[i]);
 	*d = vec3_dot(v, v);
-	if (!sum_is_exact(&cosine) && sum_sign(cosine) > 0)
-		versine = sum_quotient(sum_mul(sine, sine), sum_add(sum_one, cosine));
-	rodrigues(v, sum_mul(sine, sum_sqrt(*d)), versine, *d, r);
+	rodrigues(v, sum_mul(sine, sum_sqrt(*d)), sum_sub(sum_one, cosine), *d, r);
 	return !vec3_is_zero(v);
 }
 

@@ -143,20 +143,18 @@ static void reduce_radians(double angle, struct reduced_angle *r)
 	r->quarters *= (unsigned)q->sign;
 }
 
-/* The sine is exactly 0 if the rest is 0. */
-static struct sum sine_of_rest(const struct reduced_angle *r)
+/* Returns the sine of the rest x, exactly 0 if x is 0, from g(x). */
+static struct sum sine_of_rest(const struct reduced_angle *r, const struct sum *g)
 {
 	if (fabs(r->rest_degrees) == 30)
 		return sum_of_double(copysign(0.5, r->rest_degrees));
-	struct sum square = sum_mul(r->rest_radians, r->rest_radians);
-	struct sum g = squared_chord(&square.value);
-
-	return sum_with_error(sum_scale(twice_sine(&g),
+	return sum_with_error(sum_scale(twice_sine(g),
 				  r->rest_radians.value.sign * 0.5),
 	    SUM_TRIG_ERROR);
 }
 
-/* The sine of the rest is at most sqrt(1/2), so its error hardly changes the cosine's. */
+/* The cosine of the rest is 1 - g / 2, with g at most 0.6. So the error of g bounds that
+ * of 1 - cos, too, which has its digits however small the angle is. */
 void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
     struct sum *cosine)
 {
@@ -167,8 +165,10 @@ void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
 	else
 		reduce_degrees(angle, &r);
 	const bool odd = r.quarters & 1, back = r.quarters & 2;
-	struct sum s = sine_of_rest(&r);
-	struct sum c = sum_sqrt(sum_sub(sum_one, sum_mul(s, s)));
+	struct sum square = sum_mul(r.rest_radians, r.rest_radians);
+	struct sum g = squared_chord(&square.value);
+	struct sum s = sine_of_rest(&r, &g);
+	struct sum c = sum_sub(sum_one, sum_scale(g, 0.5));
 
 	*sine = sum_negated_if(back, odd ? c : s);
 	*cosine = sum_negated_if(back != odd, odd ? s : c);

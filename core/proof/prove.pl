@@ -179,8 +179,8 @@ sub trigonometry {
 	}
 	# the cut of the angle; 1.5 of the error of g, halved by a root, and the cut of
 	# this root
-	my $all = $given + $two**(-64 * ($of{REST_WORDS} - 1)) + 0.75 * $chord{SHORT} +
-	    $two**-319;
+	my $cut = $given + $two**(-64 * ($of{REST_WORDS} - 1));
+	my $all = $cut + 0.75 * $chord{SHORT} + $two**-319;
 	my ($bound) = macro("$core/exact/trig.h", 'TRIG_ERROR') =~ /0x1p(-\d+)/;
 	verdict('pi / 2', -963, log2($given));
 	verdict('what a series leaves out', -328, log2($left{SHORT}));
@@ -189,6 +189,8 @@ sub trigonometry {
 	verdict('squares of chords near 2 pi', -692, log2(64 * $chord{LONG}));
 	verdict('sine and cosine: 2^-315', -315, log2($all),
 	    @{$measured->{sine}}, @{$measured->{cosine}});
+	# g from the square of the angle; a cosine is 1 less the half of it
+	verdict('1 - cosine: TRIG_ERROR', $bound, log2(2 * $cut + $chord{SHORT}));
 	# a cotangent is the quotient of both
 	verdict('cotangent: TRIG_ERROR', $bound,
 	    log2(2 * $all + $two**-319), @{$measured->{cotangent}});
