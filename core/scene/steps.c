@@ -168,7 +168,7 @@ static const char *append_parts(struct product *p, const struct step *s, bool in
 }
 
 /* Appends the steps from s to `end` or, if inverse, the inverse of each from the last
- * to the first. */
+ * to the first. In an inverse no matrix is singular, also if it is inverted twice. */
 static const char *append_all(struct product *p, const struct step *s,
     const struct step *end, bool inverse)
 {
@@ -177,12 +177,15 @@ static const char *append_all(struct product *p, const struct step *s,
 	if (s == end)
 		return NULL;
 	const struct step *next = s + 1 + s->inner;
+	const bool regular = p->regular;
 
 	if (inverse)
 		why = append_all(p, next, end, inverse);
+	p->regular |= s->kind == STEP_INVERSE;
 	if (why == NULL)
 		why = s->kind == STEP_INVERSE ? append_all(p, s + 1, next, !inverse) :
 						append_parts(p, s, inverse);
+	p->regular = regular;
 	if (why == NULL && !inverse)
 		why = append_all(p, next, end, inverse);
 	return why;

@@ -172,6 +172,9 @@ static void refused_steps(void **state)
 	    "/world/3/inverse/1/inverse/6: " MAP_NOT_AFFINE);
 	s[12].matrix[3][3] = 1;
 	assert_step_refused(s, 14, true, "/world/3/inverse/1/inverse/6: singular");
+	assert_step_refused(s, 14, false, "/world/3/inverse/1/inverse/6: singular");
+	s[3].inner = 1;
+	s[5] = (struct step){ 0 };
 	assert_null(map_of(s, 14, false, &(struct map){ 0 }));
 }
 
