@@ -127,16 +127,21 @@ const char *scene_map_factor(const struct scene *s, enum space from, enum space 
 	return NULL;
 }
 
+/* A reason, behind the member that is named for a product of the scene's maps. */
+#define PRODUCT_REFUSED(s, flat, of_steps, of_scene)                            \
+	((flat)                                   ? "/window: " of_scene :      \
+		(s)->has_world && (s)->world.step ? "/world: " of_steps :       \
+		!(s)->camera.steps.step           ? "/projection: " of_scene :  \
+		(s)->camera.way == CAMERA_POSE    ? "/camera/pose: " of_steps : \
+						    "/camera/matrix: " of_steps)
+
+#define BEYOND_DOUBLES                                                         \
+	"the composed matrix has elements beyond the range of doubles; bring " \
+	"sizes and distances nearer to one another"
+
 const char *scene_too_wide(const struct scene *s, bool flat)
 {
-	if (flat)
-		return "/window: " SCENE_TOO_WIDE;
-	if (s->has_world && s->world.step != NULL)
-		return "/world: " STEPS_TOO_WIDE;
-	if (s->camera.steps.step != NULL)
-		return s->camera.way == CAMERA_POSE ? "/camera/pose: " STEPS_TOO_WIDE :
-						      "/camera/matrix: " STEPS_TOO_WIDE;
-	return "/projection: " SCENE_TOO_WIDE;
+	return PRODUCT_REFUSED(s, flat, STEPS_TOO_WIDE, SCENE_TOO_WIDE);
 }
 
 const char *scene_map_refuse_range(const struct scene *s, bool flat,
@@ -144,13 +149,9 @@ const char *scene_map_refuse_range(const struct scene *s, bool flat,
 {
 	if (ex_has_overflowed())
 		return scene_too_wide(s, flat);
-	if (map_is_finite(r))
-		return NULL;
-	return flat ? "/window: the composed matrix has elements beyond the range of "
-		      "doubles; bring the sizes nearer to one another" :
-		      "/projection: the scene's composed matrix has elements beyond "
-		      "the range of doubles; bring sizes and distances nearer to one "
-		      "another";
+	return map_is_finite(r) ?
+	    NULL :
+	    PRODUCT_REFUSED(s, flat, BEYOND_DOUBLES, BEYOND_DOUBLES);
 }
 
 const char *scene_map(const struct scene *s, enum space from, enum space to,
