@@ -88,6 +88,22 @@ static bool begins_with(struct span f, const char *words)
 	    word_is_one_of(word, words);
 }
 
+/* Adds how to mend WKT or COPY's \N, which f, a field or header, begins with. Returns
+ * false if it adds nothing. */
+static bool say_database(struct span f, char reason[REASON_MAX])
+{
+	const bool wkt = begins_with(f,
+	    "POINT LINESTRING POLYGON MULTIPOINT MULTIPOLYGON");
+	const bool null = f.end - f.s >= 2 && memcmp(f.s, "\\N", 2) == 0;
+
+	if (wkt)
+		say_more(reason,
+		    "; is it WKT? tr ',' '\\n' | sed 's/.*(//; s/).*//' makes it text");
+	else if (null)
+		say_more(reason, "; write NA for \\N: sed 's/\\\\N/NA/g'");
+	return wkt || null;
+}
+
 /* Adds how to mend f, a field of text or csv. Returns false if it adds nothing. */
 static bool say_remedy(const struct layout *l, struct span f, char reason[REASON_MAX])
 {
@@ -99,12 +115,9 @@ static bool say_remedy(const struct layout *l, struct span f, char reason[REASON
 
 	if (comma == NULL && l->in.separator == ';')
 		comma = find_byte(f, ' ');
-	if (begins_with(f, "POINT LINESTRING POLYGON MULTIPOINT MULTIPOLYGON"))
-		say_more(reason,
-		    "; is it WKT? tr ',' '\\n' | sed 's/.*(//; s/).*//' makes it text");
-	else if (f.end - f.s == 2 && memcmp(f.s, "\\N", 2) == 0)
-		say_more(reason, "; write NA for it: sed 's/\\\\N/NA/g'");
-	else if (after != NULL && comma != NULL &&
+	if (say_database(f, reason))
+		return true;
+	if (after != NULL && comma != NULL &&
 	    number_read(comma + 1, f.end, &v) == f.end)
 		say_more(reason, "; write 1.5 for 1,5, and 1000 for 1,000 or 1 000");
 	else if (open != NULL && f.end[-1] != ')')
@@ -376,7 +389,8 @@ static void say_names(const struct lookup *found, const char *typed,
 		return;
 	if (typed != NULL) {
 		say_near(found, &names, typed, reason);
-	} else if (!say_guess(&names, l->reads, NULL, reason)) {
+	} else if (!say_database(header, reason) &&
+	    !say_guess(&names, l->reads, NULL, reason)) {
 		if (say_mend(l, header, names.n == 1 ? ";|\t," : rare, reason))
 			return;
 		const bool blank = names.n == 1 && say_mend(l, header, " ", reason);
