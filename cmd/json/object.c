@@ -159,10 +159,31 @@ static void offer_objects(const struct value *v, const struct member *table,
 		    words_join(list, names, " or ", "\""), type);
 }
 
+/* Offers the types of an object, as words of its first member, that have v->name. */
+static void offer_variants(const struct value *v, const struct member *table,
+    struct word_guess *g)
+{
+	const struct member *row = member_named(table, ANY_VARIANT, v->name, false);
+	const char *names[MEMBERS_MAX + 1];
+	char list[LIST_ROOM];
+	unsigned variants = 0;
+	int n = 0;
+
+	for (; row != NULL && row->name != NULL; row++)
+		if (strcmp(row->name, v->name) == 0)
+			variants |= row->variants;
+	for (; variants != 0; variants &= variants - 1)
+		names[n++] = table->words[__builtin_ctz(variants)];
+	names[n] = NULL;
+	if (n > 0)
+		word_offer(g, WORD_KNOWN, "only %s %s it",
+		    words_join(list, names, " and ", "\""), n > 1 ? "have" : "has");
+}
+
 /* Offers what v, a member that the table lacks, may mean, the first of these: the
  * member that has v->name as an alias; a remark of word_hint about v->name or its text;
- * other objects of the scene; a member of the scene; a near name in the table; all of
- * its names. Returns the row of the alias or the near name, or NULL. */
+ * types that have it; other objects of the scene; a member of the scene; a near name in
+ * the table; all of its names. Returns the row of the alias or the near name, or NULL. */
 static const struct member *offer_members(const struct value *v,
     const struct member *table, int variant, struct word_guess *g)
 {
@@ -176,6 +197,10 @@ static const struct member *offer_members(const struct value *v,
 	const char *hint = said != NULL ? said : word_hint(v->name, WORD_MEMBER, ':');
 	char list[LIST_ROOM];
 
+	/* no array is meant for a number: D is a lens's, not the d of some books */
+	if (row != NULL && hint != NULL && value_is(v, JSON_ARRAY) && row->n == 0 &&
+	    row->type->number_size == sizeof(double))
+		row = NULL;
 	if (row != NULL)
 		word_offer(g, WORD_KNOWN, "did you mean \"%s\"%s%s?", row->name,
 		    row->hint == NULL && row->example != NULL ? ", as " : "",
@@ -184,6 +209,7 @@ static const struct member *offer_members(const struct value *v,
 					       "");
 	if (hint != NULL)
 		word_offer(g, WORD_KNOWN, "%s", hint + 2);
+	offer_variants(v, table, g);
 	offer_objects(v, table, g);
 	if (v->parent->parent != NULL && of_scene != NULL)
 		word_offer(g, WORD_KNOWN,

@@ -126,10 +126,10 @@ static const struct member_type type_scale = { "fill, uniform or 2 sizes", read_
 
 static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
-	ROW(viewport, "min_z", type_numbers, min_z, .aliases = "near mindepth zmin",
+	ROW(viewport, "min_z", type_numbers, min_z, .aliases = "mindepth zmin",
 	    .unit = "device units", .fallback = "0",
 	    .about = "device z of the least depth in ndc"),
-	ROW(viewport, "max_z", type_numbers, max_z, .aliases = "far maxdepth zmax",
+	ROW(viewport, "max_z", type_numbers, max_z, .aliases = "maxdepth zmax",
 	    .unit = "device units", .fallback = "1",
 	    .about = "device z of the greatest depth in ndc"),
 	ROW(viewport, "scale", type_scale, scale, .words = scale_names,

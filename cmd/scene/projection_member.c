@@ -64,6 +64,7 @@ enum {
 	NUMBER(types, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(types, label, field, ...) \
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
+#define Z_HINT " (a z, which is below 0 where the camera looks along -z)"
 #define RADIANS "glTF and NeRF with \"angle_unit\": \"radians\""
 
 /* The rows are in the order in which members are printed. */
@@ -137,14 +138,15 @@ const struct member projection_members[] = {
 	SIZE(PERSP, "edges_at", section.edges_at, .aliases = "distance d",
 	    .about = "distance from the eye where edges are; if absent, near"),
 	SIZE(PERSP, "near", near,
-	    .aliases = "znear n nearplane nearclipplane nearfar clipstart hither",
+	    .aliases = "znear n nearplane nearclipplane nearfar clipstart hither "
+		       "zmin",
 	    .about = "distance of the near plane from the eye"),
 	LENGTH(PARALLEL, "near", near,
 	    .aliases = "znear n nearplane nearclipplane clipstart hither zmin",
 	    .about = "distance of the near plane from the eye"),
 	MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
-	    .aliases = "zfar farplane farclipplane clipend yon", .unit = "view units",
-	    .about = "distance of the far plane from the eye"),
+	    .aliases = "zfar farplane farclipplane clipend yon zmax",
+	    .unit = "view units", .about = "distance of the far plane from the eye"),
 	LENGTH(PARALLEL, "far", far,
 	    .aliases = "zfar f farplane farclipplane clipend yon zmax",
 	    .about = "distance of the far plane from the eye"),
@@ -152,8 +154,8 @@ const struct member projection_members[] = {
 	    .aliases = "reversed reversedz", .fallback = "false",
 	    .about = "make depth greater at the near than at the far plane"),
 	LENGTH(VOLUME, "z_near", volume.z_near, .aliases = "near nearplane",
-	    .about = "z of the near plane in view space"),
-	LENGTH(VOLUME, "z_far", volume.z_far, .aliases = "far farplane",
+	    .hint = Z_HINT, .about = "z of the near plane in view space"),
+	LENGTH(VOLUME, "z_far", volume.z_far, .aliases = "far farplane", .hint = Z_HINT,
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", volume.eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),

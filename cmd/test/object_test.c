@@ -97,7 +97,9 @@ static const struct refusal names[] = {
 	    "/camra: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "
 	    "\"up\", \"roll\" and \"orthonormalize\"" },
-	{ &volume, "{\"near\":1}", "/near: unknown member; did you mean \"z_near\"?" },
+	{ &volume, "{\"near\":1}",
+	    "/near: unknown member; did you mean \"z_near\" (a z, which is below 0 "
+	    "where the camera looks along -z)?" },
 	{ &w2n, "{\"x\":1}",
 	    "/x: unknown member; did you mean \"left\", with \"right\", "
 	    "\"bottom\" and \"top\"?" },
@@ -145,12 +147,13 @@ static const struct refusal names[] = {
 	{ &lookat, "{" EYE "," AT "," EYE "}", "/eye: repeated; give it once" },
 	{ &project, "{\"camera\":{},\"camera\":{}}",
 	    "/camera: repeated; give it once" },
-	{ &ortho, "{\"fovy\":1}",
-	    "/fovy: unknown member; there are \"type\", \"width\", \"height\", "
-	    "\"aspect\", \"left\", \"right\", \"bottom\", \"top\", \"near\", "
-	    "\"far\" and \"reverse_z\"" },
-	{ &persp, "{\"plane\":1}",
-	    "/plane: unknown member; there are \"type\", \"fovy\", \"fovx\", "
+	{ &ortho, "{\"fovy\":1}", "/fovy: unknown member; only \"persp\" has it" },
+	{ &persp, "{\"plane\":1}", "/plane: unknown member; only \"oblique\" has it" },
+	{ &persp, "{\"size\":1}",
+	    "/size: unknown member; give \"width\" and \"height\", of a picture in "
+	    "\"viewport\"" },
+	{ &persp, "{\"j\":1}",
+	    "/j: unknown member; there are \"type\", \"fovy\", \"fovx\", "
 	    "\"view_angle\", \"field\", \"width\", \"height\", \"aspect\", "
 	    "\"left\", \"right\", \"bottom\", \"top\", \"angles\", "
 	    "\"intrinsics\", \"edges_at\", \"near\", \"far\", \"reverse_z\", "
