@@ -82,8 +82,12 @@ static void check_params(const struct options *o)
 	if (o->columns.n != 1)
 		check_is_scene(o);
 	if (!input_check(o->params))
-		die_at(EXIT_USAGE, &place, "%s; " PARAMS_HINT, strerror(errno),
-		    c->name);
+		die_at(EXIT_USAGE, &place, "%s; " PARAMS_HINT "%s", strerror(errno),
+		    c->name,
+		    command_reads_points(c) &&
+			    strchr("+-.0123456789", *o->params) != NULL ?
+			"; points come after it, in brackets" :
+			"");
 }
 
 void operands_check(const struct options *o)

@@ -259,7 +259,8 @@ static const struct {
 	{ VALUE, "xyz txt", "--input text" },
 	{ VALUE, "obj", ": grep '^v ' keeps its vertices, for --columns 2,3,4" },
 	{ VALUE, "ply pcd", ": of its ASCII form cut off the header, for -i text" },
-	{ VALUE, "bin binary float32 float64 double <f8 <f4 <f8x3 <f4x3 kitti npy raw numpy",
+	{ VALUE, "bin binary float32 float64 double <f8 <f4 <f8x3 <f4x3 f4 f8 kitti npy raw "
+	    "numpy",
 	    ": -i f32x4 reads four floats a point (KITTI's .bin), -i f32 three, -i f64 three "
 	    "doubles, and -o text prints text; of a .npy it tells what to cut off" },
 };
