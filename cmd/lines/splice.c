@@ -162,7 +162,8 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 	w->done = at.end;
 }
 
-/* Copies a line's fields or (not outer) a value's. Leaves those not due out. */
+/* Copies a line's fields or (not outer) those of an array or object that has coordinates
+ * in it, which stay by --append. Leaves those not due out. */
 static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;
@@ -177,7 +178,7 @@ static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 		w->fields += outer;
 		if (k >= 0) {
 			replace_field(w, &f, k);
-		} else if (c->bracket != NULL &&
+		} else if (c->bracket != NULL && !w->l->output.append &&
 		    coordinate_in(w, f.value.s, f.value.end) >= 0) {
 			struct cursor inside = value_cursor(f.value, c->end);
 

@@ -109,6 +109,15 @@ sub dripped {
 	return ($? >> 8, slurp("$tmp/out"), slurp("$tmp/said"));
 }
 
+# What an earlier piece has left behind a last line without newline is not read.
+my ($commas, $blanks) = (',' x 90, ' ' x 40);
+my ($first, $last) = (qq({"x":0,"y":1,"z":0,"n":"$commas"}), qq({"x":0,"y":1,"z":0$blanks}));
+my @ended = run("{ echo '$first'; sleep 0.1; printf '$last'; } | " .
+    "timeout 20 $project -i json --append --to world {} -");
+my $added = ',"world_x":0,"world_y":1,"world_z":0';
+is($ended[1], join("\n", map { s/(?= *}$)/$added/r } $first, $last),
+    '--append ends at the last line');
+
 # What is printed does not depend on how input arrives: each text whole, cut into two at
 # each byte or before each line, and a line at a time.
 my $npy = "\x93NUMPY\1\0v\0{'descr': '<f8'}\n";
