@@ -72,7 +72,8 @@ TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
-CORE = $(call objects,$(addprefix core/,exact scene points points/kernel derive))
+CORE = $(call objects,$(addprefix core/,refusal exact projection scene points \
+	points/kernel derive))
 PROGRAM = $(CORE) $(call objects,cmd $(addprefix cmd/,call message json scene \
 	lines stream number number/vector))
 BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
@@ -160,7 +161,7 @@ $(addprefix $(BUILD)/core/,exact/ex.o exact/map.o exact/sum.o derive/frustum.o \
     FLAGS += -Wframe-larger-than=$(FRAME)
 # Without -mtune, gcc copies structs of 900 bytes with rep movsq, which is slower than
 # memcpy.
-$(call objects,core/exact core/scene core/points core/derive): \
+$(call objects,$(addprefix core/,exact projection scene points derive)): \
     C_FLAGS += $(call x86,-mtune=skylake)
 # core/exact has no buffers of variable length, so the stack protector would find
 # nothing there.
@@ -232,7 +233,8 @@ compiled_tests: $(TRUTH) $(addsuffix .o,$(TESTS)) $(call objects,core/study)
 # The longest come first, so that the processors end together, and tests that start many
 # processes, which some systems start one after another, beside tests that compute.
 LONGEST = $(patsubst %,%_test.t,core/proof/proof $(addprefix cmd/test/, \
-	transcripts compilers fuzz synonyms lint fault lines pieces cameras stack bits))
+	transcripts compilers fuzz differential synonyms lint fault lines pieces cameras \
+	stack bits))
 SCRIPTS = $(LONGEST) $(filter-out $(LONGEST), \
 	$(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t)))
 # Warnings are errors here, unless the caller has given flags.
@@ -249,7 +251,7 @@ bits: all ## rewrite the digests of what tests compute
 transcripts: all ## rewrite what testdata/transcripts expect
 	perl cmd/test/transcripts_test.t -w
 
-layers: programs ## check includes, calls and the length of functions
+layers: programs ## check includes, calls, functions and lines
 	@perl cmd/test/layers_test.t $(BUILD)
 
 # Only version 14 of clang-format is run, as other versions break lines elsewhere.
