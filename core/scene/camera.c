@@ -5,16 +5,22 @@
 
 #include "../exact/rotation.h"
 
-/* The axes of view space: axis i is the unit vector v[i] scale[i] / divisor. The elements
- * of v are polynomials, whose terms cancel exactly. */
+/* The axes of view space: axis i is the unit vector v[i] scale[i] / divisor. The
+ * elements of v are polynomials, whose terms cancel exactly. */
 struct axes {
 	struct sum v[3][3], scale[3], divisor;
 };
 
+static bool refuse_no_direction(const char *pointer, struct refusals *faults)
+{
+	return refuse(faults, pointer, "has no direction",
+	    "at least one element must not be 0");
+}
+
 /* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
  * cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
-static const char *axes_of_gaze(const struct camera *c,
-    const struct convention *convention, struct axes *a)
+static bool axes_of_gaze(const struct camera *c, const struct convention *convention,
+    struct axes *a, struct refusals *faults)
 {
 	struct sum up[3], *x = a->v[0], *y = a->v[1], *z = a->v[2];
 	bool at = c->way == CAMERA_AT;
@@ -25,13 +31,11 @@ static const char *axes_of_gaze(const struct camera *c,
 		sum_set(&up[i], c->up[i]);
 	}
 	if (vec3_is_zero(z))
-		return at ?
-		    "/camera/at: equal to the eye; choose another point to look at" :
-		    "/camera/gaze: has no direction; at least one element must not be "
-		    "0";
+		return at ? refuse(faults, "/camera/at", "equal to the eye",
+				"choose another point to look at") :
+			    refuse_no_direction("/camera/gaze", faults);
 	if (vec3_is_zero(up))
-		return "/camera/up: has no direction; at least one element must not be "
-		       "0";
+		return refuse_no_direction("/camera/up", faults);
 	vec3_cross(up, z, x);
 	vec3_cross(z, x, y);
 	struct sum xx = vec3_dot(x, x), zz = vec3_dot(z, z);
@@ -39,7 +43,8 @@ static const char *axes_of_gaze(const struct camera *c,
 
 	/* up and z count as parallel if the sine |x| / (|up| |z|) is below 2^-50 */
 	if (sum_compare(xx, sum_scale(product, 0x1p-100)) < 0)
-		return "/camera/up: parallel to the gaze; choose another up vector";
+		return refuse(faults, "/camera/up", "parallel to the gaze",
+		    "choose another up vector");
 	struct sum x_length = sum_sqrt(xx), z_length = sum_sqrt(zz);
 
 	a->divisor = sum_mul(x_length, z_length);
@@ -57,12 +62,12 @@ static const char *axes_of_gaze(const struct camera *c,
 		y[i] = sum_neg(y[i]);
 		z[i] = sum_neg(z[i]);
 	}
-	return NULL;
+	return true;
 }
 
 /* The conjugate of the orientation turns from world to view space, as the rvec does. */
-static const char *axes_of_rotation(const struct camera *c, bool by_rvec,
-    struct axes *a)
+static bool axes_of_rotation(const struct camera *c, bool by_rvec, struct axes *a,
+    struct refusals *faults)
 {
 	struct sum q[4];
 
@@ -74,11 +79,10 @@ static const char *axes_of_rotation(const struct camera *c, bool by_rvec,
 	if (!by_rvec)
 		rotation_of_quaternion(q, a->v, &a->divisor);
 	else if (!rotation_about(c->rvec, a->v))
-		return "/camera/rvec: is longer than 2 pi; its length is the angle in "
-		       "radians";
-	return sum_is_exact_zero(&a->divisor) ?
-	    "/camera/orientation: is 0; the identity is 0, 0, 0, 1" :
-	    NULL;
+		return refuse(faults, "/camera/rvec", "is longer than 2 pi",
+		    "its length is the angle in radians");
+	return !sum_is_exact_zero(&a->divisor) ||
+	    refuse(faults, "/camera/orientation", "is 0", "the identity is 0, 0, 0, 1");
 }
 
 /* Computes the map to view space or, if inverse, the map to world space:
@@ -135,14 +139,16 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse, struct 
 	map_multiply(r, &turn, inverse);
 }
 
-/* The message that refuses the camera's pose (if `pose`) or its matrix for `reason`. */
-#define REFUSAL(pose, reason) \
-	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
+const char *camera_steps_pointer(const struct camera *c)
+{
+	return c->way == CAMERA_POSE ? "/camera/pose" : "/camera/matrix";
+}
 
 /* Replaces the upper 3x3 of an affine map by the nearest rotation or, if `inverts`, the
  * map by the inverse of this. An element of the rotation whose magnitude is at most its
  * error becomes 0. The origin of the inverse is the rounded translation. */
-static const char *orthonormalize(struct map *r, bool inverts, bool pose)
+static bool orthonormalize(const char *pointer, struct map *r, bool inverts,
+    struct refusals *faults)
 {
 	const struct sum divisor = r->divisor;
 	struct sum q[4], v[3][3], d;
@@ -151,11 +157,11 @@ static const char *orthonormalize(struct map *r, bool inverts, bool pose)
 	double origin[3];
 
 	if (found == ROTATION_NONE)
-		return REFUSAL(pose,
-		    "its determinant is not positive; a rotation's is 1");
+		return refuse(faults, pointer, "its determinant is not positive",
+		    "a rotation's is 1");
 	if (found == ROTATION_MANY)
-		return REFUSAL(pose,
-		    "two directions have all but vanished; no rotation is the nearest");
+		return refuse(faults, pointer, "two directions have all but vanished",
+		    "no rotation is the nearest");
 	rotation_of_quaternion(q, v, &d);
 	map_identity(&move);
 	for (int k = 0; k < 3; k++) {
@@ -170,24 +176,25 @@ static const char *orthonormalize(struct map *r, bool inverts, bool pose)
 		r->m[i / 3][i % 3] = sum_quotient(
 		    sum_snap_zero(inverts ? v[i % 3][i / 3] : v[i / 3][i % 3]), d);
 	map_multiply(r, &move, inverts);
-	return NULL;
+	return true;
 }
 
 /* Computes, by the camera's matrix or pose, the map from world to view space or, if
  * inverse, back. */
-static const char *camera_matrix_map(const struct camera *c, bool inverse,
-    struct map *r)
+static bool camera_matrix_map(const struct camera *c, bool inverse, struct map *r,
+    struct refusals *faults)
 {
 	const bool pose = c->way == CAMERA_POSE, inverts = inverse != pose;
 	const bool whole = !c->orthonormalize;
-	const char *why = steps_map(&c->steps, pose ? "/camera/pose" : "/camera/matrix",
-	    whole && inverts, whole && pose, r);
+	const char *pointer = camera_steps_pointer(c);
 
-	return why != NULL || whole ? why : orthonormalize(r, inverts, pose);
+	return steps_map(&c->steps, pointer, whole && inverts, whole && pose, r,
+		   faults) &&
+	    (whole || orthonormalize(pointer, r, inverts, faults));
 }
 
-const char *camera_map(const struct camera *c, const struct convention *convention,
-    bool inverse, struct map *r)
+bool camera_map(const struct camera *c, const struct convention *convention,
+    bool inverse, struct map *r, struct refusals *faults)
 {
 	bool is_translation = c->way == CAMERA_TRANSLATION ||
 	    c->way == CAMERA_RVEC_TRANSLATION;
@@ -195,15 +202,13 @@ const char *camera_map(const struct camera *c, const struct convention *conventi
 	struct axes axes;
 
 	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
-		return camera_matrix_map(c, inverse, r);
-	const char *why = c->way <= CAMERA_GAZE ? axes_of_gaze(c, convention, &axes) :
-						  axes_of_rotation(c, by_rvec, &axes);
-
-	if (why != NULL)
-		return why;
+		return camera_matrix_map(c, inverse, r, faults);
+	if (!(c->way <= CAMERA_GAZE ? axes_of_gaze(c, convention, &axes, faults) :
+				      axes_of_rotation(c, by_rvec, &axes, faults)))
+		return false;
 	map_of_axes(&axes, c->eye, is_translation, inverse, r);
 	if (c->roll != 0)
 		camera_roll(convention->view_y_down ? -c->roll : c->roll, c->unit,
 		    inverse, r);
-	return NULL;
+	return true;
 }

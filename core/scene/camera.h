@@ -3,12 +3,13 @@
 #pragma once
 
 #include "../exact/trig.h"
-#include "convention.h"
+#include "../projection/convention.h"
+#include "../refusal/refusal.h"
 #include "steps.h"
 
 struct camera {
 	double eye[3]; /* or translation: the world's origin in view space */
-	/* the members that give the camera, in the order of camera_rules (cmd/scene) */
+	/* the members that give the camera */
 	enum camera_way {
 		CAMERA_AT,               /* eye, at and up */
 		CAMERA_GAZE,             /* eye, gaze and up */
@@ -35,7 +36,9 @@ struct camera {
  * parallel to the gaze or a matrix nearly singular. If a matrix is orthonormalized, an
  * element of the rotation whose magnitude is at most its error becomes 0. A roll turns
  * view space about the eye, also if a translation is given. The origin of the map to
- * view space is the eye or, for a CAMERA_MATRIX that is not orthonormalized, 0. Returns
- * NULL, or the member at fault and why. */
-const char *camera_map(const struct camera *, const struct convention *, bool inverse,
-    struct map *);
+ * view space is the eye or, for a CAMERA_MATRIX that is not orthonormalized, 0. */
+bool camera_map(const struct camera *, const struct convention *, bool inverse,
+    struct map *, struct refusals *faults);
+
+/* Returns the pointer to the member that the camera's steps are given by. */
+const char *camera_steps_pointer(const struct camera *);

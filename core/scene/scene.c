@@ -58,57 +58,57 @@ bool scene_is_valid(const struct scene *s)
 }
 
 /* Computes the map from the space `first` to the next space, or its inverse. */
-static const char *map_to_next(const struct scene *s, enum space first, bool inverse,
-    struct map *r)
+static bool map_to_next(const struct scene *s, enum space first, bool inverse,
+    struct map *r, struct refusals *faults)
 {
 	const struct convention *c = &s->convention, *to = scene_answer_convention(s);
-	const char *why = NULL;
 
 	if (s->known[first][inverse] != NULL) {
 		map_copy(r, s->known[first][inverse]);
-		return NULL;
+		return true;
 	}
 	switch (first) {
 	case SPACE_MODEL:
 		if (s->has_world)
-			return steps_map(&s->world, "/world", inverse, false, r);
+			return steps_map(&s->world, "/world", inverse, false, r,
+			    faults);
 		map_identity(r);
-		return NULL;
+		return true;
 	case SPACE_WORLD:
-		if (s->has_camera)
-			why = camera_map(&s->camera, c, inverse, r);
-		else
+		if (!s->has_camera)
 			map_identity(r);
+		else if (!camera_map(&s->camera, c, inverse, r, faults))
+			return false;
 		break;
 	case SPACE_VIEW:
-		why = projection_map(&s->projection, c, inverse, r);
+		if (!projection_map(&s->projection, c, inverse, r, faults))
+			return false;
 		break;
 	case SPACE_NDC:
 		if (!s->has_viewport)
-			return "/viewport: missing; device coordinates need one, such "
-			       "as {\"width\": 640, \"height\": 480}; ndc needs none";
-		return viewport_map(&s->viewport, to, inverse, r);
+			return refuse(faults, "/viewport", "missing",
+			    "device coordinates need one, such as {\"width\": 640, "
+			    "\"height\": 480}; ndc needs none");
+		return viewport_map(&s->viewport, to, inverse, r, faults);
 	case FLAT_WINDOW:
 		return window_map(&s->window, s->has_device ? &s->device : NULL,
-		    inverse, r);
+		    inverse, r, faults);
 	case FLAT_NDC:
-		return device_map(&s->device, inverse, r);
+		return device_map(&s->device, inverse, r, faults);
 	case SPACE_CLIP: /* the division by w is not a part of the map */
 	case SPACE_DEVICE:
 	case FLAT_DEVICE:
 		map_identity(r);
-		return NULL;
+		return true;
 	}
-	if (why != NULL)
-		return why;
 	convention_change(c, to, false, inverse == (first == SPACE_WORLD), r);
 	if (first == SPACE_VIEW)
 		convention_change(c, to, true, inverse, r);
-	return NULL;
+	return true;
 }
 
-const char *scene_map_factor(const struct scene *s, enum space from, enum space to,
-    struct map *r)
+bool scene_map_factor(const struct scene *s, enum space from, enum space to,
+    struct map *r, struct refusals *faults)
 {
 	bool back = from > to;
 	enum space low = back ? to : from, high = back ? from : to;
@@ -117,60 +117,68 @@ const char *scene_map_factor(const struct scene *s, enum space from, enum space 
 	if (low == high)
 		map_identity(r);
 	for (enum space i = low; i < high; i++) {
-		const char *why = map_to_next(s, i, back, i == low ? r : &next);
-
-		if (why != NULL)
-			return why;
+		if (!map_to_next(s, i, back, i == low ? r : &next, faults))
+			return false;
 		if (i > low)
 			map_multiply(r, &next, back);
 	}
-	return NULL;
+	return true;
 }
 
-/* A reason, behind the member that is named for a product of the scene's maps. */
-#define PRODUCT_REFUSED(s, flat, of_steps, of_scene)                            \
-	((flat)                                   ? "/window: " of_scene :      \
-		(s)->has_world && (s)->world.step ? "/world: " of_steps :       \
-		!(s)->camera.steps.step           ? "/projection: " of_scene :  \
-		(s)->camera.way == CAMERA_POSE    ? "/camera/pose: " of_steps : \
-						    "/camera/matrix: " of_steps)
-
-#define BEYOND_DOUBLES                                                         \
-	"the composed matrix has elements beyond the range of doubles; bring " \
-	"sizes and distances nearer to one another"
-
-const char *scene_too_wide(const struct scene *s, bool flat)
+/* Returns the pointer to the member to blame for a product of the scene's maps: to the
+ * first that is a list of steps, if there is one, and then sets `of_steps`. */
+static const char *product_pointer(const struct scene *s, bool flat, bool *of_steps)
 {
-	return PRODUCT_REFUSED(s, flat, STEPS_TOO_WIDE, SCENE_TOO_WIDE);
+	const bool world = s->has_world && s->world.step != NULL;
+	const bool camera = s->camera.steps.step != NULL;
+
+	*of_steps = !flat && (world || camera);
+	return flat ? "/window" :
+	    world   ? "/world" :
+	    camera  ? camera_steps_pointer(&s->camera) :
+		      "/projection";
 }
 
-const char *scene_map_refuse_range(const struct scene *s, bool flat,
-    const struct map *r)
+bool scene_refuse_too_wide(const struct scene *s, bool flat, struct refusals *faults)
 {
+	bool of_steps;
+	const char *pointer = product_pointer(s, flat, &of_steps);
+
+	return of_steps ?
+	    steps_refuse_too_wide(pointer, faults) :
+	    refuse(faults, pointer, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
+}
+
+bool scene_map_refuse_range(const struct scene *s, bool flat, const struct map *r,
+    struct refusals *faults)
+{
+	bool of_steps;
+
 	if (ex_has_overflowed())
-		return scene_too_wide(s, flat);
-	return map_is_finite(r) ?
-	    NULL :
-	    PRODUCT_REFUSED(s, flat, BEYOND_DOUBLES, BEYOND_DOUBLES);
+		return scene_refuse_too_wide(s, flat, faults);
+	return map_is_finite(r) ||
+	    refuse(faults, product_pointer(s, flat, &of_steps),
+		"the composed matrix has elements beyond the range of doubles",
+		"bring sizes and distances nearer to one another");
 }
 
-const char *scene_map(const struct scene *s, enum space from, enum space to,
-    struct map *r)
+bool scene_map(const struct scene *s, enum space from, enum space to, struct map *r,
+    struct refusals *faults)
 {
-	const char *why = scene_map_factor(s, from, to, r);
-
-	return why != NULL ? why : scene_map_refuse_range(s, space_is_flat(from), r);
+	return scene_map_factor(s, from, to, r, faults) &&
+	    scene_map_refuse_range(s, space_is_flat(from), r, faults);
 }
 
-const char *scene_window_extent(const struct scene *s, struct window_extent *w)
+bool scene_window_extent(const struct scene *s, struct window_extent *w,
+    struct refusals *faults)
 {
 	struct map out, back;
-	const char *why = scene_map(s, FLAT_WINDOW,
-	    s->has_device ? FLAT_DEVICE : FLAT_NDC, &out);
 
-	if (why == NULL)
-		why = scene_map(s, FLAT_NDC, FLAT_WINDOW, &back);
-	for (int k = 0; k < 4 && why == NULL; k++) {
+	if (!scene_map(s, FLAT_WINDOW, s->has_device ? FLAT_DEVICE : FLAT_NDC, &out,
+		faults) ||
+	    !scene_map(s, FLAT_NDC, FLAT_WINDOW, &back, faults))
+		return false;
+	for (int k = 0; k < 4; k++) {
 		struct sum half = back.m[k / 2][k / 2];
 		struct sum edge = sum_add(back.m[3][k / 2],
 		    k & 1 ? half : sum_neg(half));
@@ -178,5 +186,5 @@ const char *scene_window_extent(const struct scene *s, struct window_extent *w)
 		w->edge[k] = sum_ratio(edge, back.divisor);
 		w->scale[k / 2] = map_element_nearest(&out, k / 2, k / 2, false);
 	}
-	return why;
+	return true;
 }

@@ -2,18 +2,21 @@
 /* A scene and the maps between its spaces. */
 #pragma once
 
+#include "../projection/projection.h"
 #include "camera.h"
-#include "projection.h"
 #include "window.h"
 
 /* Numbers of scene documents and points are at most SCENE_MAGNITUDE_MAX in magnitude,
- * and sizes at least SCENE_SIZE_MIN: products of two sizes are in the range of doubles. */
+ * and sizes at least SCENE_SIZE_MIN: products of two sizes are in the
+ * range of doubles. */
 #define SCENE_MAGNITUDE_MAX 1e150
 #define SCENE_SIZE_MIN 1e-150
 
+/* Says why a product of a scene's numbers that has lost digits is refused. */
 #define SCENE_TOO_WIDE                                                       \
 	"the scene's numbers lie too far from one another to be multiplied " \
-	"without a loss; bring the largest and the least ones nearer"
+	"without a loss"
+#define SCENE_TOO_WIDE_REMEDY "bring the largest and the least ones nearer"
 
 enum space {
 	SPACE_MODEL,
@@ -58,9 +61,9 @@ static inline const struct convention *scene_answer_convention(const struct scen
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
-/* Returns the reason why a product of the scene's maps, between flat spaces or others,
- * has lost digits: STEPS_TOO_WIDE of a list of steps or, without one, SCENE_TOO_WIDE. */
-const char *scene_too_wide(const struct scene *, bool flat);
+/* Refuses a product of the scene's maps, between flat spaces or others, that has lost
+ * digits: the steps of a list or, without one, the scene. Returns false. */
+bool scene_refuse_too_wide(const struct scene *, bool flat, struct refusals *faults);
 
 /* Returns whether a number is from SCENE_SIZE_MIN to SCENE_MAGNITUDE_MAX. */
 bool scene_is_size(double);
@@ -70,10 +73,9 @@ bool scene_is_size(double);
 bool scene_is_valid(const struct scene *);
 
 /* Computes the map between two spaces, both flat or neither: the product of the maps
- * from each space to the next. Images are homogeneous; transform.h divides them. Returns
- * NULL, or the member at fault, as a JSON pointer, and why. */
-const char *scene_map(const struct scene *, enum space from, enum space to,
-    struct map *);
+ * from each space to the next. Images are homogeneous; transform.h divides them. */
+bool scene_map(const struct scene *, enum space from, enum space to, struct map *,
+    struct refusals *faults);
 
 /* The part of the plane that a 2D window shows, rounded to doubles. */
 struct window_extent {
@@ -81,12 +83,14 @@ struct window_extent {
 	double scale[2]; /* device units (no device: ndc) per window unit */
 };
 
-/* Computes what the window shows. Returns NULL, or the member at fault and why. */
-const char *scene_window_extent(const struct scene *, struct window_extent *);
+/* Computes what the window shows. */
+bool scene_window_extent(const struct scene *, struct window_extent *,
+    struct refusals *faults);
 
 /* Computes a factor of a map: the map of scene_map, whose elements may be beyond the
- * range of doubles. scene_map_refuse_range returns NULL or, if elements of the product
- * are beyond this range, the member at fault and why; `flat` says of which spaces. */
-const char *scene_map_factor(const struct scene *, enum space from, enum space to,
-    struct map *);
-const char *scene_map_refuse_range(const struct scene *, bool flat, const struct map *);
+ * range of doubles. scene_map_refuse_range refuses the scene, and returns false, if
+ * elements of the product are; `flat` says of which spaces. */
+bool scene_map_factor(const struct scene *, enum space from, enum space to,
+    struct map *, struct refusals *faults);
+bool scene_map_refuse_range(const struct scene *, bool flat, const struct map *,
+    struct refusals *faults);

@@ -30,14 +30,62 @@ static void translate(const double t[3], bool inverse, struct map *r)
 		    sum_scale(r->m[3][3], inverse ? -t[k] : t[k]));
 }
 
-static const char *scale(const double s[3], bool inverse, struct map *r)
+/* The computation of a product. */
+struct product {
+	const struct steps *list;
+	const char *pointer; /* to the member that has the steps */
+	bool regular;
+	const struct step *at; /* the step that is appended; NULL: the one matrix */
+	struct map *r;
+	struct refusals *faults;
+};
+
+/* Writes the pointer of a step of the list that begins at `s`, such as
+ * /camera/pose/4/inverse/0. Without room for it, the pointer ends at a list around the
+ * step. */
+static void point_to_step(const char *pointer, const struct step *s,
+    const struct step *step, size_t room, char *where)
 {
+	size_t n = strlen(pointer), most = strlen("/63/inverse");
+
+	memcpy(where, pointer, n);
+	while (step != NULL && n + most < room) {
+		int i = 0;
+
+		for (; step > s + s->inner; s += 1 + s->inner)
+			i++;
+		where[n++] = '/';
+		if (i > 9)
+			where[n++] = (char)('0' + i / 10);
+		where[n++] = (char)('0' + i % 10);
+		if (step == s++)
+			break;
+		memcpy(where + n, "/inverse", strlen("/inverse"));
+		n += strlen("/inverse");
+	}
+	where[n] = '\0';
+}
+
+/* Refuses the step that is appended. */
+static bool refuse_step(const struct product *p, const char *what, const char *remedy)
+{
+	char where[sizeof(((struct refusal *)0)->where)];
+
+	point_to_step(p->pointer, p->list->step, p->at, sizeof where, where);
+	return refuse(p->faults, where, what, remedy);
+}
+
+static bool append_scale(struct product *p, const double s[3], bool inverse)
+{
+	struct map *r = p->r;
+
 	if (s[0] == 0 || s[1] == 0 || s[2] == 0)
-		return "its scale has a factor 0, which flattens all points";
+		return refuse_step(p,
+		    "its scale has a factor 0, which flattens all points", NULL);
 	if (inverse && s[0] == s[1] && s[0] == s[2]) {
 		r->m[3][3] = sum_scale(r->m[3][3], s[0]);
 		map_divide(r, sum_of_double(s[0]));
-		return NULL;
+		return true;
 	}
 	for (int k = 0; k < 3; k++)
 		if (inverse)
@@ -45,35 +93,34 @@ static const char *scale(const double s[3], bool inverse, struct map *r)
 		else
 			for (int i = 0; i < 4; i++)
 				r->m[i][k] = sum_scale(r->m[i][k], s[k]);
-	return NULL;
+	return true;
 }
 
-/* If `regular`, also refuses a singular matrix that is not inverted. The columns of the
- * inverse are cross products of the rows, over the determinant. */
-static const char *multiply(const double m[4][4], bool inverse, bool regular,
-    struct map *r)
+/* If p->regular, also refuses a singular matrix that is not inverted. The columns of
+ * the inverse are cross products of the rows, over the determinant. */
+static bool append_matrix(struct product *p, const double m[4][4], bool inverse)
 {
 	struct sum row[4][3], cross[3][3];
 
 	if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
-		return MAP_NOT_AFFINE;
+		return refuse_step(p, STEPS_NOT_AFFINE, STEPS_NOT_AFFINE_REMEDY);
 	for (int i = 0; i < 12; i++)
 		sum_set(&row[i / 3][i % 3], m[i / 3][i % 3]);
-	for (int i = 0; i < 3 && (inverse || regular); i++)
+	for (int i = 0; i < 3 && (inverse || p->regular); i++)
 		vec3_cross(row[(i + 1) % 3], row[(i + 2) % 3], cross[i]);
-	if (inverse || regular) {
+	if (inverse || p->regular) {
 		struct sum det = vec3_dot(row[0], cross[0]);
 
 		if (sum_sign(det) == 0)
-			return "singular; it can't be inverted";
+			return refuse_step(p, "singular", "it can't be inverted");
 		if (inverse) {
-			translate(m[3], true, r);
-			append(r, 3, cross[0], 1, 3, det);
-			return NULL;
+			translate(m[3], true, p->r);
+			append(p->r, 3, cross[0], 1, 3, det);
+			return true;
 		}
 	}
-	append(r, 4, row[0], 3, 1, sum_of_double(1));
-	return NULL;
+	append(p->r, 4, row[0], 3, 1, sum_of_double(1));
+	return true;
 }
 
 /* Computes the rotation about axis i, from axis i + 1 toward axis i + 2. */
@@ -91,158 +138,113 @@ static void rotate_about(int i, double angle, enum angle_unit unit, struct sum v
 }
 
 /* Computes the rotation of a step, as the matrix v / d for column vectors. */
-static const char *rotation_of(const struct step *s, enum angle_unit unit,
+static bool rotation_of_step(const struct product *p, const struct step *s,
     struct sum v[3][3], struct sum *d)
 {
 	const bool w_first = s->kind == STEP_QUATERNION_WXYZ;
+	const enum angle_unit unit = p->list->unit;
 	struct sum q[4];
 
 	sum_set(d, 1);
 	if (s->kind == STEP_ROTATE)
-		return rotation_by_angle(s->rotation, s->angle, unit, v, d) ?
-		    NULL :
-		    "its axis is 0, which has no direction";
+		return rotation_by_angle(s->rotation, s->angle, unit, v, d) ||
+		    refuse_step(p, "its axis is 0, which has no direction", NULL);
 	if (s->kind == STEP_RVEC)
-		return rotation_about(s->rotation, v) ?
-		    NULL :
-		    "its rvec is longer than 2 pi; the length is the angle in radians";
+		return rotation_about(s->rotation, v) ||
+		    refuse_step(p, "its rvec is longer than 2 pi",
+			"the length is the angle in radians");
 	if (s->kind <= STEP_ROTATE_Z) {
 		rotate_about((int)s->kind - STEP_ROTATE_X, s->angle, unit, v);
-		return NULL;
+		return true;
 	}
 	for (int i = 0; i < 4; i++)
 		sum_set(&q[i], s->rotation[w_first ? (i + 1) % 4 : i]);
 	rotation_of_quaternion(q, v, d);
-	return sum_is_exact_zero(d) ? "its quaternion is 0, which is no rotation" :
-				      NULL;
+	return !sum_is_exact_zero(d) ||
+	    refuse_step(p, "its quaternion is 0, which is no rotation", NULL);
 }
 
-/* The computation of a product. */
-struct product {
-	const struct steps *list;
-	bool regular;
-	const struct step *fault; /* the step that is refused */
-	struct map *r;
-};
-
 /* Appends to the product a step that has no steps inside, or its inverse. */
-static const char *append_step(struct product *p, const struct step *s, bool inverse)
+static bool append_step(struct product *p, const struct step *s, bool inverse)
 {
 	struct sum v[3][3], d;
 
 	switch (s->kind) {
 	case STEP_TRANSLATE:
 		translate(s->translation, inverse, p->r);
-		return NULL;
+		return true;
 	case STEP_SCALE:
-		return scale(s->scale, inverse, p->r);
+		return append_scale(p, s->scale, inverse);
 	case STEP_MATRIX:
-		return multiply(s->matrix, inverse, p->regular, p->r);
+		return append_matrix(p, s->matrix, inverse);
 	default:
 		break;
 	}
-	const char *why = rotation_of(s, p->list->unit, v, &d);
-
-	if (why == NULL)
-		append(p->r, 3, v[0], inverse ? 3 : 1, inverse ? 1 : 3, d);
-	return why;
+	if (!rotation_of_step(p, s, v, &d))
+		return false;
+	append(p->r, 3, v[0], inverse ? 3 : 1, inverse ? 1 : 3, d);
+	return true;
 }
 
 /* Appends a step or, of a node, its three parts in their order. */
-static const char *append_parts(struct product *p, const struct step *s, bool inverse)
+static bool append_parts(struct product *p, const struct step *s, bool inverse)
 {
 	struct step part = *s;
-	const char *why = NULL;
 
+	p->at = s;
 	if (s->kind != STEP_NODE)
-		why = append_step(p, s, inverse);
-	for (int i = 0; i < 3 && s->kind == STEP_NODE && why == NULL; i++) {
+		return append_step(p, s, inverse);
+	for (int i = 0; i < 3; i++) {
 		part.kind = (inverse ? 2 - i : i) == 0 ? STEP_SCALE :
 		    i == 1                             ? STEP_QUATERNION :
 							 STEP_TRANSLATE;
-		why = append_step(p, &part, inverse);
+		if (!append_step(p, &part, inverse))
+			return false;
 	}
-	if (why != NULL)
-		p->fault = s;
-	return why;
+	return true;
 }
 
 /* Appends the steps from s to `end` or, if inverse, the inverse of each from the last
  * to the first. In an inverse no matrix is singular, also if it is inverted twice. */
-static const char *append_all(struct product *p, const struct step *s,
-    const struct step *end, bool inverse)
+static bool append_all(struct product *p, const struct step *s, const struct step *end,
+    bool inverse)
 {
-	const char *why = NULL;
-
 	if (s == end)
-		return NULL;
+		return true;
 	const struct step *next = s + 1 + s->inner;
 	const bool regular = p->regular;
 
-	if (inverse)
-		why = append_all(p, next, end, inverse);
+	if (inverse && !append_all(p, next, end, inverse))
+		return false;
 	p->regular |= s->kind == STEP_INVERSE;
-	if (why == NULL)
-		why = s->kind == STEP_INVERSE ? append_all(p, s + 1, next, !inverse) :
-						append_parts(p, s, inverse);
+	if (!(s->kind == STEP_INVERSE ? append_all(p, s + 1, next, !inverse) :
+					append_parts(p, s, inverse)))
+		return false;
 	p->regular = regular;
-	if (why == NULL && !inverse)
-		why = append_all(p, next, end, inverse);
-	return why;
+	return inverse || append_all(p, next, end, inverse);
 }
 
-static char *put(char *at, const char *s)
+bool steps_refuse_too_wide(const char *pointer, struct refusals *faults)
 {
-	const size_t n = strlen(s);
-
-	memcpy(at, s, n + 1);
-	return at + n;
+	return refuse(faults, pointer, STEPS_TOO_WIDE, STEPS_TOO_WIDE_REMEDY);
 }
 
-/* Returns the text "POINTER/4/inverse/0: WHY", which says where `fault` stands among
- * the steps from s on, or "POINTER: WHY" without a fault. */
-static const char *refusal(const char *pointer, const struct step *s,
-    const struct step *fault, const char *why)
+bool steps_map(const struct steps *s, const char *pointer, bool inverse, bool regular,
+    struct map *r, struct refusals *faults)
 {
-	static _Thread_local char text[16 * STEPS_MAX + 400];
-	char *at = put(text, pointer);
-
-	while (fault != NULL) {
-		int i = 0;
-
-		for (; fault > s + s->inner; s += 1 + s->inner)
-			i++;
-		*at++ = '/';
-		if (i > 9)
-			*at++ = (char)('0' + i / 10);
-		*at++ = (char)('0' + i % 10);
-		if (fault == s++)
-			fault = NULL;
-		else
-			at = put(at, "/inverse");
-	}
-	put(put(at, ": "), why);
-	return text;
-}
-
-const char *steps_map(const struct steps *s, const char *pointer, bool inverse,
-    bool regular, struct map *r)
-{
-	struct product p = { s, regular, NULL, r };
-	const char *why;
+	struct product p = { s, pointer, regular, NULL, r, faults };
 
 	if (s->step == NULL && !inverse && !regular) {
 		map_of_doubles(s->matrix, r);
-		return map_is_affine(r) ? NULL :
-					  refusal(pointer, NULL, NULL, MAP_NOT_AFFINE);
+		return map_is_affine(r) ||
+		    refuse_step(&p, STEPS_NOT_AFFINE, STEPS_NOT_AFFINE_REMEDY);
 	}
 	map_identity(r);
-	why = s->step == NULL ? multiply(s->matrix, inverse, regular, r) :
-				append_all(&p, s->step, s->step + s->n, inverse);
-	if (why == NULL && s->step != NULL && ex_has_overflowed())
-		why = STEPS_TOO_WIDE;
-	if (why != NULL)
-		return refusal(pointer, s->step, p.fault, why);
+	if (!(s->step == NULL ? append_matrix(&p, s->matrix, inverse) :
+				append_all(&p, s->step, s->step + s->n, inverse)))
+		return false;
+	if (s->step != NULL && ex_has_overflowed())
+		return steps_refuse_too_wide(pointer, faults);
 	map_set_origin(r, s->step == NULL && inverse ? s->matrix[3] : NULL);
-	return NULL;
+	return true;
 }

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Affine maps that are given as one matrix or as a list of steps, such as a translation
- * and a rotation, which are applied to the point one after the other. The list belongs to
- * the caller. The product is computed from the numbers of the steps, not from matrices
- * of doubles, so that it is exact unless a step has an angle that makes it irrational. */
+ * and a rotation, which are applied to the point one after the other. The list
+ * belongs to the caller. The product is computed from the numbers of the steps, not
+ * from matrices of doubles, so that it is exact unless a step has an angle that
+ * makes it irrational. */
 #pragma once
 
 #include "../exact/map.h"
 #include "../exact/trig.h"
+#include "../refusal/refusal.h"
 
 struct step {
-	/* in the order of step_members (cmd/scene) */
 	enum {
 		STEP_TRANSLATE,
 		STEP_SCALE,
@@ -43,12 +44,26 @@ struct steps {
 /* Computes the map of the steps or of the matrix; if inverse, its inverse, which is the
  * product of the inverse of each step in the opposite order. The origin of the map is 0
  * or, for the inverse of one matrix, its last row. If `regular`, a singular matrix is
- * refused in both directions. Returns NULL, or `pointer`, which leads to the member, with
- * the place of the step at fault, and why. The thread's next call overwrites this text. */
-const char *steps_map(const struct steps *, const char *pointer, bool inverse,
-    bool regular, struct map *);
+ * refused in both directions. `pointer` leads to the member; a refusal adds to it where
+ * the step at fault is. */
+bool steps_map(const struct steps *, const char *pointer, bool inverse, bool regular,
+    struct map *, struct refusals *faults);
 
-#define STEPS_TOO_WIDE                                                        \
-	"the numbers of its steps have too many digits to be multiplied "     \
-	"without a loss; give fewer steps, or numbers nearer to one another " \
-	"or of fewer digits"
+/* Says why a matrix that must be affine is refused. */
+#define STEPS_NOT_AFFINE                                                     \
+	"its last column, as column vectors its last row, is not exactly 0 " \
+	"0 0 1"
+#define STEPS_NOT_AFFINE_REMEDY                                            \
+	"of 16 numbers the translation is 13, 14 and 15; write rows "      \
+	"of column vectors as {\"matrix\": [[...], [...], [...], [...]], " \
+	"\"vectors\": \"column\"}"
+
+/* Says why a product of steps that has lost digits is refused. */
+#define STEPS_TOO_WIDE                                                    \
+	"the numbers of its steps have too many digits to be multiplied " \
+	"without a loss"
+#define STEPS_TOO_WIDE_REMEDY \
+	"give fewer steps, or numbers nearer to one another or of fewer digits"
+
+/* Refuses the steps of a member, as their product has lost digits. Returns false. */
+bool steps_refuse_too_wide(const char *pointer, struct refusals *faults);

@@ -19,17 +19,18 @@ static void ndc_axis(struct map *r, int i, struct sum n, double d, struct sum of
 	r->origin[i] = inverse ? sum_double(offset) : 0;
 }
 
-static const char *window_shape(const struct window *w, struct sum size[2],
-    struct sum center[2])
+static bool window_shape(const struct window *w, struct sum size[2],
+    struct sum center[2], struct refusals *faults)
 {
 	const double low[2] = { w->left, w->bottom };
 	const double high[2] = { w->right, w->top };
 
 	if (w->by_edges && !(w->left < w->right))
-		return "/window/right: not greater than left; swap them";
+		return refuse(faults, "/window/right", "not greater than left",
+		    "swap them");
 	if (w->by_edges && !(w->bottom < w->top))
-		return "/window/top: not greater than bottom; swap them; "
-		       "what turns y is the \"origin\" of the device";
+		return refuse(faults, "/window/top", "not greater than bottom",
+		    "swap them; what turns y is the \"origin\" of the device");
 	sum_set(&size[0], w->width);
 	sum_set(&size[1], w->height);
 	for (int i = 0; i < 2; i++) {
@@ -40,7 +41,7 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 		}
 		center[i] = sum_add(center[i], sum_of_double(w->pan[i]));
 	}
-	return NULL;
+	return true;
 }
 
 /* Gives the window the device's aspect. The new size is size / divisor. */
@@ -55,17 +56,17 @@ static void window_adapt(const struct window *w, const struct device *d,
 	divisor[side] = side == 0 ? d->height : d->width;
 }
 
-const char *window_map(const struct window *w, const struct device *d, bool inverse,
-    struct map *r)
+bool window_map(const struct window *w, const struct device *d, bool inverse,
+    struct map *r, struct refusals *faults)
 {
 	struct sum size[2], center[2];
 	double divisor[2] = { 1, 1 }, origin[3] = { 0 };
-	const char *why = window_shape(w, size, center);
 
-	if (why != NULL)
-		return why;
+	if (!window_shape(w, size, center, faults))
+		return false;
 	if (w->adapt != ADAPT_STRETCH && d == NULL)
-		return "/window/adapt: there is no device to adapt to; add \"device\"";
+		return refuse(faults, "/window/adapt", "there is no device to adapt to",
+		    "add \"device\"");
 	if (w->adapt != ADAPT_STRETCH)
 		window_adapt(w, d, size, divisor);
 	map_identity(r);
@@ -82,7 +83,7 @@ const char *window_map(const struct window *w, const struct device *d, bool inve
 		origin[i] = sum_ratio(c, sum_of_double(w->zoom));
 	}
 	map_set_origin(r, inverse ? NULL : origin);
-	return NULL;
+	return true;
 }
 
 void viewport_limits(const struct viewport *v, double half[2], double scale[2])
@@ -95,15 +96,16 @@ void viewport_limits(const struct viewport *v, double half[2], double scale[2])
 						     half[k];
 }
 
-const char *viewport_map(const struct viewport *v, const struct convention *c,
-    bool inverse, struct map *r)
+bool viewport_map(const struct viewport *v, const struct convention *c, bool inverse,
+    struct map *r, struct refusals *faults)
 {
 	struct sum depth = sum_difference(v->max_z, v->min_z),
 		   min = sum_of_double(v->min_z);
 	double half[2], scale[2];
 
 	if (inverse && sum_sign(depth) == 0)
-		return "/viewport/max_z: equal to min_z; depth can't be inverted then";
+		return refuse(faults, "/viewport/max_z", "equal to min_z",
+		    "depth can't be inverted then");
 	viewport_limits(v, half, scale);
 	if (c->ndc_y_down == c->origin_bottom_left)
 		scale[1] = -scale[1];
@@ -116,14 +118,15 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	    inverse);
 	ndc_axis(r, 2, depth, c->depth_minus_one ? 2 : 1, min, inverse);
 	map_set_origin(r, r->origin);
-	return NULL;
+	return true;
 }
 
-const char *device_map(const struct device *d, bool inverse, struct map *r)
+bool device_map(const struct device *d, bool inverse, struct map *r,
+    struct refusals *faults)
 {
 	const struct viewport v = { d->x, d->y, d->width, d->height, 0, 1, SCALE_FILL,
 		{ 0 }, false };
 	const struct convention c = { .origin_bottom_left = !d->top_left };
 
-	return viewport_map(&v, &c, inverse, r);
+	return viewport_map(&v, &c, inverse, r, faults);
 }

@@ -2,7 +2,8 @@
 /* The maps of the 2D window, 2D device and 3D viewport. 2D maps do not change z. */
 #pragma once
 
-#include "convention.h"
+#include "../projection/convention.h"
+#include "../refusal/refusal.h"
 
 struct window {
 	double center[2], width, height;
@@ -29,15 +30,16 @@ struct viewport {
 };
 
 /* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The
- * device may be NULL with ADAPT_STRETCH. Returns NULL, or the member and why. */
-const char *window_map(const struct window *, const struct device *, bool inverse,
-    struct map *);
+ * device may be NULL with ADAPT_STRETCH. */
+bool window_map(const struct window *, const struct device *, bool inverse,
+    struct map *, struct refusals *faults);
 
 /* Compute the map from ndc to a 2D device or a 3D viewport or, if inverse, back. The
- * convention has ndc's depth and y, and the device's origin. Return NULL or the reason. */
-const char *device_map(const struct device *, bool inverse, struct map *);
-const char *viewport_map(const struct viewport *, const struct convention *,
-    bool inverse, struct map *);
+ * convention has ndc's depth and y, and the device's origin. */
+bool device_map(const struct device *, bool inverse, struct map *,
+    struct refusals *faults);
+bool viewport_map(const struct viewport *, const struct convention *, bool inverse,
+    struct map *, struct refusals *faults);
 
 /* Writes half the width and height, and the pixels per unit of ndc x and y. Points of
  * ndc with |x| scale[0] <= half[0] and |y| scale[1] <= half[1] are in the viewport. */

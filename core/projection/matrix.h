@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: MIT */
+/* Projections of no parameters: a given matrix, which may be of any kind, or none. */
+#pragma once
+
+#include "type.h"
+
+bool matrix_map(const struct projection *, const struct convention *, bool inverse,
+    struct map *, struct refusals *);
+bool matrix_is_reversed(const struct projection *, const struct convention *);
+
+bool none_map(const struct projection *, const struct convention *, bool inverse,
+    struct map *, struct refusals *);
+bool none_is_reversed(const struct projection *, const struct convention *);

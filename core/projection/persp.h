@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: MIT */
+/* Perspectives about the gaze, whose only numbers are a cross-section and planes. */
+#pragma once
+
+#include "type.h"
+
+bool persp_map(const struct projection *, const struct convention *, bool inverse,
+    struct map *, struct refusals *);

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT */
+#include "projection.h"
+
+#include "matrix.h"
+#include "persp.h"
+
+static const struct projection_row rows[] = {
+	[PROJECTION_NONE] = { .family = FAMILY_FIXED,
+	    .map = none_map,
+	    .frame = FRAME_SCENE,
+	    .is_reversed = none_is_reversed,
+	    .is_none = true },
+	[PROJECTION_PERSP] = { .family = FAMILY_PERSP,
+	    .map = persp_map,
+	    .frame = FRAME_D3D },
+	[PROJECTION_ORTHO] = { .family = FAMILY_PARALLEL,
+	    .map = ortho_map,
+	    .frame = FRAME_D3D },
+	[PROJECTION_OBLIQUE] = { .family = FAMILY_PARALLEL,
+	    .map = oblique_map,
+	    .frame = FRAME_D3D,
+	    .is_sheared = true },
+	[PROJECTION_VOLUME] = { .family = FAMILY_VOLUME,
+	    .map = volume_map,
+	    .frame = FRAME_VIEW },
+	[PROJECTION_MATRIX] = { .family = FAMILY_FIXED,
+	    .map = matrix_map,
+	    .frame = FRAME_SCENE,
+	    .is_reversed = matrix_is_reversed,
+	    .is_given_matrix = true },
+};
+_Static_assert(sizeof rows / sizeof *rows == PROJECTION_TYPES, "each type has a row");
+
+enum projection_type projection_type_of(enum projection_family family, bool sheared)
+{
+	for (unsigned type = 0; type < PROJECTION_TYPES; type++)
+		if (rows[type].family == family && rows[type].is_sheared == sheared &&
+		    !rows[type].is_none)
+			return (enum projection_type)type;
+	return PROJECTION_NONE;
+}
+
+void projection_set_defaults(struct projection *p, enum projection_type type)
+{
+	*p = (struct projection){ .type = type,
+		.near_ratio = 0.0005,
+		.shear.direction = 45 };
+}
+
+enum projection_family projection_family(const struct projection *p)
+{
+	return rows[p->type].family;
+}
+
+bool projection_is_none(const struct projection *p)
+{
+	return rows[p->type].is_none;
+}
+
+bool projection_is_sheared(const struct projection *p)
+{
+	return rows[p->type].is_sheared;
+}
+
+bool projection_is_given_matrix(const struct projection *p)
+{
+	return rows[p->type].is_given_matrix;
+}
+
+bool projection_map(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r, struct refusals *faults)
+{
+	const struct projection_row *row = &rows[p->type];
+	struct convention given = { .right_handed = false };
+
+	if (!row->map(p, c, inverse, r, faults))
+		return false;
+	if (row->frame == FRAME_SCENE)
+		return true;
+	if (row->frame == FRAME_VIEW)
+		given = (struct convention){ .right_handed = c->right_handed,
+			.view_y_down = c->view_y_down,
+			.ndc_y_down = c->view_y_down };
+	convention_change(&given, c, false, !inverse, r);
+	convention_change(&given, c, true, inverse, r);
+	return true;
+}
+
+bool projection_is_reversed(const struct projection *p, const struct convention *c)
+{
+	const struct projection_row *row = &rows[p->type];
+
+	return row->is_reversed != NULL ? row->is_reversed(p, c) : p->reverse_z;
+}

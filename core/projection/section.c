@@ -1,0 +1,68 @@
+/* SPDX-License-Identifier: MIT */
+#include "section.h"
+
+#include "projection.h"
+
+/* Computes scale = 2, size = r - l and edge_sum = l + r, each times cos a cos b, for
+ * the edges l = tan a and r = tan b at distance 1 of the two angles a and b. */
+static void tangents(const double angle[2], enum angle_unit unit, struct sum *scale,
+    struct sum *size, struct sum *edge_sum)
+{
+	struct sum sa, ca, sb, cb;
+
+	trig_sin_cos(angle[0], unit, &sa, &ca);
+	trig_sin_cos(angle[1], unit, &sb, &cb);
+	struct sum left = sum_mul(sa, cb), right = sum_mul(sb, ca);
+
+	*scale = sum_scale(sum_mul(ca, cb), 2);
+	*size = sum_sub(right, left);
+	*edge_sum = sum_add(left, right);
+}
+
+/* Sets the sizes of ways that give one number and an aspect. */
+static void sizes_by_aspect(const struct projection *p, struct scaled_matrix *f)
+{
+	const struct projection_section *s = &p->section;
+	const bool wide = p->aspect[0] >= p->aspect[1];
+
+	_Static_assert(SECTION_WAYS == 10, "each way is read here or in section_sizes");
+	if (s->way <= SECTION_VIEW_ANGLE)
+		scaled_set_sizes(p->aspect,
+		    s->way == SECTION_FOVY || (s->way == SECTION_VIEW_ANGLE && wide),
+		    trig_cot(s->angle / 2, p->unit), 1, f);
+	if (s->way == SECTION_FIELD)
+		scaled_set_sizes(p->aspect, !wide, sum_one, s->field, f);
+	if (s->way == SECTION_WIDTH)
+		scaled_set_sizes(p->aspect, 0, f->s[0], s->width, f);
+	if (s->way == SECTION_HEIGHT)
+		scaled_set_sizes(p->aspect, 1, f->s[0], s->height, f);
+}
+
+bool section_sizes(const struct projection *p, double d, struct scaled_matrix *f,
+    struct sum sums[2], struct refusals *faults)
+{
+	const struct projection_section *s = &p->section;
+	const double size[2] = { s->width, s->height };
+
+	for (int k = 0; k < 2; k++) {
+		sum_set(&sums[k], 0);
+		sum_set(&f->s[k], 2 * d);
+		sum_set(&f->d[k], size[k]);
+		if (s->way == SECTION_ANGLES)
+			tangents(s->angles + 2 * k, p->unit, &f->s[k], &f->d[k],
+			    &sums[k]);
+		if (s->way == SECTION_INTRINSICS) /* edges from 0 to the size */
+			sum_copy(&sums[k], &f->d[k]);
+		if (s->way != SECTION_EDGES)
+			continue;
+		f->d[k] = sum_difference(s->edges[2 * k + 1], s->edges[2 * k]);
+		sums[k] = sum_difference(s->edges[2 * k], -s->edges[2 * k + 1]);
+		if (sum_sign(f->d[k]) == 0)
+			return k == 0 ? refuse(faults, "/projection/right",
+					    "equal to left", "the edges must differ") :
+					refuse(faults, "/projection/top",
+					    "equal to bottom", "the edges must differ");
+	}
+	sizes_by_aspect(p, f);
+	return true;
+}

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT */
+/* What a type of projection knows of itself: a row of the table in projection.c. Only
+ * core/projection and the tables of members (cmd/scene) name types. All else asks for
+ * the family of a projection, or for one of the properties in projection.h. */
+#pragma once
+
+#include "../refusal/refusal.h"
+#include "convention.h"
+
+enum projection_type {
+	PROJECTION_NONE, /* the identity */
+	PROJECTION_PERSP,
+	PROJECTION_ORTHO,
+	PROJECTION_OBLIQUE,
+	PROJECTION_VOLUME,
+	PROJECTION_MATRIX, /* stays the last */
+};
+
+enum { PROJECTION_TYPES = PROJECTION_MATRIX + 1 };
+
+/* The types of a family have the same members, and are fitted and checked alike. */
+enum projection_family {
+	FAMILY_FIXED,    /* `matrix`, or no member: nothing can be fitted */
+	FAMILY_PERSP,    /* `section` about the gaze from an eye */
+	FAMILY_PARALLEL, /* `section` along the gaze, which `shear` may shear */
+	FAMILY_VOLUME,   /* `volume` */
+};
+
+struct projection;
+
+struct projection_row {
+	enum projection_family family;
+
+	/* Computes the map from view to clip space or, if `inverse`, back, as
+	 * projcalc(1), FORMULAS says. If its numbers make a scaled_matrix (scaled.h),
+	 * scaled_map does the rest: the inverse needs no code, and the plane in which
+	 * the map is exact is a member there. */
+	bool (*map)(const struct projection *, const struct convention *, bool inverse,
+	    struct map *, struct refusals *);
+
+	/* The conventions of view and clip space between which `map` leads. */
+	enum {
+		FRAME_D3D,   /* those of d3d */
+		FRAME_VIEW,  /* the scene's view space; clip y is view y, depth d3d's */
+		FRAME_SCENE, /* the scene's */
+	} frame;
+
+	/* Returns whether the near plane has ndc depth 1; NULL: the member
+	 * reverse_z. */
+	bool (*is_reversed)(const struct projection *, const struct convention *);
+
+	bool is_none;         /* the document has no projection */
+	bool is_sheared;      /* `shear` holds */
+	bool is_given_matrix; /* `matrix` is of any kind, and may contain a camera */
+};
