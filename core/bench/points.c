@@ -51,31 +51,27 @@ static void fill(struct sample *s, const double low[3], const double high[3])
 
 /* Makes samples of points in front of the eye, whose images the kernels can all round.
  */
-static const char *make_cases(void)
+static bool make_cases(struct refusals *faults)
 {
 	const double low[3] = { -2, -2, -2 }, high[3] = { 2, 2, 2 };
 	const double corner[3] = { 0, 0, 0 }, other[3] = { 640, 480, 1 };
-	const char *why[CASES] = {
-		transform_of_scene(&scene, SPACE_WORLD, SPACE_DEVICE, false,
-		    &cases[0].transform),
-		transform_of_scene(&scene, SPACE_DEVICE, SPACE_WORLD, false,
-		    &cases[1].transform),
-		transform_of_scene(&scene, SPACE_WORLD, SPACE_VIEW, false,
-		    &cases[2].transform),
-		transform_of_scene(&scene, FLAT_WINDOW, FLAT_DEVICE, false,
-		    &cases[3].transform),
-	};
 
+	if (!transform_of_scene(&scene, SPACE_WORLD, SPACE_DEVICE, false,
+		&cases[0].transform, faults) ||
+	    !transform_of_scene(&scene, SPACE_DEVICE, SPACE_WORLD, false,
+		&cases[1].transform, faults) ||
+	    !transform_of_scene(&scene, SPACE_WORLD, SPACE_VIEW, false,
+		&cases[2].transform, faults) ||
+	    !transform_of_scene(&scene, FLAT_WINDOW, FLAT_DEVICE, false,
+		&cases[3].transform, faults))
+		return false;
 	cases[0].name = "perspective";
 	cases[1].name = "projective";
 	cases[2].name = "affine";
 	cases[3].name = "flat";
-	for (int c = 0; c < CASES; c++) {
-		if (why[c] != NULL)
-			return why[c];
+	for (int c = 0; c < CASES; c++)
 		fill(&cases[c], c == 1 ? corner : low, c == 1 ? other : high);
-	}
-	return NULL;
+	return true;
 }
 
 static double measure(const struct sample *s, enum precision p)
@@ -117,11 +113,12 @@ static void print_row(struct sample *s, int copy)
 
 int main(void)
 {
-	sample_seed(1);
-	const char *why = make_cases();
+	static struct refusals faults;
 
-	if (why != NULL) {
-		fprintf(stderr, "points: %s\n", why);
+	sample_seed(1);
+	if (!make_cases(&faults)) {
+		fprintf(stderr, "points: %s: %s\n", faults.list[0].where,
+		    faults.list[0].what);
 		return 1;
 	}
 	measure_all(0);

@@ -14,15 +14,16 @@ struct corners {
 	struct sum near[8];
 };
 
-static const char *set_corners(const struct bounds *b, bool flat, const struct map *m,
-    struct corners *c)
+static bool set_corners(const struct bounds *b, bool flat, const struct map *m,
+    struct corners *c, struct refusals *faults)
 {
 	const int dimensions = flat ? 2 : 3;
 	struct hull h;
-	const char *why = hull_of(b, dimensions, &h);
 
+	if (!hull_of(b, dimensions, &h, faults))
+		return false;
 	c->n = 1 << dimensions;
-	for (int k = 0; k < c->n && why == NULL; k++) {
+	for (int k = 0; k < c->n; k++) {
 		struct sum p[4];
 
 		sum_set(&p[3], 1);
@@ -35,7 +36,7 @@ static const char *set_corners(const struct bounds *b, bool flat, const struct m
 		for (int j = 0; j < 4; j++)
 			map_image(m, j, p, &c->at[k][j]);
 	}
-	return why;
+	return true;
 }
 
 /* Widens a range to hold n / d. It is nan, which fmin and fmax ignore, while empty. */
@@ -47,13 +48,14 @@ static void widen(double *min, double *max, const struct sum *n, const struct su
 	*max = fmax(*max, v);
 }
 
+/* Sets the distances. distance_of refuses nothing, as the map to clip is known. */
 static void set_distances(const struct scene *s, const struct corners *c,
     double distance[2])
 {
 	struct distance d;
 	struct sum v, length;
 
-	distance_of(s, &d);
+	distance_of(s, &d, NULL);
 	for (int k = 0; k < c->n; k++) {
 		sum_dot(4, c->at[k], d.column, 1, &v);
 		length = sum_mul(d.length, c->at[k][3]);
@@ -108,9 +110,10 @@ static bool take_point(const struct map *to_screen, const struct sum at[4],
 	return false;
 }
 
-/* Finds the rectangle. The corners of the part beyond the near plane are those of the box
- * there, and the points where the plane cuts an edge. These are found in view space, as
- * the differences of images would lose what the errors of sines and cosines hide. */
+/* Finds the rectangle. The corners of the part beyond the near plane are those of
+ * the box there, and the points where the plane cuts an edge. These are found in
+ * view space, as the differences of images would lose what the errors of sines
+ * and cosines hide. */
 static void find_rectangle(const struct map *to_screen, const struct corners *c,
     struct box *r)
 {
@@ -137,8 +140,8 @@ static void find_rectangle(const struct map *to_screen, const struct corners *c,
 		r->min[k] = r->max[k] = (double)NAN;
 }
 
-const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
-    struct box *r)
+bool box_of(const struct scene *given, const struct bounds *b, bool flat, struct box *r,
+    struct refusals *faults)
 {
 	struct scene scene = *given, *s = &scene;
 	const enum space model = flat ? FLAT_WINDOW : SPACE_MODEL,
@@ -148,24 +151,22 @@ const char *box_of(const struct scene *given, const struct bounds *b, bool flat,
 					 SPACE_NDC;
 	struct corners c;
 	struct map m, ends, to_clip, to_screen;
-	const char *why = scene_map_factor(s, model, view, &m);
 
 	for (int k = 0; k < 2; k++)
 		r->distance[k] = r->min[k] = r->max[k] = (double)NAN;
-	if (why == NULL)
-		why = set_corners(b, flat, &m, &c);
-	if (why == NULL && !flat)
-		why = scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &to_clip);
-	if (why != NULL)
-		return why;
+	if (!scene_map_factor(s, model, view, &m, faults) ||
+	    !set_corners(b, flat, &m, &c, faults) ||
+	    (!flat && !scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &to_clip, faults)))
+		return false;
 	if (!flat) {
 		s->known[SPACE_VIEW][false] = &to_clip;
 		set_distances(s, &c, r->distance);
 	}
-	if ((why = scene_map_factor(s, view, screen, &to_screen)) != NULL ||
-	    (why = frustum_planes(s, view, &m, &ends)) != NULL)
-		return why;
+	if (!scene_map_factor(s, view, screen, &to_screen, faults) ||
+	    !frustum_planes(s, view, &m, &ends, faults))
+		return false;
 	set_planes(&m, &ends, flat, &c, r);
 	find_rectangle(&to_screen, &c, r);
-	return ex_has_overflowed() ? "/bounds: " SCENE_TOO_WIDE : NULL;
+	return !ex_has_overflowed() ||
+	    refuse(faults, "/bounds", SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
 }

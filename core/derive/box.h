@@ -16,6 +16,6 @@ struct box {
 };
 
 /* Describes bounds of three dimensions or, if flat, of two, of which there is no
- * distance. Returns NULL, or the member at fault and why. */
-const char *box_of(const struct scene *, const struct bounds *, bool flat,
-    struct box *);
+ * distance. */
+bool box_of(const struct scene *, const struct bounds *, bool flat, struct box *,
+    struct refusals *faults);

@@ -4,15 +4,16 @@
 #include "../points/distance.h"
 
 /* The depth of a point is z / w. Let z0 and w0 be z and w at the point from which the
- * distance D is measured, and dz and dw the dot products of their gradients with n, along
- * which D is measured. Then
+ * distance D is measured, and dz and dw the dot products of their gradients with n,
+ * along which D is measured. Then
  *
  *	depth = (z0 + D dz / |n|) / (w0 + D dw / |n|),
  *	D = |n| (w0 depth - z0) / (dz - dw depth).
  *
  * In a perspective w0 is 0. The point is homogeneous: the denominator is multiplied by
- * its last coordinate. Numerator and denominator are negated if D is then positive where
- * the denominator is or, if w is constant, if this gives the denominator its sign. */
+ * its last coordinate. Numerator and denominator are negated if D is then
+ * positive where the denominator is or, if w is constant, if this gives the
+ * denominator its sign. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = &l->scene;
@@ -33,8 +34,9 @@ void depth_of(const struct lens *l, struct depth *d)
 				 l->reversed ? range.min_z : range.max_z },
 		.open = projection_is_open(&s->projection),
 		.constant = s->has_viewport && !has_range };
-	distance_of(s, &along);
-	viewport_map(&range, scene_answer_convention(s), false, &to_range);
+	/* lens_of has refused a scene of which these make no map */
+	distance_of(s, &along, NULL);
+	viewport_map(&range, scene_answer_convention(s), false, &to_range, NULL);
 	map_copy(&m, &l->to_clip);
 	map_multiply(&m, &to_range, false);
 	for (int k = 0; k < 2; k++) {
@@ -104,9 +106,9 @@ static struct sum depth_determinant(const struct depth *d)
 	return sum_minor(d->num[0], d->den[1], d->num[1], d->den[0]);
 }
 
-/* Returns |D(q) - D(p)| of depths p and q times n: the determinant times n (q - p), over
- * the denominators of D, times n, at p and at q. Returns nan if p = q, or if p or q is
- * behind the eye. */
+/* Returns |D(q) - D(p)| of depths p and q times n: the determinant times n (q - p),
+ * over the denominators of D, times n, at p and at q. Returns nan if p = q, or if p or
+ * q is behind the eye. */
 static double distance_between(const struct depth *d, double n, const struct sum *p,
     const struct sum *q)
 {

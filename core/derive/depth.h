@@ -36,6 +36,6 @@ double depth_step(const struct depth *, enum depth_buffer, bool far);
 /* Returns the length in space of one step of the buffer's depth, from points at the
  * given distance toward the eye. A step of DEPTH_FLOAT32 is the distance between the
  * two floats about the depth there. If the depth is a float, the step leads from it to
- * the next float toward the eye or, from the near plane, inward. Returns nan, too, if the
- * whole range of depth is less than a step of the others. */
+ * the next float toward the eye or, from the near plane, inward. Returns nan, too, if
+ * the whole range of depth is less than a step of the others. */
 double depth_step_at(const struct depth *, enum depth_buffer, double distance);

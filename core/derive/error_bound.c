@@ -90,7 +90,7 @@ static double precision_bound(const struct error_analysis *v,
 	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bound_of(const struct lens *l, double bound[3])
+bool error_bound_of(const struct lens *l, double bound[3], struct refusals *faults)
 {
 	const struct scene *s = &l->scene;
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
@@ -98,15 +98,16 @@ const char *error_bound_of(const struct lens *l, double bound[3])
 	struct map to_model;
 	const struct viewport *v = &s->viewport;
 	struct error_analysis a = { .transform = &t, .max = { 1, 1, 1 } };
-	const char *why = transform_of_scene(s, SPACE_MODEL, to, false, &t);
 	int e;
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
+	if (!transform_of_scene(s, SPACE_MODEL, to, false, &t, faults))
+		return false;
 	/* there are no bounds if the volume is infinite in model space */
-	if (why != NULL || projection_is_open(&s->projection) ||
-	    scene_map(s, SPACE_WORLD, SPACE_MODEL, &to_model) != NULL)
-		return why;
+	if (projection_is_open(&s->projection) ||
+	    !scene_map(s, SPACE_WORLD, SPACE_MODEL, &to_model, NULL))
+		return true;
 	for (int i = 0; i < 8; i++)
 		set_corner(l, &to_model, t.for_kernel.origin, i, &a.corner[i]);
 	if (s->has_viewport) {
@@ -120,5 +121,5 @@ const char *error_bound_of(const struct lens *l, double bound[3])
 	bound[PRECISION_EXACT] = ldexp(1, e - 54);
 	for (int i = PRECISION_DOUBLE; i <= PRECISION_SINGLE; i++)
 		bound[i] = precision_bound(&a, &arithmetic[i]);
-	return NULL;
+	return true;
 }

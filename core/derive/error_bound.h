@@ -9,5 +9,5 @@
  * images, for all model points in the view volume. The unit is that of the device or,
  * without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if a
  * point's w could be at most 16 times its error, or if 1/w is beyond the range of the
- * precision. Returns NULL, or the member at fault and why. */
-const char *error_bound_of(const struct lens *, double bound[3]);
+ * precision. */
+bool error_bound_of(const struct lens *, double bound[3], struct refusals *faults);

@@ -5,9 +5,13 @@
 
 #include "frustum.h"
 
-#define NOT_IN_RANGE                                                        \
-	"/bounds: the scene that fit computes has numbers beyond 1e150 or " \
-	"sizes below 1e-150; choose another unit"
+static bool refuse_range(struct refusals *faults)
+{
+	return refuse(faults, "/bounds",
+	    "the scene that fit computes has numbers beyond 1e150 or sizes below "
+	    "1e-150",
+	    "choose another unit");
+}
 
 /* Replaces c->at by the gaze at - eye, rounded, and halved if it is out of range. */
 static void gaze_from_at(struct camera *c)
@@ -23,9 +27,9 @@ static void gaze_from_at(struct camera *c)
 }
 
 /* Gives the camera the form CAMERA_GAZE, with rounded numbers. Without a camera, one at
- * the origin looks along the z axis of view space. The gaze and up of a matrix are those
- * of the nearest rotation. */
-static const char *make_gaze_camera(struct scene *s)
+ * the origin looks along the z axis of view space. The gaze and up of a matrix are
+ * those of the nearest rotation. */
+static bool make_gaze_camera(struct scene *s, struct refusals *faults)
 {
 	const struct convention *convention = &s->convention;
 	const double along = convention_looks_back(convention) ? -1 : 1;
@@ -38,24 +42,26 @@ static const char *make_gaze_camera(struct scene *s)
 			.orientation = { [3] = 1 } };
 	s->has_camera = true;
 	struct camera turned = *c;
-	const char *why = camera_map(c, convention, true, &to_world);
 
-	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION && why == NULL; k++)
+	if (!camera_map(c, convention, true, &to_world, faults))
+		return false;
+	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION; k++)
 		c->eye[k] = map_element_nearest(&to_world, 3, k, false);
 	if (c->way >= CAMERA_POSE)
 		c->roll = 0;
 	turned.roll = 0;
 	turned.orthonormalize = true;
-	if (c->way >= CAMERA_ORIENTATION && why == NULL)
-		why = camera_map(&turned, convention, true, &to_world);
-	for (int k = 0; k < 3 && c->way >= CAMERA_ORIENTATION && why == NULL; k++) {
+	if (c->way >= CAMERA_ORIENTATION &&
+	    !camera_map(&turned, convention, true, &to_world, faults))
+		return false;
+	for (int k = 0; k < 3 && c->way >= CAMERA_ORIENTATION; k++) {
 		c->at[k] = along * map_element_nearest(&to_world, 2, k, false);
 		c->up[k] = upward * map_element_nearest(&to_world, 1, k, false);
 	}
 	if (c->way == CAMERA_AT)
 		gaze_from_at(c);
 	c->way = CAMERA_GAZE;
-	return why;
+	return true;
 }
 
 static void eye_after_step(const struct map *to_world, const struct sum step[3],
@@ -129,21 +135,23 @@ static void widen_sides(double *width, double *height, const double shape[2])
 
 /* Finds the functions of the side planes in view space, and how much each falls at a
  * fixed point while the eye moves by 1 along the gaze. */
-static const char *find_plane_slopes(const struct scene *s, struct map *sides,
-    struct sum slope[4])
+static bool find_plane_slopes(const struct scene *s, struct map *sides,
+    struct sum slope[4], struct refusals *faults)
 {
 	struct map ends;
-	const char *why = frustum_planes(s, SPACE_VIEW, sides, &ends);
 
-	for (int k = 0; k < 4 && why == NULL; k++) {
+	if (!frustum_planes(s, SPACE_VIEW, sides, &ends, faults))
+		return false;
+	for (int k = 0; k < 4; k++) {
 		slope[k] = sum_negated_if(convention_looks_back(&s->convention),
 		    map_element(sides, 2, k));
 		if (sum_sign(slope[k]) <= 0)
-			why = "/projection: the gaze does not run between the side "
-			      "planes, less the margin; let the edges, or cx and cy, "
-			      "leave it room on both sides";
+			return refuse(faults, "/projection",
+			    "the gaze does not run between the side planes, less the "
+			    "margin",
+			    "let the edges, or cx and cy, leave it room on both sides");
 	}
-	return why;
+	return true;
 }
 
 /* Finds step[1] and step[0], across the gaze; step[2] is given. After the step the
@@ -172,18 +180,17 @@ static void center_between_planes(const struct map *sides, const struct sum lowe
  * function by t times the plane's slope. If center, the eye also moves across the gaze.
  * Such a move does not change the sum of the least values of two opposite planes, so
  * this sum limits t. */
-static const char *find_eye_step(const struct scene *s, const struct hull *h,
-    bool center, struct sum step[3])
+static bool find_eye_step(const struct scene *s, const struct hull *h, bool center,
+    struct sum step[3], struct refusals *faults)
 {
 	struct map model, view, ends;
 	struct sum slope[4], lowest[4];
 	struct extents r;
-	const char *why;
 
-	if ((why = hull_extents(h, s, &r)) != NULL ||
-	    (why = find_plane_slopes(s, &view, slope)) != NULL ||
-	    (why = frustum_planes(s, SPACE_MODEL, &model, &ends)) != NULL)
-		return why;
+	if (!hull_extents(h, s, &r, faults) ||
+	    !find_plane_slopes(s, &view, slope, faults) ||
+	    !frustum_planes(s, SPACE_MODEL, &model, &ends, faults))
+		return false;
 	/* t is the largest step of the eye along the gaze after which near is at least
 	 * ratio times far, low - t >= ratio (high - t), and min_near: low - t >= least.
 	 * The bounds' depth runs from low to high. */
@@ -209,7 +216,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	step[2] = sum_negated_if(convention_looks_back(&s->convention), t);
 	if (center)
 		center_between_planes(&view, lowest, step);
-	return fabs(sum_double(t)) <= SCENE_MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
+	return fabs(sum_double(t)) <= SCENE_MAGNITUDE_MAX || refuse_range(faults);
 }
 
 /* Scales sizes on the near plane from old_near to p->near, so that the side planes do
@@ -235,7 +242,7 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 	double old_near = p->near;
 	struct extents r;
 
-	if (hull_extents(h, s, &r) != NULL || sum_sign(r.low[2]) <= 0)
+	if (!hull_extents(h, s, &r, NULL) || sum_sign(r.low[2]) <= 0)
 		return false;
 	depth_range(&r, &p->near, &p->far);
 	keep_side_planes(p, old_near);
@@ -258,7 +265,8 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
 /* Moves the eye by the step of find_eye_step. If a part of the bounds is then outside,
  * as the eye is rounded, the eye moves back by 2^-53 of its largest coordinate, then
  * twice. */
-static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
+static bool fit_persp(struct scene *s, bool center, const struct hull *h,
+    struct refusals *faults)
 {
 	const struct projection given = s->projection;
 	double outward = convention_looks_back(&s->convention) ? 1 : -1;
@@ -266,12 +274,10 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 	double retreat = 0;
 	struct sum step[3];
 	struct map to_world;
-	const char *why = find_eye_step(s, h, center, step);
 
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world);
-	if (why != NULL)
-		return why;
+	if (!find_eye_step(s, h, center, step, faults) ||
+	    !scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world, faults))
+		return false;
 	const struct sum first = step[2];
 
 	for (int tries = 0; tries < 100; tries++) {
@@ -279,29 +285,29 @@ static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 		s->projection = given;
 		eye_after_step(&to_world, step, s->camera.eye);
 		if (enclose_persp(s, h))
-			return NULL;
+			return true;
 		for (int k = 0; k < 3 && tries == 0; k++)
 			retreat = fmax(retreat, 0x1p-54 * fabs(eye[k]));
 		retreat = retreat > 0 ? 2 * retreat : 0x1p-53 * fabs(sum_double(first));
 	}
-	return NOT_IN_RANGE;
+	return refuse_range(faults);
 }
 
 /* Moves the eye so that the bounds are in the middle of the picture and, unless
  * has_eye, as far from it as they extend along the gaze. A step along the gaze of an
  * oblique projection shifts the image; a step across the gaze undoes the shift. */
-static const char *center_picture(struct scene *s, bool has_eye, const struct hull *h)
+static bool center_picture(struct scene *s, bool has_eye, const struct hull *h,
+    struct refusals *faults)
 {
 	const struct convention *c = &s->convention;
 	struct sum step[3] = { 0 };
 	struct map to_world, clip;
 	struct extents r;
-	const char *why;
 
-	if ((why = hull_extents(h, s, &r)) != NULL ||
-	    (why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL ||
-	    (why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world)) != NULL)
-		return why;
+	if (!hull_extents(h, s, &r, faults) ||
+	    !scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip, faults) ||
+	    !scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world, faults))
+		return false;
 	for (int j = 0; j < 3; j++)
 		step[j] = extent_middle(&r, j);
 	step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
@@ -315,19 +321,19 @@ static const char *center_picture(struct scene *s, bool has_eye, const struct hu
 	}
 	step[1] = sum_negated_if(c->view_y_down, step[1]);
 	eye_after_step(&to_world, step, s->camera.eye);
-	return NULL;
+	return true;
 }
 
-static const char *enclose_parallel(struct scene *s, const struct hull *h)
+static bool enclose_parallel(struct scene *s, const struct hull *h,
+    struct refusals *faults)
 {
 	struct projection *p = &s->projection;
 	double *const size[2] = { &p->section.width, &p->section.height };
 	struct sum half[2], scale[2];
 	struct extents r;
-	const char *why = hull_extents(h, s, &r);
 
-	if (why != NULL)
-		return why;
+	if (!hull_extents(h, s, &r, faults))
+		return false;
 	depth_range(&r, &p->near, &p->far);
 	frustum_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
@@ -335,26 +341,27 @@ static const char *enclose_parallel(struct scene *s, const struct hull *h)
 
 		*size[j] = 2 * extent_ratio(&r, j, sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))
-			return "/camera/eye: too far from the bounds to tell "
-			       "their size; leave it out, or move it nearer";
+			return refuse(faults, "/camera/eye",
+			    "too far from the bounds to tell their size",
+			    "leave it out, or move it nearer");
 	}
 	if (p->aspect[1] != 0)
 		widen_sides(&p->section.width, &p->section.height, p->aspect);
-	return NULL;
+	return true;
 }
 
 /* Fits ortho and oblique. If the projection was given by edges, sets edges in place of
  * width and height. They mirror the image if the given edges did. */
-static const char *fit_parallel(struct scene *s, bool has_eye,
-    const struct projection_section *given, const struct hull *h)
+static bool fit_parallel(struct scene *s, bool has_eye,
+    const struct projection_section *given, const struct hull *h,
+    struct refusals *faults)
 {
 	struct projection_section *p = &s->projection.section;
-	const char *why = center_picture(s, has_eye, h);
 
-	if (why == NULL)
-		why = enclose_parallel(s, h);
+	if (!center_picture(s, has_eye, h, faults) || !enclose_parallel(s, h, faults))
+		return false;
 	if (given->way != SECTION_EDGES)
-		return why;
+		return true;
 	p->way = SECTION_EDGES;
 	for (int k = 0; k < 4; k++) {
 		const double half = (k < 2 ? p->width : p->height) / 2;
@@ -362,13 +369,14 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 
 		p->edges[k] = mirrors == (k % 2 == 0) ? half : -half;
 	}
-	return why;
+	return true;
 }
 
-/* Moves the plane of a volume that is nearer to the eye until its distance from the eye
- * is at least min_near and, if it is the near plane, near_ratio times far's. The eye has
- * z under / over, and so the signed distance (under - over z) / over from a plane z. */
-static const char *keep_off_eye(struct projection *p)
+/* Moves the plane of a volume that is nearer to the eye until its distance from the
+ * eye is at least min_near and, if it is the near plane, near_ratio times far's. The
+ * eye has z under / over, and so the signed distance (under - over z) / over from a
+ * plane z. */
+static bool keep_off_eye(struct projection *p, struct refusals *faults)
 {
 	struct projection_volume *v = &p->volume;
 	struct sum over, under;
@@ -380,7 +388,7 @@ static const char *keep_off_eye(struct projection *p)
 	double other = reverse ? v->z_near : v->z_far;
 
 	if (!isfinite(eye))
-		return NULL;
+		return true;
 	struct sum far = sum_sub(under, sum_scale(over, other));
 	struct sum least = larger(sum_abs(sum_scale(over, p->min_near)),
 	    sum_abs(sum_scale(far, reverse ? 0 : p->near_ratio)));
@@ -392,39 +400,40 @@ static const char *keep_off_eye(struct projection *p)
 	if (sum_compare(near, least) * sum_sign(far) < 0)
 		z = nextafter(z, other);
 	if (*nearer < other ? z >= other : z <= other)
-		return "/projection/min_near: all of the bounds are nearer to "
-		       "the eye; a smaller one is wanted, or another eye";
+		return refuse(faults, "/projection/min_near",
+		    "all of the bounds are nearer to the eye",
+		    "a smaller one is wanted, or another eye");
 	if (*nearer < other ? z > *nearer : z < *nearer)
 		*nearer = z;
-	return NULL;
+	return true;
 }
 
-static const char *fit_volume(struct scene *s, const struct hull *h)
+static bool fit_volume(struct scene *s, const struct hull *h, struct refusals *faults)
 {
 	struct projection_volume *v = &s->projection.volume;
 	double sign = convention_looks_back(&s->convention) ? -1 : 1;
 	struct extents r;
 	struct map clip;
-	const char *why = hull_extents(h, s, &r);
 
-	if (why != NULL)
-		return why;
+	if (!hull_extents(h, s, &r, faults))
+		return false;
 	depth_range(&r, &v->z_near, &v->z_far);
 	v->z_near *= sign;
 	v->z_far *= sign;
-	why = keep_off_eye(&s->projection);
-	return why != NULL ? why : scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
+	return keep_off_eye(&s->projection, faults) &&
+	    scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip, faults);
 }
 
 /* Gives valid numbers to those members that fit is going to find. */
-static const char *fit_prepare(struct scene *s)
+static bool fit_prepare(struct scene *s, struct refusals *faults)
 {
 	struct projection *p = &s->projection;
 
 	if (projection_is_tilted(p))
-		return "/projection/intrinsics: the last row of P does not "
-		       "begin 0, 0, 1; what is fitted is K, or K [R|t] as "
-		       "intrinsics K and a camera [R|t]";
+		return refuse(faults, "/projection/intrinsics",
+		    "the last row of P does not begin 0, 0, 1",
+		    "what is fitted is K, or K [R|t] as intrinsics K and a camera "
+		    "[R|t]");
 	switch (projection_family(p)) {
 	case FAMILY_PERSP:
 		if (!projection_is_given_at_near(p))
@@ -440,73 +449,82 @@ static const char *fit_prepare(struct scene *s)
 	case FAMILY_VOLUME:
 		break;
 	case FAMILY_FIXED:
-		return "/projection/type: has nothing that can be fitted; \"persp\", "
-		       "\"ortho\", \"oblique\" or \"volume\" is wanted";
+		return refuse(faults, "/projection/type",
+		    "has nothing that can be fitted",
+		    "\"persp\", \"ortho\", \"oblique\" or \"volume\" is wanted");
 	}
-	return make_gaze_camera(s);
+	return make_gaze_camera(s, faults);
 }
 
 /* Puts the eye at the middle of the bounds' extents along the world axes. */
-static const char *eye_to_middle(struct scene *s, const struct hull *h)
+static bool eye_to_middle(struct scene *s, const struct hull *h,
+    struct refusals *faults)
 {
 	struct map world;
 	struct extents r;
-	const char *why = scene_map(s, SPACE_MODEL, SPACE_WORLD, &world);
 
-	for (int k = 0; k < 3 && why == NULL; k++) {
+	if (!scene_map(s, SPACE_MODEL, SPACE_WORLD, &world, faults))
+		return false;
+	for (int k = 0; k < 3; k++) {
 		extents_set(&r, k, h, &world);
 		s->camera.eye[k] = sum_double(extent_middle(&r, k));
 	}
-	return why;
+	return true;
 }
 
-const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
+/* Fits a scene that fit_prepare has prepared, as its family does. */
+static bool fit_family(struct scene *s, bool has_eye, bool is_points,
+    const struct projection_section *given, const struct hull *h,
+    struct refusals *faults)
 {
-	const struct projection_section given = s->projection.section;
-	struct hull h;
-	const char *why;
-
-	if ((why = hull_of(b, 3, &h)) != NULL || (why = fit_prepare(s)) != NULL ||
-	    (!has_eye && (why = eye_to_middle(s, &h)) != NULL))
-		return why;
 	switch (projection_family(&s->projection)) {
 	case FAMILY_PERSP:
-		why = fit_persp(s, !has_eye && b->n > 0, &h);
-		break;
+		return fit_persp(s, !has_eye && is_points, h, faults);
 	case FAMILY_PARALLEL:
-		why = fit_parallel(s, has_eye, &given, &h);
-		break;
+		return fit_parallel(s, has_eye, given, h, faults);
 	case FAMILY_VOLUME:
-		why = fit_volume(s, &h);
-		break;
+		return fit_volume(s, h, faults);
 	case FAMILY_FIXED: /* refused by fit_prepare */
 		break;
 	}
-	if (why == NULL && ex_has_overflowed())
-		why = scene_too_wide(s, false);
-	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
+	return true;
+}
+
+bool fit_scene(struct scene *s, bool has_eye, const struct bounds *b,
+    struct refusals *faults)
+{
+	const struct projection_section given = s->projection.section;
+	struct hull h;
+
+	if (!hull_of(b, 3, &h, faults) || !fit_prepare(s, faults) ||
+	    (!has_eye && !eye_to_middle(s, &h, faults)) ||
+	    !fit_family(s, has_eye, b->n > 0, &given, &h, faults))
+		return false;
+	if (ex_has_overflowed())
+		return scene_refuse_too_wide(s, false, faults);
+	return scene_is_valid(s) || refuse_range(faults);
 }
 
 /* fit_scene measures along fit_maps, in persp along the normals of the side planes, and
  * in a volume along the world's axes (eye_to_middle). A move of the eye does not change
  * the normals; keep_side_planes rounds sizes outward, so the margin may shrink. */
-const char *fit_directions(const struct scene *given, bool has_eye,
-    struct directions *all)
+bool fit_directions(const struct scene *given, bool has_eye, struct directions *all,
+    struct refusals *faults)
 {
 	struct scene s = *given;
 	const enum projection_family family = projection_family(&s.projection);
 	bool persp = family == FAMILY_PERSP;
 	bool to_middle = !has_eye && family == FAMILY_VOLUME;
 	struct map xy, depth, sides, ends, world;
-	const char *why = fit_prepare(&s);
 
+	if (!fit_prepare(&s, faults))
+		return false;
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;
-	if (why != NULL || (why = fit_maps(&s, &xy, &depth)) != NULL ||
-	    (persp && (why = frustum_planes(&s, SPACE_MODEL, &sides, &ends)) != NULL) ||
-	    (to_middle &&
-		(why = scene_map(&s, SPACE_MODEL, SPACE_WORLD, &world)) != NULL))
-		return why;
+	if (!fit_maps(&s, &xy, &depth, faults) ||
+	    (persp && !frustum_planes(&s, SPACE_MODEL, &sides, &ends, faults)) ||
+	    (to_middle && !scene_map(&s, SPACE_MODEL, SPACE_WORLD, &world, faults)))
+		return false;
 	all->n = 0;
 	for (int k = 0; k < 6; k++)
 		directions_add(all, k < 4 ? &xy : &depth, k / 2, k & 1);
@@ -514,7 +532,7 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 		directions_add(all, &sides, k, true);
 	for (int k = 0; k < 6 && to_middle; k++)
 		directions_add(all, &world, k / 2, k & 1);
-	return NULL;
+	return true;
 }
 
 /* Sets the center to the rounded middle of extent j, and the side to twice the distance
@@ -529,21 +547,20 @@ static void enclose_axis(const struct extents *r, int j, double margin, double *
 	*side = ratio_up(sum_scale(most, 2), sum_difference(1, 2 * margin));
 }
 
-const char *fit_window(struct scene *s, const struct bounds *b)
+bool fit_window(struct scene *s, const struct bounds *b, struct refusals *faults)
 {
 	struct window *w = &s->window;
 	struct map identity;
 	struct extents r;
 	struct hull h;
-	const char *why = hull_of(b, 2, &h);
 
-	if (why != NULL)
-		return why;
+	if (!hull_of(b, 2, &h, faults))
+		return false;
 	map_identity(&identity);
 	for (int k = 0; k < 2; k++)
 		extents_set(&r, k, &h, &identity);
-	if ((why = extents_widen(&r, 2)) != NULL)
-		return why;
+	if (!extents_widen(&r, 2, faults))
+		return false;
 	*w = (struct window){ .zoom = 1 };
 	enclose_axis(&r, 0, s->margin, &w->center[0], &w->width);
 	enclose_axis(&r, 1, s->margin, &w->center[1], &w->height);
@@ -551,8 +568,8 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 		widen_sides(&w->width, &w->height,
 		    (const double[]){ s->device.width, s->device.height });
 	s->has_window = true;
-	return scene_is_size(w->width) && scene_is_size(w->height) ? NULL :
-								     NOT_IN_RANGE;
+	return (scene_is_size(w->width) && scene_is_size(w->height)) ||
+	    refuse_range(faults);
 }
 
 void fit_window_directions(struct directions *all)

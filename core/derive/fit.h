@@ -26,17 +26,18 @@
  * The eye is rounded to doubles; in persp it then moves back until frustum_outside
  * finds the bounds inside. near, far and the sizes of ortho and oblique are the
  * tightest such doubles, unless the errors of a far eye exceed the last bits of the
- * bounds. Returns NULL, or the member and why. */
-const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
+ * bounds. */
+bool fit_scene(struct scene *, bool has_eye, const struct bounds *,
+    struct refusals *faults);
 
 /* Finds the directions for which fit_scene makes the same scene of the farthest points
- * along them as of all points. Returns NULL, or the member at fault and why. */
-const char *fit_directions(const struct scene *, bool has_eye, struct directions *);
+ * along them as of all points. */
+bool fit_directions(const struct scene *, bool has_eye, struct directions *,
+    struct refusals *faults);
 
 /* Replaces the scene's 2D window by the least that holds x and y of the bounds, given
- * by center, width and height, as frustum_outside finds. Returns NULL, or the member at
- * fault and why. */
-const char *fit_window(struct scene *, const struct bounds *);
+ * by center, width and height, as frustum_outside finds. */
+bool fit_window(struct scene *, const struct bounds *, struct refusals *faults);
 
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */
 void fit_window_directions(struct directions *);

@@ -6,12 +6,13 @@
 
 #include "frustum.h"
 
-const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
+bool hull_of(const struct bounds *b, int dimensions, struct hull *h,
+    struct refusals *faults)
 {
-	static const char *const less_than_min[3] = {
-		"/bounds/max/0: less than min's; give the least x, y, z as min",
-		"/bounds/max/1: less than min's; give the least x, y, z as min",
-		"/bounds/max/2: less than min's; give the least x, y, z as min",
+	static const char *const max_pointer[3] = {
+		"/bounds/max/0",
+		"/bounds/max/1",
+		"/bounds/max/2",
 	};
 
 	*h = (struct hull){ .n = b->n > 0 ? b->n : 1 << dimensions };
@@ -19,17 +20,18 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 		h->n = 1;
 		h->radius = b->radius;
 		memcpy(h->point[0], b->center, sizeof b->center);
-		return NULL;
+		return true;
 	}
 	for (int i = 0; i < dimensions; i++) {
 		if (b->max[i] < b->min[i])
-			return less_than_min[i];
+			return refuse(faults, max_pointer[i], "less than min's",
+			    "give the least x, y, z as min");
 		for (int k = 0; k < h->n; k++)
 			h->point[k][i] = b->n > 0 ? b->point[k][i] :
 			    k >> i & 1            ? b->max[i] :
 						    b->min[i];
 	}
-	return NULL;
+	return true;
 }
 
 /* Returns lowest - first, where lowest is the least value on the hull of column j or,
@@ -77,7 +79,7 @@ void extents_set(struct extents *r, int j, const struct hull *h, const struct ma
 	r->size[j] = sum_neg(sum_quotient(size, m->divisor));
 }
 
-const char *extents_widen(struct extents *r, int n)
+bool extents_widen(struct extents *r, int n, struct refusals *faults)
 {
 	struct sum most = sum_of_double(0);
 
@@ -92,20 +94,19 @@ const char *extents_widen(struct extents *r, int n)
 		r->low[j] = sum_sub(r->low[j], half);
 		r->high[j] = sum_add(r->high[j], half);
 	}
-	return sum_sign(most) > 0 ? NULL :
-				    "/bounds: no extent; points that differ are wanted";
+	return sum_sign(most) > 0 ||
+	    refuse(faults, "/bounds", "no extent", "points that differ are wanted");
 }
 
-const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
+bool fit_maps(const struct scene *s, struct map *xy, struct map *depth,
+    struct refusals *faults)
 {
 	const struct projection *p = &s->projection;
 	bool flat = projection_family(p) == FAMILY_PARALLEL;
-	const char *why = scene_map(s, SPACE_MODEL, flat ? SPACE_CLIP : SPACE_VIEW, xy);
 
-	if (why == NULL)
-		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, depth);
-	if (why != NULL)
-		return why;
+	if (!scene_map(s, SPACE_MODEL, flat ? SPACE_CLIP : SPACE_VIEW, xy, faults) ||
+	    !scene_map(s, SPACE_MODEL, SPACE_VIEW, depth, faults))
+		return false;
 	for (int i = 0; i < 5; i++) {
 		xy->m[i][1] = sum_negated_if(flat && s->convention.ndc_y_down,
 		    xy->m[i][1]);
@@ -116,19 +117,19 @@ const char *fit_maps(const struct scene *s, struct map *xy, struct map *depth)
 			depth->m[i][2] = sum_add(depth->m[i][2],
 			    sum_scale(depth->divisor, p->section.intrinsics[2][3]));
 	}
-	return NULL;
+	return true;
 }
 
-const char *hull_extents(const struct hull *h, const struct scene *s, struct extents *r)
+bool hull_extents(const struct hull *h, const struct scene *s, struct extents *r,
+    struct refusals *faults)
 {
 	struct map xy, depth;
-	const char *why = fit_maps(s, &xy, &depth);
 
-	if (why != NULL)
-		return why;
+	if (!fit_maps(s, &xy, &depth, faults))
+		return false;
 	for (int j = 0; j < 3; j++)
 		extents_set(r, j, h, j < 2 ? &xy : &depth);
-	return extents_widen(r, 3);
+	return extents_widen(r, 3, faults);
 }
 
 unsigned hull_outside(const struct hull *h, const struct scene *s)
@@ -137,7 +138,7 @@ unsigned hull_outside(const struct hull *h, const struct scene *s)
 	static struct map sides, ends;
 	unsigned out = 0;
 
-	if (frustum_planes(s, SPACE_MODEL, &sides, &ends) != NULL)
+	if (!frustum_planes(s, SPACE_MODEL, &sides, &ends, NULL))
 		return ~0u;
 	for (int k = 0; k < 7; k++) {
 		int low = sum_sign(

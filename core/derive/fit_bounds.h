@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Bounds to which a scene is fitted, their hull, and its extents, which fit.c measures. */
+/* Bounds to which a scene is fitted, their hull, and its extents,
+ * which fit.c measures. */
 #pragma once
 
 #include "../scene/scene.h"
@@ -24,9 +25,10 @@ struct hull {
 	double point[BOUNDS_POINTS][3], radius;
 };
 
-/* Makes the hull of bounds with two or three coordinates. Returns NULL or, if max is
- * less than min along an axis, the member at fault and the reason. */
-const char *hull_of(const struct bounds *, int dimensions, struct hull *);
+/* Makes the hull of bounds with two or three coordinates. Refuses a max that is less
+ * than min along an axis. */
+bool hull_of(const struct bounds *, int dimensions, struct hull *,
+    struct refusals *faults);
 
 /* Returns the least value that coordinate j of a map's images takes on the hull or, if
  * `minus` is set, the least value of the negated coordinate. */
@@ -41,19 +43,19 @@ struct extents {
 void extents_set(struct extents *, int j, const struct hull *, const struct map *);
 
 /* Widens each of the first n extents whose size is 0: moves `low` and `high` apart by
- * 2^-20 of the largest extent; `size` stays 0. Returns NULL, or why if all are 0. */
-const char *extents_widen(struct extents *, int n);
+ * 2^-20 of the largest extent; `size` stays 0. Refuses bounds of which all are 0. */
+bool extents_widen(struct extents *, int n, struct refusals *faults);
 
 /* Makes the maps from model space by whose images fit measures bounds. Columns 0 and 1
  * of `xy` are x and y: for persp and volume those of view space, for ortho and oblique
  * those of clip space with y upward and with width and height 2, which the caller has
- * set. Column 2 of `depth` is the distance along the gaze or, for persp, w. Returns
- * NULL, or the member and the reason. */
-const char *fit_maps(const struct scene *, struct map *xy, struct map *depth);
+ * set. Column 2 of `depth` is the distance along the gaze or, for persp, w. */
+bool fit_maps(const struct scene *, struct map *xy, struct map *depth,
+    struct refusals *faults);
 
-/* Finds the extents of a hull in x, y and depth of fit_maps, and widens zero extents.
- * Returns NULL, or the member at fault and why. */
-const char *hull_extents(const struct hull *, const struct scene *, struct extents *);
+/* Finds the extents of a hull in x, y and depth of fit_maps, and widens those of 0. */
+bool hull_extents(const struct hull *, const struct scene *, struct extents *,
+    struct refusals *faults);
 
 /* Returns the OUT_ bits of the planes of the view volume that a part of the hull is
  * outside of, or all bits if the scene has no volume. */

@@ -68,28 +68,30 @@ static double distance_along(const double m[3], const double p[3])
 static void add_point(struct extremes *e, const struct directions *all, int j,
     const double p[3], double bound)
 {
-	struct farthest *f = &e->item[j];
+	struct farthest_point *f = &e->item[j];
 	double value = distance_along(all->scaled[j], p);
 
 	if (!f->known || value - bound > f->distance + f->error ||
 	    (value + bound >= f->distance - f->error &&
 		is_farther(all, j, p, f->point)))
-		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value, bound };
+		*f = (struct farthest_point){ true, { p[0], p[1], p[2] }, value,
+			bound };
 }
 
 /* The number of points per call of the kernel. Of larger blocks more points are
  * examined, as all points of a block are if one may be the farthest. */
 enum { FIT_BLOCK = 128 };
 
-/* Passes to add_point only points whose distance, within its error, may be the largest. */
+/* Passes to add_point only points whose distance, within its error,
+ * may be the largest. */
 static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
 	double most[BOUNDS_POINTS], largest[3];
 
-	kernels_chosen()->farthest(all->scaled, all->n, in, n, most, largest);
+	kernels_chosen()->reach(all->scaled, all->n, in, n, most, largest);
 	for (int j = 0; j < all->n; j++) {
-		const struct farthest *f = &e->item[j];
+		const struct farthest_point *f = &e->item[j];
 		double bound = distance_error(all->scaled[j], largest);
 		double least = most[j] - 2 * bound;
 

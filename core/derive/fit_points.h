@@ -19,14 +19,14 @@ void directions_add(struct directions *, const struct map *, int j, bool minus);
 
 /* The farthest point along a direction, if `known`. `distance` is its dot product with
  * `scaled` of the direction, with an error of at most `error`. */
-struct farthest {
+struct farthest_point {
 	bool known;
 	double point[3], distance, error;
 };
 
 /* The farthest point along each direction. All bytes are 0 before the first point. */
 struct extremes {
-	struct farthest item[BOUNDS_POINTS];
+	struct farthest_point item[BOUNDS_POINTS];
 };
 
 /* Adds n points, in columns, which the caller pads to multiples of 16 numbers with

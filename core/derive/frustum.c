@@ -57,59 +57,71 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 		ends->m[i][2] = m->m[i][3];
 }
 
-const char *frustum_planes(const struct scene *s, enum space from, struct map *sides,
-    struct map *ends)
+bool frustum_planes(const struct scene *s, enum space from, struct map *sides,
+    struct map *ends, struct refusals *faults)
 {
 	const bool flat = space_is_flat(from);
 	struct map m;
-	const char *why = scene_map(s, from, flat ? FLAT_NDC : SPACE_CLIP, &m);
 
-	if (why != NULL)
-		return why;
+	if (!scene_map(s, from, flat ? FLAT_NDC : SPACE_CLIP, &m, faults))
+		return false;
 	if (flat) {
 		map_copy(sides, &m);
 		for (int k = 0; k < 4; k++)
 			combine_columns(sides, k, &m, k & 1, k / 2, &sum_one, &sum_one);
-		return NULL;
+		return true;
 	}
 	planes_of_clip(s, &m, sides, ends);
 	/* w is 1 in ndc and device; w of the map to view space is < 0 behind the eye */
 	if (from == SPACE_NDC || from == SPACE_DEVICE) {
-		why = scene_map(s, from, SPACE_VIEW, &m);
+		if (!scene_map(s, from, SPACE_VIEW, &m, faults))
+			return false;
 		for (int i = 0; i < 5; i++)
 			ends->m[i][2] = m.m[i][3];
 	}
-	return why;
+	return true;
+}
+
+/* Makes the transforms to the planes, whose maps have been made. */
+static bool set_transforms(const struct scene *s, enum space from, bool homogeneous,
+    struct frustum *f, struct refusals *faults)
+{
+	const bool by_distance = from == SPACE_DEVICE && s->viewport.distance;
+	struct transform *const t[] = { &f->sides, &f->ends };
+
+	for (int i = 0; i < (space_is_flat(from) ? 1 : 2); i++)
+		if (by_distance) {
+			if (!distance_by_view(s, from, SPACE_CLIP, t[i], faults))
+				return false;
+		} else if (from > SPACE_VIEW) {
+			transform_init(t[i], from, SPACE_CLIP, homogeneous);
+		} else if (!transform_by_view(s, from, SPACE_CLIP, homogeneous, t[i],
+			       faults)) {
+			return false;
+		}
+	return true;
 }
 
 /* From view space or a space before it, the planes are staged by way of view space. */
-const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
-    struct frustum *f)
+bool frustum_of(const struct scene *s, enum space from, bool homogeneous,
+    struct frustum *f, struct refusals *faults)
 {
 	const bool by_distance = from == SPACE_DEVICE && s->viewport.distance;
-	const bool by_view = from <= SPACE_VIEW;
-	struct transform *const t[] = { &f->sides, &f->ends };
-	const char *why = NULL;
 
-	if (by_view)
-		why = scene_map_factor(s, from, SPACE_VIEW, &f->sides.map);
-	if (why == NULL)
-		why = by_view ? frustum_planes(s, SPACE_VIEW, &f->sides.from_view,
-				    &f->ends.from_view) :
-				frustum_planes(s, by_distance ? SPACE_VIEW : from,
-				    &f->sides.map, &f->ends.map);
-	if (why == NULL && by_view)
+	if (from <= SPACE_VIEW) {
+		if (!scene_map_factor(s, from, SPACE_VIEW, &f->sides.map, faults) ||
+		    !frustum_planes(s, SPACE_VIEW, &f->sides.from_view,
+			&f->ends.from_view, faults))
+			return false;
 		map_copy(&f->ends.map, &f->sides.map);
-	for (int i = 0; i < (space_is_flat(from) ? 1 : 2) && why == NULL; i++)
-		if (by_distance)
-			why = distance_by_view(s, from, SPACE_CLIP, t[i]);
-		else if (by_view)
-			why = transform_by_view(s, from, SPACE_CLIP, homogeneous, t[i]);
-		else
-			transform_init(t[i], from, SPACE_CLIP, homogeneous);
-	return why == NULL && ex_has_overflowed() ?
-	    scene_too_wide(s, space_is_flat(from)) :
-	    why;
+	} else if (!frustum_planes(s, by_distance ? SPACE_VIEW : from, &f->sides.map,
+		       &f->ends.map, faults)) {
+		return false;
+	}
+	if (!set_transforms(s, from, homogeneous, f, faults))
+		return false;
+	return !ex_has_overflowed() ||
+	    scene_refuse_too_wide(s, space_is_flat(from), faults);
 }
 
 unsigned frustum_outside(const struct frustum *f, const double in[4])
@@ -194,12 +206,12 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 }
 
 /* The map of a projection that is given by lengths and angles always has an inverse. */
-const char *frustum_refuse_singular(const struct scene *s)
+bool frustum_refuse_singular(const struct scene *s, struct refusals *faults)
 {
 	const struct projection *p = &s->projection;
 	struct map m;
 
-	return projection_family(p) == FAMILY_FIXED || projection_has_intrinsics(p) ?
-	    scene_map(s, SPACE_CLIP, SPACE_VIEW, &m) :
-	    NULL;
+	return (projection_family(p) != FAMILY_FIXED &&
+		   !projection_has_intrinsics(p)) ||
+	    scene_map(s, SPACE_CLIP, SPACE_VIEW, &m, faults);
 }

@@ -30,12 +30,11 @@ void frustum_limits(const struct scene *, struct sum half[2], struct sum scale[2
  * of a point in the space `from`; inside no function is negative. `sides` has the
  * columns left, right, bottom and top, `ends` near, far and w. If `homogeneous` is set,
  * points of device space are x y z 1/w. From a flat space `sides` are the edges of the
- * ndc square, which fills the device, and there are no ends. Both return NULL, or the
- * member at fault and why. */
-const char *frustum_planes(const struct scene *, enum space from, struct map *sides,
-    struct map *ends);
-const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
-    struct frustum *);
+ * ndc square, which fills the device, and there are no ends. */
+bool frustum_planes(const struct scene *, enum space from, struct map *sides,
+    struct map *ends, struct refusals *faults);
+bool frustum_of(const struct scene *, enum space from, bool homogeneous,
+    struct frustum *, struct refusals *faults);
 
 /* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A
  * point on a plane is not outside. With OUT_BEHIND or OUT_NAN no other bit is set. */
@@ -45,5 +44,5 @@ unsigned frustum_outside(const struct frustum *, const double in[4]);
 void frustum_outside_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* Returns NULL or, if the projection has no inverse, the member at fault and why. */
-const char *frustum_refuse_singular(const struct scene *);
+/* Refuses a projection that has no inverse, and then returns false. */
+bool frustum_refuse_singular(const struct scene *, struct refusals *faults);

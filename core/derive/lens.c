@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "lens.h"
 
-/* Writes the matrix that takes a plane to the point where it meets the line of columns a
- * and b of m. Its elements are the line's Pluecker coordinates. */
+/* Writes the matrix that takes a plane to the point where it meets the line of columns
+ * a and b of m. Its elements are the line's Pluecker coordinates. */
 static void line_of_planes(const struct map *m, int a, int b, struct sum line[4][4])
 {
 	/* the even permutations that begin with two rising numbers */
@@ -21,7 +21,8 @@ static void line_of_planes(const struct map *m, int a, int b, struct sum line[4]
 }
 
 /* Writes the homogeneous point h, with w >= 0, where a line meets column c of `planes`;
- * or 0 0 0 0 if they meet in more than a point. Writes its image in world space, too. */
+ * or 0 0 0 0 if they meet in more than a point. Writes its image in
+ * world space, too. */
 static void set_meeting_point(const struct lens *l, const struct sum line[4][4],
     const struct map *planes, int c, struct sum h[4], struct sum world[4])
 {
@@ -53,37 +54,37 @@ static void set_points(struct lens *l)
 }
 
 /* Sets to_world. A camera with an eye is a rotation, whose inverse is its transpose. */
-static const char *set_to_world(struct lens *l)
+static bool set_to_world(struct lens *l, struct refusals *faults)
 {
 	const struct scene *s = &l->scene;
 	struct map *r = &l->to_world;
 
 	if (!s->has_camera || s->camera.way >= CAMERA_TRANSLATION)
-		return scene_map(s, SPACE_VIEW, SPACE_WORLD, r);
+		return scene_map(s, SPACE_VIEW, SPACE_WORLD, r, faults);
 	map_copy(r, &l->to_view);
 	for (int i = 0; i < 9; i++)
 		sum_copy(&r->m[i / 3][i % 3], &l->to_view.m[i % 3][i / 3]);
 	for (int k = 0; k < 3; k++)
 		r->m[3][k] = sum_scale(r->divisor, s->camera.eye[k]);
 	map_set_origin(r, NULL);
-	return scene_map_refuse_range(s, false, r);
+	return scene_map_refuse_range(s, false, r, faults);
 }
 
-const char *lens_of(const struct scene *s, struct lens *l)
+bool lens_of(const struct scene *s, struct lens *l, struct refusals *faults)
 {
 	const struct convention *c = scene_answer_convention(s);
-	const char *why;
 
 	l->scene = *s;
-	if ((why = frustum_refuse_singular(s)) != NULL ||
-	    (why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &l->to_clip)) != NULL ||
-	    (why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view)) != NULL ||
-	    (why = set_to_world(l)) != NULL)
-		return why;
+	if (!frustum_refuse_singular(s, faults) ||
+	    !scene_map(s, SPACE_VIEW, SPACE_CLIP, &l->to_clip, faults) ||
+	    !scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view, faults) ||
+	    !set_to_world(l, faults))
+		return false;
 	l->scene.known[SPACE_WORLD][false] = &l->to_view;
 	l->scene.known[SPACE_WORLD][true] = &l->to_world;
 	l->scene.known[SPACE_VIEW][false] = &l->to_clip;
-	why = frustum_planes(&l->scene, SPACE_VIEW, &l->sides, &l->ends);
+	if (!frustum_planes(&l->scene, SPACE_VIEW, &l->sides, &l->ends, faults))
+		return false;
 	for (int i = 0; i < 16; i++)
 		l->clip[i % 4][i / 4] = sum_negated_if(i % 4 == 1 && c->ndc_y_down,
 		    l->to_clip.m[i / 4][i % 4]);
@@ -92,7 +93,7 @@ const char *lens_of(const struct scene *s, struct lens *l)
 	l->parallel = vec3_is_zero(l->clip[3]);
 	l->reversed = projection_is_reversed(&s->projection, &s->convention);
 	set_points(l);
-	return why;
+	return true;
 }
 
 void lens_world_axis(const struct lens *l, const struct sum axis[3], double unit[3])

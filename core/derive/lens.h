@@ -5,9 +5,9 @@
 
 #include "frustum.h"
 
-/* clip[j] is clip coordinate j (x, y, z or w) as a function on view space: three elements
- * are its gradient, the fourth is its value at the origin. Parallel projectors are
- * perpendicular to the gradients of x and y. The gradient of w is normal to the
+/* clip[j] is clip coordinate j (x, y, z or w) as a function on view space: three
+ * elements are its gradient, the fourth is its value at the origin. Parallel projectors
+ * are perpendicular to the gradients of x and y. The gradient of w is normal to the
  * projection plane; if w is constant, the gradient of z is.
  *
  * The corners and the eye are homogeneous points where three planes meet, as the errors
@@ -28,8 +28,8 @@ struct lens {
 	bool mirrors;            /* the answer's handedness is not the document's */
 };
 
-/* Makes the lens of a scene. Returns NULL, or the member at fault and why. */
-const char *lens_of(const struct scene *, struct lens *);
+/* Makes the lens of a scene. */
+bool lens_of(const struct scene *, struct lens *, struct refusals *faults);
 
 /* Writes the unit vector in world space along an axis given in view space. */
 void lens_world_axis(const struct lens *, const struct sum axis[3], double unit[3]);

@@ -4,7 +4,8 @@
 #include <math.h>
 
 /* Returns whether the camera has no convention but needs one: view axes of d3d are a
- * guess where a rotation is given. A gaze and up say what they mean in all conventions. */
+ * guess where a rotation is given. A gaze and up say what they mean
+ * in all conventions. */
 static bool has_guessed_axes(const struct scene *s)
 {
 	return s->has_camera &&
@@ -85,7 +86,7 @@ static bool has_radians(const struct scene *s)
 		view = p->volume.view_angle;
 	for (int i = 0; i < 4 && persp && p->section.way == SECTION_ANGLES; i++)
 		found |= is_radians(p->section.angles[i]);
-	if (p->type == PROJECTION_OBLIQUE)
+	if (projection_is_sheared(p))
 		found |= is_radians(p->shear.direction) ||
 		    (p->shear.kind == OBLIQUE_ANGLE &&
 			is_radians(p->shear.projector_angle));
@@ -125,7 +126,7 @@ static bool has_matrix_of_radians(const struct scene *s)
 	const double(*m)[4] = p->matrix, xs = m[0][0], ys = m[1][1];
 	const bool parallel = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0;
 
-	return p->type == PROJECTION_MATRIX && !parallel &&
+	return projection_is_given_matrix(p) && !parallel &&
 	    (is_cot_of_degrees(xs, ys) ||
 		(aspect != 1 && is_cot_of_degrees(xs * aspect, ys * aspect)));
 }
@@ -142,7 +143,7 @@ static bool has_other_aspect(const struct scene *s)
 	const double width = sensor ? c->width : p->aspect[0];
 	const double height = sensor ? c->height : p->aspect[1];
 
-	if (p->type == PROJECTION_NONE || !s->has_viewport || v->scale != SCALE_FILL ||
+	if (projection_is_none(p) || !s->has_viewport || v->scale != SCALE_FILL ||
 	    height == 0)
 		return false;
 	const double share = width / height * v->height / v->width;
@@ -163,9 +164,9 @@ static bool has_colmap_order(const struct projection *p)
 	    fabs(k[0][2] - half[1]) <= 0.1 * half[1];
 }
 
-bool note_is_central(double c, double size)
+bool note_principal_point_is_inside(double coordinate, double viewport_size)
 {
-	return 0.01 * size < c && c < 0.99 * size;
+	return 0.01 * viewport_size < coordinate && coordinate < 0.99 * viewport_size;
 }
 
 unsigned note_of_members(const struct scene *s, const struct written *w)
@@ -229,7 +230,7 @@ bool note_is_plain(const struct scene *s)
 	const struct projection_section *c = &p->section;
 
 	if (projection_family(p) == FAMILY_FIXED)
-		return p->type == PROJECTION_NONE || is_plain_matrix(s);
+		return projection_is_none(p) || is_plain_matrix(s);
 	if (projection_family(p) == FAMILY_VOLUME)
 		return !s->has_camera;
 	/* edges are as they are written */
@@ -237,6 +238,6 @@ bool note_is_plain(const struct scene *s)
 	    (!projection_has_intrinsics(p) ||
 		(!projection_is_tilted(p) && c->intrinsics[0][0] > 0 &&
 		    c->intrinsics[1][1] > 0 &&
-		    note_is_central(c->intrinsics[0][2], c->width) &&
-		    note_is_central(c->intrinsics[1][2], c->height)));
+		    note_principal_point_is_inside(c->intrinsics[0][2], c->width) &&
+		    note_principal_point_is_inside(c->intrinsics[1][2], c->height)));
 }

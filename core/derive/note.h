@@ -24,10 +24,10 @@ enum note {
 	NOTE_COLMAP,         /* the intrinsics are COLMAP's f, cx, cy, k */
 	NOTE_NO_PROJECTION,  /* points are not projected, as nothing says how */
 	NOTE_COMMENT,        /* a comment may name the columns of csv */
-	NOTES_SAID, /* the notes above are said; those below describe a picture */
+	NOTES_PRINTED, /* the notes above are printed; those below tell of a picture */
 	/* with each of the following notes there is no second scene */
-	NOTE_NO_ROTATION = NOTES_SAID, /* the camera's matrix is not a rotation */
-	NOTE_TILTED,                   /* near and far are not parallel to the image */
+	NOTE_NO_ROTATION = NOTES_PRINTED, /* the camera's matrix is not a rotation */
+	NOTE_TILTED,        /* near and far are not parallel to the image */
 	NOTE_MINUS_W,       /* w is negative between the near and far planes */
 	NOTE_NO_INTRINSICS, /* it would need intrinsics, but cannot have them */
 	NOTE_OUT_OF_RANGE,  /* numbers of the second scene are out of range */
@@ -43,14 +43,15 @@ struct written {
  * NOTE_BEHIND, NOTE_NO_PROJECTION and NOTE_COMMENT, which depend on more. */
 unsigned note_of_members(const struct scene *, const struct written *);
 
-/* Returns whether the members alone show that the picture has no note from NOTE_MIRRORED
- * to NOTE_OFF_CENTER but NOTE_RADIANS, and NOTE_MIRRORED only if edges that the scene
- * gives mirror it, which it thereby says. If not, picture_notes of picture.h finds out. */
+/* Returns whether the members alone show that the picture has no note from
+ * NOTE_MIRRORED to NOTE_OFF_CENTER but NOTE_RADIANS, and NOTE_MIRRORED only if edges
+ * that the scene gives mirror it, which it thereby says. If not, picture_notes of
+ * picture.h finds out. */
 bool note_is_plain(const struct scene *);
 
-/* Returns whether the coordinate c of a principal point is between 1 % and 99 % of the
- * viewport's size. */
-bool note_is_central(double c, double size);
+/* Returns whether a coordinate of a principal point is between 1 % and 99 % of the
+ * viewport's width or height. */
+bool note_principal_point_is_inside(double coordinate, double viewport_size);
 
 /* Returns whether a projection's matrix looks transposed. */
 bool note_seems_transposed(const double m[4][4]);

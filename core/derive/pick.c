@@ -9,22 +9,21 @@
 /* The distance of a point from a plane is the plane's function at the point over the
  * length of the function's gradient in view space. Without near and far planes the
  * distance is measured from the plane w = 0. */
-const char *picker_of(const struct scene *s, const struct transform *to_device,
-    struct picker *k)
+bool picker_of(const struct scene *s, const struct transform *to_device,
+    struct picker *k, struct refusals *faults)
 {
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	const char *why;
 
-	if ((why = frustum_refuse_singular(s)) != NULL ||
-	    (why = frustum_planes(s, SPACE_VIEW, &sides, m)) != NULL)
-		return why;
+	if (!frustum_refuse_singular(s, faults) ||
+	    !frustum_planes(s, SPACE_VIEW, &sides, m, faults))
+		return false;
 	for (int i = 0; i < 3; i++)
 		gradient[i] = m->m[i][plane];
 	divisor = m->divisor;
-	if ((why = frustum_planes(s, SPACE_MODEL, &sides, m)) != NULL)
-		return why;
+	if (!frustum_planes(s, SPACE_MODEL, &sides, m, faults))
+		return false;
 	k->to_device = to_device;
 	for (int i = 0; i < 5; i++)
 		m->m[i][2] = sum_mul(m->m[i][plane], divisor);
@@ -33,7 +32,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	for (int i = 0; i < 5; i++)
 		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
-	return ex_has_overflowed() ? scene_too_wide(s, false) : NULL;
+	return !ex_has_overflowed() || scene_refuse_too_wide(s, false, faults);
 }
 
 static struct sum square(struct sum a)

@@ -11,9 +11,9 @@ struct picker {
 	double at[2], radius;   /* on the device */
 };
 
-/* Sets to_device and depth of a picker. Returns NULL, or the member and the reason. */
-const char *picker_of(const struct scene *, const struct transform *to_device,
-    struct picker *);
+/* Sets to_device and depth of a picker. */
+bool picker_of(const struct scene *, const struct transform *to_device, struct picker *,
+    struct refusals *faults);
 
 /* Returns whether the exact image of a point is in the picker's circle. `device` is the
  * image rounded to the nearest doubles. */

@@ -52,7 +52,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 
 /* Returns whether R R' is the identity within 2^-20, and det R > 0 (if mirrored, < 0).
  * R is the upper 3x3 of the map, in doubles, whose errors of 2^-50 the bound does not
- * notice, and R' its transpose. Only a matrix or a pose can be anything but a rotation. */
+ * notice, and R' its transpose. Only a matrix or a pose can be
+ * anything but a rotation. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	double r[3][3], det = 0;
@@ -120,7 +121,7 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	struct sum n = sum_of_double(p->shear.plane), d = sum_of_double(1);
 
 	p->section.way = SECTION_EDGES;
-	if (p->type == PROJECTION_PERSP)
+	if (projection_family(p) == FAMILY_PERSP)
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
 		const struct sum *x = u->clip_xy[k / 2];
@@ -134,11 +135,23 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	}
 }
 
-/* Makes the projection oblique, with cot(projector) cos(direction) = xy[0][2] /
- * clip_xy[0][0] and cot(projector) sin(direction) = clip_xy[1][2] / clip_xy[1][1]. */
-static void set_shear(const struct upright *u, const struct projection *given,
-    struct projection *p)
+/* Returns the direction of x y, from minus to plus a half turn. */
+static double direction_of(struct sum x, struct sum y, enum angle_unit unit)
 {
+	double direction = trig_atan2(sum_abs(y), x, unit);
+
+	return sum_sign(y) < 0 ? -direction : direction;
+}
+
+/* Sets the shear of an oblique projection: cot(projector) cos(direction) =
+ * clip_xy[0][2] / clip_xy[0][0] and cot(projector) sin(direction) = clip_xy[1][2] /
+ * clip_xy[1][1]. An angle that was given in this unit is found again, as the error of
+ * the elements is far below a bit of it. But a direction in radians beyond a half turn
+ * is kept as it was given, as it can't be reduced without rounding. */
+static void set_shear(const struct upright *u, const struct projection *given,
+    enum angle_unit unit, struct projection *p)
+{
+	const struct projection_shear *was = &given->shear;
 	bool minus = sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0;
 	struct sum x = sum_negated_if(minus,
 	    sum_mul(u->clip_xy[0][2], u->clip_xy[1][1]));
@@ -146,17 +159,21 @@ static void set_shear(const struct upright *u, const struct projection *given,
 	    sum_mul(u->clip_xy[1][2], u->clip_xy[0][0]));
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
-	p->type = PROJECTION_OBLIQUE;
+	p->unit = p->shear.direction_unit = unit;
 	if (projection_family(given) == FAMILY_PARALLEL)
-		p->shear.plane = given->shear.plane;
-	if (given->type == PROJECTION_OBLIQUE)
-		p->shear.kind = given->shear.kind;
-	p->shear.projector_angle = trig_atan2_degrees(sum_abs(sum_mul(u->clip_xy[0][0],
-							  u->clip_xy[1][1])),
-	    vec3_length(both));
-	p->shear.direction = trig_atan2_degrees(sum_abs(y), x);
-	if (sum_sign(y) < 0)
-		p->shear.direction = -p->shear.direction;
+		p->shear.plane = was->plane;
+	if (projection_is_sheared(given))
+		p->shear.kind = was->kind;
+	p->shear.projector_angle = trig_atan2(sum_abs(sum_mul(u->clip_xy[0][0],
+						  u->clip_xy[1][1])),
+	    vec3_length(both), unit);
+	p->shear.direction = direction_of(x, y, unit);
+	if (projection_is_sheared(given) && unit == ANGLE_RADIANS &&
+	    was->direction_unit == unit && fabs(was->direction) > PI) {
+		trig_sin_cos(was->direction, unit, &y, &x);
+		if (direction_of(x, y, unit) == p->shear.direction)
+			p->shear.direction = was->direction;
+	}
 }
 
 /* Sets the projection p. In a perspective p->near becomes the plane nearer to the eye,
@@ -169,20 +186,19 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	const struct projection *given = &s->projection;
 	bool open = projection_is_open(given);
 	bool swap = !l->parallel && r->near > r->far;
+	bool sheared = l->parallel &&
+	    (sum_sign(u->clip_xy[0][2]) != 0 || sum_sign(u->clip_xy[1][2]) != 0);
 
-	*p = (struct projection){ .type = PROJECTION_ORTHO,
-		.section.way = SECTION_INTRINSICS,
-		.section.width = s->viewport.width,
-		.section.height = s->viewport.height,
-		.near_ratio = 0.0005,
-		.near = swap ? r->far : r->near,
-		.far = swap ? r->near : r->far,
-		.reverse_z = r->reverse_z != swap,
-		.shear.direction = 45 };
-	if (!l->parallel)
-		p->type = PROJECTION_PERSP;
-	else if (sum_sign(u->clip_xy[0][2]) != 0 || sum_sign(u->clip_xy[1][2]) != 0)
-		set_shear(u, given, p);
+	projection_set_defaults(p,
+	    projection_type_of(l->parallel ? FAMILY_PARALLEL : FAMILY_PERSP, sheared));
+	p->section.way = SECTION_INTRINSICS;
+	p->section.width = s->viewport.width;
+	p->section.height = s->viewport.height;
+	p->near = swap ? r->far : r->near;
+	p->far = swap ? r->near : r->far;
+	p->reverse_z = r->reverse_z != swap;
+	if (sheared)
+		set_shear(u, given, s->has_world ? s->world.unit : ANGLE_DEGREES, p);
 	if (open) {
 		p->near = 0;
 		p->far = HUGE_VAL;
@@ -226,7 +242,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_LOOKS_AWAY] = !known && !mirrored && looks_away,
 		[NOTE_TRANSPOSED] = transposed,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse && !free,
-		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
+		[NOTE_DEPTH_FALLS] = projection_is_given_matrix(p) &&
 		    u->uses_view_axes && parallel && r->reverse_z,
 		[NOTE_RADIANS] = projection_family(p) == FAMILY_PERSP &&
 		    p->unit == ANGLE_DEGREES &&
@@ -234,8 +250,10 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		    (p->section.way <= SECTION_VIEW_ANGLE ||
 			p->section.way == SECTION_ANGLES),
 		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) &&
-		    !(note_is_central(r->intrinsics[0][2], p->section.width) &&
-			note_is_central(r->intrinsics[1][2], p->section.height)),
+		    !(note_principal_point_is_inside(r->intrinsics[0][2],
+			  p->section.width) &&
+			note_principal_point_is_inside(r->intrinsics[1][2],
+			    p->section.height)),
 		[NOTE_NO_ROTATION] = s->camera.way >= CAMERA_POSE &&
 		    !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
@@ -270,34 +288,33 @@ static void set_parameters(const struct scene *s, const struct lens *l,
 	r->scene = *s;
 	r->scene.answer = NULL;
 	r->scene.convention = *scene_answer_convention(s);
-	r->has_scene = r->notes >> NOTES_SAID == 0;
+	r->has_scene = r->notes >> NOTES_PRINTED == 0;
 	if (r->has_scene) {
 		set_projection(l, &u, r);
 		set_camera(l, &u, r);
 		r->has_scene = scene_is_valid(&r->scene);
 		r->notes |= r->has_scene ? 0 : 1u << NOTE_OUT_OF_RANGE;
 	}
-	if (r->has_scene || s->projection.type != PROJECTION_MATRIX ||
+	if (r->has_scene || !projection_is_given_matrix(&s->projection) ||
 	    !note_seems_transposed(s->projection.matrix))
 		return;
-	const unsigned null = r->notes >> NOTES_SAID << NOTES_SAID;
+	const unsigned null = r->notes >> NOTES_PRINTED << NOTES_PRINTED;
 
 	r->notes = notes_of(l, &u, r, true);
-	r->notes |= r->notes >> NOTES_SAID == 0 ? null : 0;
+	r->notes |= r->notes >> NOTES_PRINTED == 0 ? null : 0;
 }
 
-/* Sets all members of the picture but error_bound. Returns NULL, or why it can't. */
-static const char *describe(const struct scene *s, struct lens *l, struct picture *p)
+/* Sets all members of the picture but error_bound. */
+static bool describe(const struct scene *s, struct lens *l, struct picture *p,
+    struct refusals *faults)
 {
-	const char *why = lens_of(s, l);
-
-	if (why != NULL)
-		return why;
+	if (!lens_of(s, l, faults))
+		return false;
 	/* a double whose bits are all 1 is nan */
 	memset(p, 0xff, offsetof(struct picture, notes));
 	taxonomy_of(l, &p->taxonomy);
 	set_parameters(s, l, p);
-	return NULL;
+	return true;
 }
 
 /* static: too large for a stack of 256 KB. Only one thread describes pictures. */
@@ -306,17 +323,16 @@ static struct lens lens;
 unsigned picture_notes(const struct scene *s)
 {
 	struct picture p;
-	const char *why = describe(s, &lens, &p);
+	const bool described = describe(s, &lens, &p, NULL);
 	const bool wide = ex_has_overflowed(); /* by a product that no image needs */
 
-	return why != NULL || wide ?
-	    0 :
-	    p.notes & ~(1u << NOTE_RADIANS) & ((1u << NOTES_SAID) - 1);
+	return described && !wide ?
+	    p.notes & ~(1u << NOTE_RADIANS) & ((1u << NOTES_PRINTED) - 1) :
+	    0;
 }
 
-const char *picture_of(const struct scene *s, struct picture *p)
+bool picture_of(const struct scene *s, struct picture *p, struct refusals *faults)
 {
-	const char *why = describe(s, &lens, p);
-
-	return why != NULL ? why : error_bound_of(&lens, p->error_bound);
+	return describe(s, &lens, p, faults) &&
+	    error_bound_of(&lens, p->error_bound, faults);
 }

@@ -33,9 +33,9 @@ struct picture {
 	struct scene scene;
 };
 
-/* Sets all members of the picture. Returns NULL, or the member at fault and why. */
-const char *picture_of(const struct scene *, struct picture *);
+/* Sets all members of the picture. */
+bool picture_of(const struct scene *, struct picture *, struct refusals *faults);
 
-/* Returns those notes of picture_of that are said, but not NOTE_RADIANS, of which
+/* Returns those notes of picture_of that are printed, but not NOTE_RADIANS, of which
  * note_of_members has the surer rule; or 0 if the scene has no picture. */
 unsigned picture_notes(const struct scene *);

@@ -29,28 +29,28 @@ static void scale_to_one(struct map *r)
  *
  *	m_2 P_w - P m_2w = sum of q_i d_i,    d_i = m_2 m_iw - m_i m_2w
  *
- * where d_2 is 0. The vector is negated if it does not point from near to far. Errors of
- * the camera do not enter the differences: only then d_i is taken to world space. */
-static const char *set_direction_map(const struct scene *s, bool depth_falls,
-    struct map *r)
+ * where d_2 is 0. The vector is negated if it does not point from near to far. Errors
+ * of the camera do not enter the differences: only then d_i is taken to world space. */
+static bool set_direction_map(const struct scene *s, bool depth_falls, struct map *r,
+    struct refusals *faults)
 {
 	struct map m;
 	struct sum d[4][3] = { 0 };
-	const char *why = scene_map_factor(s, SPACE_DEVICE, SPACE_VIEW, &m);
 
-	for (int i = 0; i < 12 && why == NULL; i++)
+	if (!scene_map_factor(s, SPACE_DEVICE, SPACE_VIEW, &m, faults))
+		return false;
+	for (int i = 0; i < 12; i++)
 		d[i / 3][i % 3] = sum_negated_if(depth_falls,
 		    sum_minor(m.m[2][i % 3], m.m[i / 3][3], m.m[i / 3][i % 3],
 			m.m[2][3]));
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
+	if (!scene_map(s, SPACE_VIEW, SPACE_WORLD, &m, faults))
+		return false;
 	memset(r->m, 0, sizeof r->m);
-	for (int i = 0; i < 12 && why == NULL; i++)
+	for (int i = 0; i < 12; i++)
 		if (i / 3 != 2)
 			sum_dot(3, d[i / 3], &m.m[0][i % 3], 4, &r->m[i / 3][i % 3]);
-	if (why == NULL)
-		scale_to_one(r);
-	return why;
+	scale_to_one(r);
+	return true;
 }
 
 /* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map cannot fail:
@@ -59,7 +59,7 @@ static void start_at_eye(const struct scene *s, struct transform *t)
 {
 	struct sum(*m)[4] = t->map.m;
 
-	scene_map(s, SPACE_CLIP, SPACE_WORLD, &t->map);
+	scene_map(s, SPACE_CLIP, SPACE_WORLD, &t->map, NULL);
 	for (int j = 0; j < 4; j++)
 		m[3][j] = sum_negated_if(sum_sign(m[2][3]) < 0, m[2][j]);
 	memset(m, 0, 3 * sizeof *m);
@@ -67,19 +67,17 @@ static void start_at_eye(const struct scene *s, struct transform *t)
 	transform_init(t, SPACE_DEVICE, SPACE_WORLD, false);
 }
 
-const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
+bool ray_maker_of(const struct scene *s, struct ray_maker *r, struct refusals *faults)
 {
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	const struct viewport *v = &s->viewport;
 	/* device depth falls from near to far */
 	bool depth_falls = (v->max_z > v->min_z) == reversed;
-	const char *why = transform_of_scene(s, SPACE_DEVICE, SPACE_WORLD, false,
-	    &r->to_world);
 
-	if (why == NULL)
-		why = set_direction_map(s, depth_falls, &r->direction.map);
-	if (why != NULL)
-		return why;
+	if (!transform_of_scene(s, SPACE_DEVICE, SPACE_WORLD, false, &r->to_world,
+		faults) ||
+	    !set_direction_map(s, depth_falls, &r->direction.map, faults))
+		return false;
 	map_set_origin(&r->direction.map,
 	    (double[3]){ r->to_world.map.origin[0], r->to_world.map.origin[1] });
 	if (projection_is_open(&s->projection))
@@ -87,7 +85,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	r->depth = reversed ? v->max_z : v->min_z;
 	r->direction.in = 2;
 	transform_prepare(&r->direction);
-	return ex_has_overflowed() ? scene_too_wide(s, false) : NULL;
+	return !ex_has_overflowed() || scene_refuse_too_wide(s, false, faults);
 }
 
 static void ray_direction(const struct ray_maker *r, const double in[4], bool single,
@@ -123,8 +121,8 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j][i] = (double)(float)direction[j][i];
 }
 
-/* Completes ray i, which a kernel left undecided. If all of its point is nan, there is a
- * ray only if w is positive: its point is then beyond the range of doubles. */
+/* Completes ray i, which a kernel left undecided. If all of its point is nan, there is
+ * a ray only if w is positive: its point is then beyond the range of doubles. */
 static void ray_finish(const struct ray_maker *r, const double in[4], bool single,
     double *const point[3], double *const direction[3], size_t i)
 {
@@ -190,22 +188,22 @@ static void set_plane_row(const struct map *m, int i, const struct sum p[4],
 
 /* Row m_2 of the map m is the homogeneous point that all rays share: the eye or, if the
  * rays are parallel, their direction. The plane must not contain this point. */
-const char *ray_plane_transform(const struct scene *s, enum space from, enum space to,
-    const double plane[4], struct transform *t)
+bool ray_plane_transform(const struct scene *s, enum space from, enum space to,
+    const double plane[4], struct transform *t, struct refusals *faults)
 {
 	struct sum p[4], m2_p;
 	struct map m, *r = &t->map;
-	const char *why = scene_map(s, from, to, &m);
 
-	if (why != NULL)
-		return why;
+	if (!scene_map(s, from, to, &m, faults))
+		return false;
 	for (int k = 0; k < 4; k++)
 		sum_set(&p[k], plane[k]);
 	sum_dot(4, m.m[2], p, 1, &m2_p);
 	if (sum_sign(m2_p) == 0)
-		return sum_sign(m.m[2][3]) == 0 ?
-		    "the plane is parallel to all rays; choose another" :
-		    "the plane goes through the eye; choose another";
+		return refuse(faults, NULL,
+		    sum_sign(m.m[2][3]) == 0 ? "the plane is parallel to all rays" :
+					       "the plane goes through the eye",
+		    "choose another");
 	memset(r, 0, sizeof *r);
 	sum_set(&r->divisor, 1);
 	memcpy(r->origin, m.origin, 2 * sizeof *m.origin);
@@ -224,8 +222,11 @@ const char *ray_plane_transform(const struct scene *s, enum space from, enum spa
 	t->reciprocal = false;
 	t->kernel = KERNEL_PROJECTIVE;
 	transform_prepare(t);
-	return ex_has_overflowed() ? SCENE_TOO_WIDE :
-	    map_is_finite(r)       ? NULL :
-				     "the plane is too near to the eye, or the "
-				     "scene too large, for the range of doubles";
+	if (ex_has_overflowed())
+		return refuse(faults, NULL, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
+	return map_is_finite(r) ||
+	    refuse(faults, NULL,
+		"the plane is too near to the eye, or the scene too large, for the "
+		"range of doubles",
+		NULL);
 }

@@ -11,8 +11,8 @@ struct ray_maker {
 	struct transform direction; /* from x y to a vector along the ray */
 };
 
-/* Makes the maps for rays_cast. Returns NULL, or the member at fault and why. */
-const char *ray_maker_of(const struct scene *, struct ray_maker *);
+/* Makes the maps for rays_cast. */
+bool ray_maker_of(const struct scene *, struct ray_maker *, struct refusals *faults);
 
 /* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes, in world
  * space, the point where the ray meets the near plane, or the eye if there is no near
@@ -24,6 +24,7 @@ bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
 
 /* Makes the transform from x y in the space `from` (device or ndc) to the point where
  * the ray of x y meets the plane a x + b y + c z + d = 0 of the space `to` (model,
- * world or view). w is positive in front of the eye. Returns NULL or the reason. */
-const char *ray_plane_transform(const struct scene *, enum space from, enum space to,
-    const double plane[4], struct transform *);
+ * world or view). w is positive in front of the eye. A refusal of the plane, which no
+ * member gives, has no pointer. */
+bool ray_plane_transform(const struct scene *, enum space from, enum space to,
+    const double plane[4], struct transform *, struct refusals *faults);

@@ -88,8 +88,8 @@ static void set_fov(const struct lens *l, double fov[2])
 			a[i] = sum_mul(l->scale[k], l->clip[k][i]);
 		}
 		vec3_cross(a, g, v);
-		fov[k] = trig_atan2_degrees(sum_scale(vec3_length(v), 2),
-		    sum_sub(vec3_dot(a, a), vec3_dot(g, g)));
+		fov[k] = trig_atan2(sum_scale(vec3_length(v), 2),
+		    sum_sub(vec3_dot(a, a), vec3_dot(g, g)), ANGLE_DEGREES);
 	}
 }
 
@@ -101,7 +101,7 @@ static void classify_perspective(const struct lens *l, struct taxonomy *t)
 	struct map screen;
 
 	scene_map_factor(s, SPACE_VIEW, s->has_viewport ? SPACE_DEVICE : SPACE_NDC,
-	    &screen);
+	    &screen, NULL);
 	t->kind = perspective_kind(l);
 	set_fov(l, t->fov);
 	for (int i = 0; i < 3; i++) {

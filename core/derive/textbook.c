@@ -43,14 +43,14 @@ static void set_program(const struct scene *s, struct program *g)
 	const bool turns = from->view_y_down != to->view_y_down ||
 	    convention_looks_back(from) != convention_looks_back(to);
 	const bool has[3] = { s->has_world, s->has_camera || turns,
-		s->projection.type != PROJECTION_NONE };
+		!projection_is_none(&s->projection) };
 	double a[4][4], b[4][4];
 	struct map m;
 
 	for (int k = 0; k < 3; k++) {
 		if (!has[k])
 			continue;
-		scene_map_factor(s, (enum space)k, (enum space)(k + 1), &m);
+		scene_map_factor(s, (enum space)k, (enum space)(k + 1), &m, NULL);
 		memcpy(a, g->m, sizeof a);
 		for (int i = 0; i < 16; i++)
 			b[i / 4][i % 4] = map_element_nearest(&m, i / 4, i % 4,
@@ -58,7 +58,8 @@ static void set_program(const struct scene *s, struct program *g)
 		for (int i = 0; i < 16; i++)
 			g->m[i / 4][i % 4] = dot(g, a[i / 4], &b[0][i % 4]);
 	}
-	scene_map_factor(s, SPACE_NDC, s->has_viewport ? SPACE_DEVICE : SPACE_NDC, &m);
+	scene_map_factor(s, SPACE_NDC, s->has_viewport ? SPACE_DEVICE : SPACE_NDC, &m,
+	    NULL);
 	for (int k = 0; k < 2; k++) {
 		g->scale[k] = map_element_nearest(&m, k, k, g->single);
 		g->offset[k] = map_element_nearest(&m, 3, k, g->single);
@@ -141,17 +142,18 @@ static double program_error(const struct scene *s, const struct program *g,
 	return sum_double(most);
 }
 
-const char *textbook_errors(const struct scene *s, double error[2])
+bool textbook_errors(const struct scene *s, double error[2], struct refusals *faults)
 {
 	struct map back;
 	struct transform t;
-	const char *why = transform_of_scene(s, SPACE_MODEL,
-	    s->has_viewport ? SPACE_DEVICE : SPACE_NDC, false, &t);
 
 	error[0] = error[1] = (double)NAN;
-	if (why != NULL || projection_is_open(&s->projection) ||
-	    scene_map_factor(s, SPACE_NDC, SPACE_MODEL, &back) != NULL)
-		return why;
+	if (!transform_of_scene(s, SPACE_MODEL,
+		s->has_viewport ? SPACE_DEVICE : SPACE_NDC, false, &t, faults))
+		return false;
+	if (projection_is_open(&s->projection) ||
+	    !scene_map_factor(s, SPACE_NDC, SPACE_MODEL, &back, NULL))
+		return true;
 	for (int k = 0; k < 2; k++) {
 		struct program g = { .single = k == 0,
 			.m = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } } };
@@ -159,5 +161,5 @@ const char *textbook_errors(const struct scene *s, double error[2])
 		set_program(s, &g);
 		error[k] = program_error(s, &g, &t, &back);
 	}
-	return NULL;
+	return true;
 }

@@ -73,14 +73,14 @@ static void set_elements(const struct lens *l, struct upright *u)
 	u->clip_w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 
-/* Returns whether a PROJECTION_MATRIX contains a camera turned by 180 degrees: far is
+/* Returns whether a given matrix contains a camera turned by 180 degrees: far is
  * against the gaze (if parallel), or the picture is upside down (if without_camera). */
 static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene.projection;
 	int deeper = sum_sign(vec3_dot(l->clip[2], u->axis[2]));
 
-	if (p->type != PROJECTION_MATRIX)
+	if (!projection_is_given_matrix(p))
 		return false;
 	if (l->parallel && (deeper * sum_sign(u->clip_w[1]) < 0) != l->reversed)
 		return true;

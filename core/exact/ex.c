@@ -82,8 +82,8 @@ ex ex_power(int e)
 
 /* Adds the product a b to sum[0..size), a number in two's complement. The product's
  * lowest word goes to sum[at]; if `at` is negative, words below sum[0] are cut off. If
- * its sign is not `sign`, each word q of the shorter factor is multiplied by -w, where w
- * is the longer factor of n words: -q w = q ~w + q - q 2^(64 n). */
+ * its sign is not `sign`, each word q of the shorter factor is multiplied by -w, where
+ * w is the longer factor of n words: -q w = q ~w + q - q 2^(64 n). */
 static void add_product(uint64_t *sum, int size, int at, const ex *a, const ex *b,
     int sign)
 {
@@ -131,9 +131,9 @@ static int least_of(int a, int b)
 }
 
 /* The words more than two below the lowest that is kept are not added. Of each of fewer
- * than 2^10 rows less than a unit of the next word is left out: together less than 2^-53
- * of the lowest word that is kept. If terms cancel, so that lower words are to be kept,
- * the sum begins anew with all words. */
+ * than 2^10 rows less than a unit of the next word is left out: together less than
+ * 2^-53 of the lowest word that is kept. If terms cancel, so that lower words are to be
+ * kept, the sum begins anew with all words. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 {
 	uint64_t sum[2 * EX_WORDS + 1];
@@ -198,7 +198,8 @@ static uint64_t bound_word(const uint64_t *u, const uint64_t *d, int n)
 /* Lowers q, which is at most a few too large, to one word of the quotient u / d, and
  * leaves the remainder u - q d in u. If `root`, d is twice a root's first words, and q
  * its next one: d[0] becomes q, so that u is reduced by q (2 root + q). While q is too
- * large, the difference is negative. It is computed with -q d = q ~d + q - q 2^(64 n). */
+ * large, the difference is negative. It is computed with -q d = q ~d
+ * + q - q 2^(64 n). */
 static uint64_t divide_word(uint64_t *u, uint64_t *d, int n, uint64_t q, bool root)
 {
 	uint64_t carry = q;

@@ -37,8 +37,9 @@ void map_of_doubles(const double m[4][4], struct map *);
 /* Sets the origin, to 0 if `origin` is NULL, and computes row 4 from the other rows. */
 void map_set_origin(struct map *, const double origin[3]);
 
-/* Sets the origin of an affine map to about the point whose image is 0, unless the image
- * of its origin is near 0 already: then images near 0 keep their digits in doubles. */
+/* Sets the origin of an affine map to about the point whose image is 0, unless
+ * the image of its origin is near 0 already: then images near 0 keep their
+ * digits in doubles. */
 void map_find_origin(struct map *);
 
 /* map_divide divides the images of the map by d, which must be exact unless the images
@@ -61,7 +62,8 @@ bool map_invert(struct map *);
 struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
     unsigned skipped_columns);
 
-/* Return m[i][j] / divisor; map_element_nearest rounds to double or, if single, float. */
+/* Return m[i][j] / divisor; map_element_nearest rounds to double or,
+ * if single, float. */
 struct sum map_element(const struct map *, int i, int j);
 double map_element_nearest(const struct map *, int i, int j, bool single);
 
@@ -70,13 +72,6 @@ void map_image(const struct map *, int j, const struct sum p[4], struct sum *);
 
 /* Returns whether the last column / divisor is 0 0 0 1. */
 bool map_is_affine(const struct map *);
-
-/* Says in messages why a matrix that must be affine is refused. */
-#define MAP_NOT_AFFINE                                                       \
-	"its last column, as column vectors its last row, is not exactly 0 " \
-	"0 0 1; of 16 numbers the translation is 13, 14 and 15; write rows " \
-	"of column vectors as {\"matrix\": [[...], [...], [...], [...]], "   \
-	"\"vectors\": \"column\"}"
 
 /* Returns whether each element / divisor is in the range of doubles. */
 bool map_is_finite(const struct map *);

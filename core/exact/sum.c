@@ -69,7 +69,7 @@ struct sum sum_of_power(int e)
 	return (struct sum){ .value = ex_power(e) };
 }
 
-struct sum(sum_with_error)(const struct sum *a, int relative_error)
+struct sum sum_with_error_at(const struct sum *a, int relative_error)
 {
 	const int error = ceil_log2(&a->value) + relative_error;
 	struct sum r;
@@ -79,7 +79,7 @@ struct sum(sum_with_error)(const struct sum *a, int relative_error)
 	return r;
 }
 
-struct sum(sum_truncate)(const struct sum *a, int n)
+struct sum sum_truncate_at(const struct sum *a, int n)
 {
 	struct sum r = { .error = 0 };
 
@@ -87,7 +87,7 @@ struct sum(sum_truncate)(const struct sum *a, int n)
 	return r;
 }
 
-struct sum(sum_add_error)(const struct sum *a, const struct sum *e)
+struct sum sum_add_error_at(const struct sum *a, const struct sum *e)
 {
 	struct sum r;
 
@@ -97,7 +97,7 @@ struct sum(sum_add_error)(const struct sum *a, const struct sum *e)
 	return r;
 }
 
-struct sum(sum_negated_if)(bool negates, const struct sum *a)
+struct sum sum_negated_if_at(bool negates, const struct sum *a)
 {
 	struct sum r;
 
@@ -106,7 +106,7 @@ struct sum(sum_negated_if)(bool negates, const struct sum *a)
 	return r;
 }
 
-struct sum(sum_abs)(const struct sum *a)
+struct sum sum_abs_at(const struct sum *a)
 {
 	return sum_negated_if(a->value.sign < 0, *a);
 }
@@ -161,7 +161,7 @@ struct sum sum_of_products(const struct sum *a, const struct sum *b,
 	return r;
 }
 
-struct sum(sum_mul)(const struct sum *a, const struct sum *b)
+struct sum sum_mul_at(const struct sum *a, const struct sum *b)
 {
 	struct sum r;
 
@@ -169,7 +169,7 @@ struct sum(sum_mul)(const struct sum *a, const struct sum *b)
 	return r;
 }
 
-struct sum(sum_scale)(const struct sum *a, double factor)
+struct sum sum_scale_at(const struct sum *a, double factor)
 {
 	struct sum b;
 
@@ -177,7 +177,7 @@ struct sum(sum_scale)(const struct sum *a, double factor)
 	return sum_mul(*a, b);
 }
 
-struct sum(sum_minor)(const struct sum *a, const struct sum *b, const struct sum *c,
+struct sum sum_minor_at(const struct sum *a, const struct sum *b, const struct sum *c,
     const struct sum *d)
 {
 	struct sum minus_c;
@@ -210,7 +210,7 @@ static int words_needed(const struct sum *a)
 							      words;
 }
 
-struct sum(sum_quotient)(const struct sum *a, const struct sum *b)
+struct sum sum_quotient_at(const struct sum *a, const struct sum *b)
 {
 	/* 2^d bounds |b| from below; an error of b above 2^(d-40) halves this bound */
 	int d = ex_exponent(&b->value) - 1;
@@ -236,7 +236,7 @@ struct sum(sum_quotient)(const struct sum *a, const struct sum *b)
 	return r;
 }
 
-struct sum(sum_sqrt)(const struct sum *a)
+struct sum sum_sqrt_at(const struct sum *a)
 {
 	struct sum r = { .error = 0 };
 
@@ -258,17 +258,17 @@ static bool counts_as_zero(const struct sum *a)
 	return ceil_log2(&a->value) + EX_RANGE <= a->error;
 }
 
-int(sum_sign)(const struct sum *a)
+int sum_sign_at(const struct sum *a)
 {
 	return counts_as_zero(a) ? 0 : a->value.sign;
 }
 
-int(sum_compare)(const struct sum *a, const struct sum *b)
+int sum_compare_at(const struct sum *a, const struct sum *b)
 {
 	return sum_sign(sum_sub(*a, *b));
 }
 
-struct sum(sum_snap_zero)(const struct sum *a)
+struct sum sum_snap_zero_at(const struct sum *a)
 {
 	return counts_as_zero(a) ? sum_of_double(0) : *a;
 }
@@ -333,14 +333,14 @@ double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single)
 						    round_inexact(n, d, q, single);
 }
 
-double(sum_ratio_or_nan)(const struct sum *n, const struct sum *d)
+double sum_ratio_or_nan_at(const struct sum *n, const struct sum *d)
 {
 	double q = sum_ratio_nearest(n, d, false);
 
 	return isfinite(q) ? q : (double)NAN;
 }
 
-dd(sum_dd)(const struct sum *a)
+dd sum_dd_at(const struct sum *a)
 {
 	return counts_as_zero(a) ? (dd){ 0, 0 } : ex_round(&a->value);
 }

@@ -48,36 +48,36 @@ struct sum sum_difference(double a, double b); /* a - b */
 struct sum sum_of_power(int e);                /* 2^e */
 
 /* Returns the value of a sum with another error, SUM_*_ERROR relative to the value. */
-struct sum sum_with_error(const struct sum *, int relative_error);
+struct sum sum_with_error_at(const struct sum *, int relative_error);
 
 /* Returns the n highest words of the value of a sum, as an exact number. */
-struct sum sum_truncate(const struct sum *, int n);
+struct sum sum_truncate_at(const struct sum *, int n);
 
 /* Returns `a` with the bound of its error increased by |e|. */
-struct sum sum_add_error(const struct sum *a, const struct sum *e);
+struct sum sum_add_error_at(const struct sum *a, const struct sum *e);
 
-struct sum sum_negated_if(bool, const struct sum *);
-struct sum sum_abs(const struct sum *);
-struct sum sum_mul(const struct sum *, const struct sum *);
-struct sum sum_scale(const struct sum *, double factor);
-struct sum sum_quotient(const struct sum *, const struct sum *);
+struct sum sum_negated_if_at(bool, const struct sum *);
+struct sum sum_abs_at(const struct sum *);
+struct sum sum_mul_at(const struct sum *, const struct sum *);
+struct sum sum_scale_at(const struct sum *, double factor);
+struct sum sum_quotient_at(const struct sum *, const struct sum *);
 
 /* Return a b + c d, and the minor a b - c d. */
 struct sum sum_of_products(const struct sum *a, const struct sum *b,
     const struct sum *c, const struct sum *d);
-struct sum sum_minor(const struct sum *a, const struct sum *b, const struct sum *c,
+struct sum sum_minor_at(const struct sum *a, const struct sum *b, const struct sum *c,
     const struct sum *d);
 
 /* Computes the sum of the n <= 5 products a[k] b[k * stride]. */
 void sum_dot(int n, const struct sum *a, const struct sum *b, int stride, struct sum *);
 
 /* Returns the root of a number >= 0. It is exact if five words can hold it. */
-struct sum sum_sqrt(const struct sum *);
+struct sum sum_sqrt_at(const struct sum *);
 
 /* Return the sign, -1, 0 or 1, of a sum or of a - b. The sign of a number is 0 if its
  * magnitude is not above its error. */
-int sum_sign(const struct sum *);
-int sum_compare(const struct sum *a, const struct sum *b);
+int sum_sign_at(const struct sum *);
+int sum_compare_at(const struct sum *a, const struct sum *b);
 
 /* Return whether a sum is exact and is 0, is 1, or is plus or minus a power of two.
  * sum_quotient divides by powers of two exactly. */
@@ -86,18 +86,19 @@ bool sum_is_one(const struct sum *);
 bool sum_is_power_of_two(const struct sum *);
 
 /* Returns the sum, or exact 0 if the sign of the sum is 0. */
-struct sum sum_snap_zero(const struct sum *);
+struct sum sum_snap_zero_at(const struct sum *);
 
 /* Returns the double or, if single, the float nearest to n / d. Ties go to even; a
  * number beyond the range becomes infinite. sum_ratio and sum_double, which are macros
  * below, return the double nearest to n / d and to a sum. */
 double sum_ratio_nearest(const struct sum *n, const struct sum *d, bool single);
 
-/* Returns sum_ratio, or nan if d is 0 or the ratio is beyond the range. */
-double sum_ratio_or_nan(const struct sum *n, const struct sum *d);
+/* Returns the double nearest to n / d, or nan if d is 0 or n / d is beyond the
+ * range. */
+double sum_ratio_or_nan_at(const struct sum *n, const struct sum *d);
 
 /* Returns the value, rounded by ex_round, or 0 if the sign of the sum is 0. */
-dd sum_dd(const struct sum *);
+dd sum_dd_at(const struct sum *);
 
 /* Returns an upper bound of the error of a sum. */
 double sum_error(const struct sum *);
@@ -105,24 +106,25 @@ double sum_error(const struct sum *);
 /* Returns a lower bound of e / |d|, where e bounds the error of n, and d is exact. */
 double sum_least_error(const struct sum *n, const struct sum *d);
 
-/* Callers write the sums themselves, not their addresses, as operands of these. */
-#define sum_add_error(a, b) sum_add_error(SUM_AT(a), SUM_AT(b))
-#define sum_with_error(a, b) sum_with_error(SUM_AT(a), b)
-#define sum_truncate(a, b) sum_truncate(SUM_AT(a), b)
+/* Of a function whose name ends in _at callers use the macro without the ending: its
+ * operands are the sums themselves, not their addresses. */
+#define sum_add_error(a, b) sum_add_error_at(SUM_AT(a), SUM_AT(b))
+#define sum_with_error(a, b) sum_with_error_at(SUM_AT(a), b)
+#define sum_truncate(a, b) sum_truncate_at(SUM_AT(a), b)
 #define sum_neg(a) sum_negated_if(true, a)
-#define sum_negated_if(a, b) sum_negated_if(a, SUM_AT(b))
-#define sum_abs(a) sum_abs(SUM_AT(a))
+#define sum_negated_if(a, b) sum_negated_if_at(a, SUM_AT(b))
+#define sum_abs(a) sum_abs_at(SUM_AT(a))
 #define sum_add(a, b) sum_of_products(SUM_AT(a), &sum_one, SUM_AT(b), &sum_one)
 #define sum_sub(a, b) sum_of_products(SUM_AT(a), &sum_one, SUM_AT(b), &sum_minus_one)
-#define sum_mul(a, b) sum_mul(SUM_AT(a), SUM_AT(b))
-#define sum_scale(a, b) sum_scale(SUM_AT(a), b)
-#define sum_quotient(a, b) sum_quotient(SUM_AT(a), SUM_AT(b))
-#define sum_minor(a, b, c, d) sum_minor(SUM_AT(a), SUM_AT(b), SUM_AT(c), SUM_AT(d))
-#define sum_sqrt(a) sum_sqrt(SUM_AT(a))
-#define sum_sign(a) sum_sign(SUM_AT(a))
-#define sum_compare(a, b) sum_compare(SUM_AT(a), SUM_AT(b))
-#define sum_snap_zero(a) sum_snap_zero(SUM_AT(a))
+#define sum_mul(a, b) sum_mul_at(SUM_AT(a), SUM_AT(b))
+#define sum_scale(a, b) sum_scale_at(SUM_AT(a), b)
+#define sum_quotient(a, b) sum_quotient_at(SUM_AT(a), SUM_AT(b))
+#define sum_minor(a, b, c, d) sum_minor_at(SUM_AT(a), SUM_AT(b), SUM_AT(c), SUM_AT(d))
+#define sum_sqrt(a) sum_sqrt_at(SUM_AT(a))
+#define sum_sign(a) sum_sign_at(SUM_AT(a))
+#define sum_compare(a, b) sum_compare_at(SUM_AT(a), SUM_AT(b))
+#define sum_snap_zero(a) sum_snap_zero_at(SUM_AT(a))
 #define sum_double(a) sum_ratio(a, sum_one)
 #define sum_ratio(a, b) sum_ratio_nearest(SUM_AT(a), SUM_AT(b), false)
-#define sum_ratio_or_nan(a, b) sum_ratio_or_nan(SUM_AT(a), SUM_AT(b))
-#define sum_dd(a) sum_dd(SUM_AT(a))
+#define sum_ratio_or_nan(a, b) sum_ratio_or_nan_at(SUM_AT(a), SUM_AT(b))
+#define sum_dd(a) sum_dd_at(SUM_AT(a))

@@ -29,8 +29,8 @@ enum {
 
 /* Returns g(x) = 2 - 2 cos x, the square of the chord of x radians, from x^2. For an
  * angle t = x / 2^halvings it is y (1 - y/(3 4) + y^2/(3 4 5 6) - ...) with y = t^2, by
- * Horner's scheme as y s / c with the common denominator c = CHORD_POWER! / 2. Then each
- * g(2 t) = g (4 - g) doubles the angle.
+ * Horner's scheme as y s / c with the common denominator c = CHORD_POWER! / 2. Then
+ * each g(2 t) = g (4 - g) doubles the angle.
  *
  * The first term left out, 2 y^10 / 22!, is below 2^-328 or, if not short, 2^-715. The
  * cuts of y, s, the quotient, the product and of each g lose less than a unit of the
@@ -153,8 +153,8 @@ static struct sum sine_of_rest(const struct reduced_angle *r, const struct sum *
 	    SUM_TRIG_ERROR);
 }
 
-/* The cosine of the rest is 1 - g / 2, with g at most 0.6. So the error of g bounds that
- * of 1 - cos, too, which has its digits however small the angle is. */
+/* The cosine of the rest is 1 - g / 2, with g at most 0.6. So the error of g bounds
+ * that of 1 - cos, too, which has its digits however small the angle is. */
 void trig_sin_cos(double angle, enum angle_unit unit, struct sum *sine,
     struct sum *cosine)
 {
@@ -188,7 +188,7 @@ struct sum trig_cot(double angle, enum angle_unit unit)
 
 /* Adds to the C library's atan2 the small angle that it lacks. Two terms of the arc
  * tangent's series give this angle from its tangent; the third bounds their error. */
-double trig_atan2_degrees(struct sum y, struct sum x)
+double trig_atan2(struct sum y, struct sum x, enum angle_unit unit)
 {
 	x = sum_snap_zero(x);
 	y = sum_snap_zero(y);
@@ -197,18 +197,20 @@ double trig_atan2_degrees(struct sum y, struct sum x)
 
 	if (sum_sign(larger) == 0)
 		return (double)NAN;
-	double a = atan2(sum_ratio(y, larger), sum_ratio(x, larger)) *
-	    DEGREES_PER_RADIAN;
+	double a = atan2(sum_ratio(y, larger), sum_ratio(x, larger));
 	struct sum s, c;
 
-	trig_sin_cos(a, ANGLE_DEGREES, &s, &c);
+	if (unit == ANGLE_DEGREES)
+		a *= DEGREES_PER_RADIAN;
+	trig_sin_cos(a, unit, &s, &c);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
 	struct sum square = sum_mul(tan, tan), cube = sum_mul(square, tan);
 	struct sum rest = sum_sub(tan, sum_quotient(cube, sum_of_double(3)));
 
 	rest = sum_add_error(rest, sum_mul(cube, square));
-	rest = sum_quotient(sum_scale(rest, 90),
-	    sum_with_error(HALF_PI, SUM_TRIG_ERROR));
+	if (unit == ANGLE_DEGREES)
+		rest = sum_quotient(sum_scale(rest, 90),
+		    sum_with_error(HALF_PI, SUM_TRIG_ERROR));
 	return sum_double(sum_add(sum_of_double(a), rest));
 }

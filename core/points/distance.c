@@ -3,18 +3,17 @@
 
 #include <string.h>
 
-const char *distance_of(const struct scene *s, struct distance *d)
+bool distance_of(const struct scene *s, struct distance *d, struct refusals *faults)
 {
 	const struct projection *p = &s->projection;
 	const bool back = convention_looks_back(scene_answer_convention(s));
 	struct map m;
-	const char *why = scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &m);
 
-	for (int i = 0; i < 4 && why == NULL; i++)
+	if (!scene_map_factor(s, SPACE_VIEW, SPACE_CLIP, &m, faults))
+		return false;
+	for (int i = 0; i < 4; i++)
 		d->column[i] = m.m[i][3];
 	sum_set(&d->length, 1);
-	if (why != NULL)
-		return why;
 	d->parallel = vec3_is_zero(d->column);
 	if (d->parallel) {
 		bool reversed = projection_is_reversed(p, &s->convention);
@@ -22,25 +21,22 @@ const char *distance_of(const struct scene *s, struct distance *d)
 
 		memset(d->column, 0, sizeof d->column);
 		sum_set(&d->column[2], back ? -1 : 1);
-		for (int i = 0; i < 3 && p->type == PROJECTION_MATRIX; i++)
+		for (int i = 0; i < 3 && projection_is_given_matrix(p); i++)
 			d->column[i] = sum_negated_if(against, m.m[i][2]);
 	}
-	if (!d->parallel || p->type == PROJECTION_MATRIX)
+	if (!d->parallel || projection_is_given_matrix(p))
 		d->length = vec3_length(d->column);
-	return NULL;
+	return true;
 }
 
 /* Makes the map l from view space to x, y and w of the device. Its third column is the
  * distance times w, which is constant, if the projection is parallel, else 1. */
-static const char *device_columns(const struct scene *s, struct distance *d,
-    struct map *l)
+static bool device_columns(const struct scene *s, struct distance *d, struct map *l,
+    struct refusals *faults)
 {
-	const char *why = distance_of(s, d);
-
-	if (why == NULL)
-		why = scene_map_factor(s, SPACE_VIEW, SPACE_DEVICE, l);
-	if (why != NULL)
-		return why;
+	if (!distance_of(s, d, faults) ||
+	    !scene_map_factor(s, SPACE_VIEW, SPACE_DEVICE, l, faults))
+		return false;
 	for (int i = 0; i < 4; i++)
 		l->m[i][2] = d->parallel ? sum_mul(l->m[3][3], d->column[i]) :
 					   sum_of_double(0);
@@ -55,27 +51,29 @@ static const char *device_columns(const struct scene *s, struct distance *d,
 		d->length = vec3_length(d->column);
 	}
 	map_set_origin(l, NULL);
-	return NULL;
+	return true;
 }
 
-const char *distance_by_view(const struct scene *s, enum space from, enum space to,
-    struct transform *t)
+bool distance_by_view(const struct scene *s, enum space from, enum space to,
+    struct transform *t, struct refusals *faults)
 {
 	const bool back = from == SPACE_DEVICE;
 	struct distance d;
 	struct map inverse;
-	const char *why = device_columns(s, &d, &t->from_view);
 
-	if (why != NULL)
-		return why;
+	if (!device_columns(s, &d, &t->from_view, faults))
+		return false;
 	map_copy(&inverse, &t->from_view);
 	if (back && !map_invert(&inverse))
-		return "/projection: singular; it can't be inverted";
+		return refuse(faults, "/projection", "singular",
+		    "it can't be inverted");
 	if (from <= SPACE_VIEW) {
-		why = transform_by_view(s, from, to, false, t);
+		if (!transform_by_view(s, from, to, false, t, faults))
+			return false;
 	} else {
 		map_multiply(&t->map, back ? &inverse : &t->from_view, back);
-		why = scene_map_refuse_range(s, false, &t->map);
+		if (!scene_map_refuse_range(s, false, &t->map, faults))
+			return false;
 		transform_init(t, from, to, false);
 	}
 	if (!d.parallel) {
@@ -85,18 +83,17 @@ const char *distance_by_view(const struct scene *s, enum space from, enum space 
 		t->kernel = KERNEL_NONE;
 		t->divide = !back || to == SPACE_NDC;
 	}
-	return why != NULL ? why : transform_check(s, t);
+	return transform_check(s, t, faults);
 }
 
-const char *distance_transform(const struct scene *s, enum space from, enum space to,
-    struct transform *t)
+bool distance_transform(const struct scene *s, enum space from, enum space to,
+    struct transform *t, struct refusals *faults)
 {
 	const bool back = from == SPACE_DEVICE;
 
 	if (back == (to == SPACE_DEVICE) || !s->has_viewport || !s->viewport.distance)
-		return transform_of_scene(s, from, to, false, t);
-	const char *why = scene_map_factor(s, back ? SPACE_VIEW : from,
-	    back ? to : SPACE_VIEW, &t->map);
-
-	return why != NULL ? why : distance_by_view(s, from, to, t);
+		return transform_of_scene(s, from, to, false, t, faults);
+	return scene_map_factor(s, back ? SPACE_VIEW : from, back ? to : SPACE_VIEW,
+		   &t->map, faults) &&
+	    distance_by_view(s, from, to, t, faults);
 }

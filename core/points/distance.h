@@ -14,17 +14,16 @@ struct distance {
 	bool parallel;
 };
 
-/* Makes the distance of a scene. Returns NULL, or the member at fault and why. */
-const char *distance_of(const struct scene *, struct distance *);
+/* Makes the distance of a scene. */
+bool distance_of(const struct scene *, struct distance *, struct refusals *faults);
 
-/* Computes the transform of scene_transform or, if z of the scene's device is a
+/* Computes the transform of transform_of_scene or, if z of the scene's device is a
  * distance, the transform to or from such a device. In a perspective a distance that is
- * not positive has no image. Returns NULL, or the member at fault and why. */
-const char *distance_transform(const struct scene *, enum space from, enum space to,
-    struct transform *);
+ * not positive has no image. */
+bool distance_transform(const struct scene *, enum space from, enum space to,
+    struct transform *, struct refusals *faults);
 
-/* Makes t, whose member map leads from `from` to view space, or from view space to `to` if
- * `from` is a device whose z is a distance, the transform from `from` to `to`. Returns
- * NULL, or the member at fault and why. */
-const char *distance_by_view(const struct scene *, enum space from, enum space to,
-    struct transform *t);
+/* Makes t, whose member map leads from `from` to view space, or from view space to `to`
+ * if `from` is a device whose z is a distance, the transform from `from` to `to`. */
+bool distance_by_view(const struct scene *, enum space from, enum space to,
+    struct transform *t, struct refusals *faults);

@@ -90,11 +90,11 @@ static bool map_leaves_room(const struct map *m)
 	return fits;
 }
 
-const char *transform_check(const struct scene *s, const struct transform *t)
+bool transform_check(const struct scene *s, const struct transform *t,
+    struct refusals *faults)
 {
-	return map_leaves_room(&t->map) && !ex_has_overflowed() ?
-	    NULL :
-	    scene_too_wide(s, t->kernel == KERNEL_FLAT);
+	return (map_leaves_room(&t->map) && !ex_has_overflowed()) ||
+	    scene_refuse_too_wide(s, t->kernel == KERNEL_FLAT, faults);
 }
 
 /* Stages the exact images of a transform if the map from view space has elements with
@@ -154,67 +154,63 @@ static void choose_depth_kernel(const struct map *projection, struct transform *
 	t->kernel = KERNEL_DEPTH;
 }
 
-const char *transform_by_view(const struct scene *s, enum space from, enum space to,
-    bool homogeneous, struct transform *t)
+bool transform_by_view(const struct scene *s, enum space from, enum space to,
+    bool homogeneous, struct transform *t, struct refusals *faults)
 {
 	map_find_origin(&t->map);
 	transform_stage(t);
 	map_multiply(&t->map, &t->from_view, false);
-	const char *why = scene_map_refuse_range(s, false, &t->map);
-
-	if (why != NULL)
-		return why;
+	if (!scene_map_refuse_range(s, false, &t->map, faults))
+		return false;
 	t->distance = DISTANCE_NONE;
 	set_kind(t, from, to, homogeneous);
 	if (!t->staged)
 		set_relative_map(t, &t->map);
 	prepare_kernel(t);
-	return NULL;
+	return true;
 }
 
 /* Computes the member map, or the factors map and from_view of a map by view space. */
-static const char *set_maps(const struct scene *s, enum space from, enum space to,
-    bool by_view, struct transform *t)
+static bool set_maps(const struct scene *s, enum space from, enum space to,
+    bool by_view, struct transform *t, struct refusals *faults)
 {
-	const char *why = by_view ? scene_map_factor(s, from, SPACE_VIEW, &t->map) :
-				    scene_map(s, from, to, &t->map);
-
-	return why == NULL && by_view ?
-	    scene_map_factor(s, SPACE_VIEW, to, &t->from_view) :
-	    why;
+	if (!by_view)
+		return scene_map(s, from, to, &t->map, faults);
+	return scene_map_factor(s, from, SPACE_VIEW, &t->map, faults) &&
+	    scene_map_factor(s, SPACE_VIEW, to, &t->from_view, faults);
 }
 
-const char *transform_of_matrix(const struct scene *s, enum space from, enum space to,
-    struct transform *t)
+bool transform_of_matrix(const struct scene *s, enum space from, enum space to,
+    struct transform *t, struct refusals *faults)
 {
 	const bool flat = space_is_flat(from);
 	const bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
-	const char *why = set_maps(s, from, to, by_view, t);
 
+	if (!set_maps(s, from, to, by_view, t, faults))
+		return false;
 	t->in = t->out = flat ? 2 : 3;
 	t->kernel = flat ? KERNEL_FLAT : KERNEL_NONE;
-	if (why == NULL && by_view) {
+	if (by_view) {
 		map_multiply(&t->map, &t->from_view, false);
-		why = scene_map_refuse_range(s, flat, &t->map);
+		if (!scene_map_refuse_range(s, flat, &t->map, faults))
+			return false;
 	}
-	return why != NULL ? why : transform_check(s, t);
+	return transform_check(s, t, faults);
 }
 
-const char *transform_of_scene(const struct scene *s, enum space from, enum space to,
-    bool homogeneous, struct transform *t)
+bool transform_of_scene(const struct scene *s, enum space from, enum space to,
+    bool homogeneous, struct transform *t, struct refusals *faults)
 {
 	bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
-	const char *why = set_maps(s, from, to, by_view, t);
 
-	if (why == NULL && by_view)
-		why = transform_by_view(s, from, to, homogeneous, t);
-	if (why != NULL)
-		return why;
+	if (!set_maps(s, from, to, by_view, t, faults) ||
+	    (by_view && !transform_by_view(s, from, to, homogeneous, t, faults)))
+		return false;
 	if (from <= SPACE_VIEW && to <= SPACE_VIEW)
 		map_find_origin(&t->map);
 	if (!by_view)
 		transform_init(t, from, to, homogeneous);
 	else if (t->kernel == KERNEL_PROJECTIVE && map_is_finite(&t->from_view))
 		choose_depth_kernel(&t->from_view, t);
-	return transform_check(s, t);
+	return transform_check(s, t, faults);
 }

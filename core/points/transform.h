@@ -34,14 +34,13 @@ struct transform {
 };
 
 /* Computes the transform from one space to another. If `homogeneous`, images are x y z
- * w, not divided, and points of device space are x y z 1/w. Returns NULL, or the member
- * of the scene at fault and why. */
-const char *transform_of_scene(const struct scene *, enum space from, enum space to,
-    bool homogeneous, struct transform *);
+ * w, not divided, and points of device space are x y z 1/w. */
+bool transform_of_scene(const struct scene *, enum space from, enum space to,
+    bool homogeneous, struct transform *, struct refusals *faults);
 
 /* Computes the members map, in and out, as a printed matrix needs no others. */
-const char *transform_of_matrix(const struct scene *, enum space from, enum space to,
-    struct transform *);
+bool transform_of_matrix(const struct scene *, enum space from, enum space to,
+    struct transform *, struct refusals *faults);
 
 /* Sets all members of the transform except map, which the caller has set. But if `from`
  * is SPACE_CLIP, also sets the origin of map to 0. */
@@ -53,11 +52,12 @@ void transform_init(struct transform *, enum space from, enum space to,
 void transform_prepare(struct transform *);
 
 /* Sets all members of a transform from `from` by way of view space to `to`, except
- * from_view and map, which the caller has set: to the map from view space, and to the map
- * to it, which becomes the product. Returns NULL, or the member at fault and why. */
-const char *transform_by_view(const struct scene *, enum space from, enum space to,
-    bool homogeneous, struct transform *);
+ * from_view and map, which the caller has set: to the map from view space, and to the
+ * map to it, which becomes the product. */
+bool transform_by_view(const struct scene *, enum space from, enum space to,
+    bool homogeneous, struct transform *, struct refusals *faults);
 
-/* Returns NULL or, if exact images could need more than EX_WORDS words, a member of the
- * scene and a reason. */
-const char *transform_check(const struct scene *, const struct transform *);
+/* Refuses the scene, and returns false, if exact images could need more than EX_WORDS
+ * words. */
+bool transform_check(const struct scene *, const struct transform *,
+    struct refusals *faults);

@@ -19,7 +19,7 @@ struct task {
 	int n; /* coordinates */
 };
 
-static const char *task_of(const struct regime *r, double severity, struct task *t)
+static bool task_of(const struct regime *r, double severity, struct task *t)
 {
 	const struct scene *s = &t->scene;
 	enum space from = r->back ? SPACE_DEVICE : SPACE_MODEL;
@@ -30,11 +30,11 @@ static const char *task_of(const struct regime *r, double severity, struct task 
 	t->n = s->has_window ? 2 : 3;
 	if (s->has_window) {
 		truth_flat(s, FLAT_WINDOW, FLAT_DEVICE, &t->truth);
-		return transform_of_scene(s, FLAT_WINDOW, FLAT_DEVICE, false,
-		    &t->exact);
+		return transform_of_scene(s, FLAT_WINDOW, FLAT_DEVICE, false, &t->exact,
+		    NULL);
 	}
 	truth_scene(s, from, to, &t->truth);
-	return transform_of_scene(s, from, to, false, &t->exact);
+	return transform_of_scene(s, from, to, false, &t->exact, NULL);
 }
 
 static void fill(struct block *b, double (*in)[3])
@@ -88,21 +88,20 @@ static double printed(double a)
 
 /* Sets in to the points as the program reads them, which the regime places in another
  * space. */
-static const char *place(const struct task *t, double (*in)[3])
+static bool place(const struct task *t, double (*in)[3])
 {
 	const struct scene *s = &t->scene;
 	double out[MANY][4];
 	struct transform to;
 	struct map clip;
-	const char *why = s->has_window ?
-	    transform_of_scene(s, FLAT_NDC, FLAT_WINDOW, false, &to) :
-	    transform_of_scene(s, SPACE_VIEW,
-		t->regime->back ? SPACE_DEVICE : SPACE_MODEL, false, &to);
+	const enum space from = s->has_window ? FLAT_NDC : SPACE_VIEW;
+	const enum space at = s->has_window ? FLAT_WINDOW :
+	    t->regime->back                 ? SPACE_DEVICE :
+					      SPACE_MODEL;
 
-	if (why == NULL)
-		why = projection_map(&s->projection, &s->convention, false, &clip);
-	if (why != NULL)
-		return why;
+	if (!transform_of_scene(s, from, at, false, &to, NULL) ||
+	    !projection_map(&s->projection, &s->convention, false, &clip, NULL))
+		return false;
 	sample_seed(1);
 	for (int i = 0; i < MANY; i++)
 		t->regime->place(&s->projection, &clip, in[i]);
@@ -110,7 +109,7 @@ static const char *place(const struct task *t, double (*in)[3])
 	for (int i = 0; i < MANY; i++)
 		for (int j = 0; j < 3; j++)
 			in[i][j] = printed(out[i][j]);
-	return NULL;
+	return true;
 }
 
 /* The truth about one point. */
@@ -196,7 +195,7 @@ void ways_compare(const struct regime *regime, double severity, struct row *r)
 
 	memset(r, 0, sizeof *r);
 	memset(mirrored, !regime->back, sizeof mirrored);
-	r->refused = task_of(regime, severity, &t) != NULL || place(&t, in) != NULL;
+	r->refused = !task_of(regime, severity, &t) || !place(&t, in);
 	r->wrong = r->refused != (severity == 0);
 	if (r->refused) {
 		for (int way = 0; way < OUR_SINGLE; way++)

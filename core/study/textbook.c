@@ -15,7 +15,7 @@ static void nearest_rotation(double m[4][4])
 	struct map r;
 
 	memcpy(c.steps.matrix, m, sizeof c.steps.matrix);
-	if (camera_map(&c, &any, false, &r) != NULL)
+	if (!camera_map(&c, &any, false, &r, NULL))
 		return;
 	for (int i = 0; i < 9; i++)
 		m[i / 3][i % 3] = element(&r, i / 3, i % 3);

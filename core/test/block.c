@@ -61,7 +61,7 @@ static bool sample_flat_transform(struct scene *s, struct transform *t,
 	enum space from = FLAT_WINDOW + sample_below(3),
 		   to = FLAT_WINDOW + sample_below(3);
 
-	if (transform_of_scene(s, from, to, false, t) != NULL)
+	if (!transform_of_scene(s, from, to, false, t, NULL))
 		return false;
 	truth_flat(s, from, to, truth);
 	return true;
@@ -81,7 +81,7 @@ bool sample_transform(int e, struct scene *s, enum space *from, struct transform
 	sample_answer(s);
 	if (sample_below(8) == 0)
 		return sample_flat_transform(s, t, truth);
-	if (transform_of_scene(s, *from, to, homogeneous, t) != NULL)
+	if (!transform_of_scene(s, *from, to, homogeneous, t, NULL))
 		return false;
 	truth_scene(s, *from, to, truth);
 	return true;

@@ -244,7 +244,7 @@ static void boxes_are_true(void **state)
 			    s.projection.near;
 			b.max[2] = b.min[2] + sample_size(1);
 		}
-		if (box_of(&s, &b, flat, &r) != NULL)
+		if (!box_of(&s, &b, flat, &r, NULL))
 			continue;
 		if (flat)
 			set_flat_truth(&s, &b, &t);

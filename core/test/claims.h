@@ -55,20 +55,27 @@ static inline void assert_errors(const char *what, const struct worst *w, double
 }
 
 /* Each sum and product at most doubles a bound, as an error is a power of two. The
- * longest maps, from device to model, come to 0.6; 1 is what TRUTH_TOLERANCE excuses. */
+ * longest maps, from device to model, come to 0.6; 1 is what
+ * TRUTH_TOLERANCE excuses. */
 static inline void assert_maps(const char *what, const struct worst *w)
 {
 	assert_errors(what, w, 1);
 }
 
-/* Asserts that the reason of a refusal begins with this JSON pointer, or with more of
- * the reason. A colon, a semicolon or the end of the reason follows. */
-static inline void assert_reason(const char *why, const char *begins)
+/* Asserts that a call has returned false, as it has refused one thing: the member
+ * `where`, for the reason `what`, with a remedy. NULL stands for any what or remedy.
+ * Empties the list for the next call. */
+static inline void assert_refusal(bool done, struct refusals *faults, const char *where,
+    const char *what, const char *remedy)
 {
-	size_t n = strlen(begins);
+	const struct refusal *r = &faults->list[0];
 
-	if (why == NULL)
-		fail_msg("expected a refusal of %s, came none", begins);
-	if (strncmp(why, begins, n) != 0 || strchr(":;", why[n]) == NULL)
-		fail_msg("expected a refusal of %s, came: %s", begins, why);
+	if (done || faults->n != 1)
+		fail_msg("expected a refusal of %s, came %zu", where, faults->n);
+	if (strcmp(r->where, where) != 0 || *r->what == '\0' ||
+	    (what != NULL && strcmp(r->what, what) != 0) ||
+	    (remedy != NULL && strcmp(r->remedy, remedy) != 0))
+		fail_msg("expected a refusal of %s: %s, came: %s: %s; %s", where,
+		    what != NULL ? what : "...", r->where, r->what, r->remedy);
+	faults->n = 0;
 }

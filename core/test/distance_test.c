@@ -45,8 +45,8 @@ static void put_distance(const struct maps *m, const double p[4], struct image *
 	    truth_sign(image->n[2], NULL) * truth_sign(image->d, NULL) > 0;
 }
 
-/* Finds the image of a device point p. Its view coordinates solve X - x w = 0, Y - y w =
- * 0 and distance = z, with the columns X, Y and w of the map to the device. */
+/* Finds the image of a device point p. Its view coordinates solve X - x w = 0, Y - y w
+ * = 0 and distance = z, with the columns X, Y and w of the map to the device. */
 static void find_image(const struct maps *m, const double p[4], struct image *image)
 {
 	real a[4][4], back[4][4];
@@ -130,7 +130,7 @@ static void distances_are_nearest(void **state)
 		const enum space from = back ? SPACE_DEVICE : other;
 		const enum space to = back ? other : SPACE_DEVICE;
 
-		if (distance_transform(&s, from, to, &t) != NULL)
+		if (!distance_transform(&s, from, to, &t, NULL))
 			continue;
 		sample_points(&s, from, &b, POINTS);
 		map_block_exactly(&t, &b, POINTS);

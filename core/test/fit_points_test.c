@@ -163,7 +163,7 @@ static void farthest_many(int n, int e)
 		sample_scene(&s, e / 2);
 		s.projection.near = 1;
 		s.projection.near_ratio = 0.001;
-		if (fit_directions(&s, sample_below(2), &d) != NULL)
+		if (!fit_directions(&s, sample_below(2), &d, NULL))
 			continue;
 		assert_true(kernels_choose("baseline"));
 		sample_cloud(&c, &d, e);

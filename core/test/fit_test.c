@@ -6,6 +6,8 @@
 #include "claims.h"
 #include "../derive/frustum.h"
 
+static struct refusals faults, faults_of_all;
+
 /* Points in columns, padded to a multiple of 16 numbers. */
 struct cloud {
 	size_t n;
@@ -107,7 +109,7 @@ static real slope(const struct scene *s, int k, real limit)
 	    mul(limit, mul(real_of(sign), m[2][3])));
 }
 
-static double farthest(const double eye[3])
+static double largest_coordinate(const double eye[3])
 {
 	return fmax(fabs(eye[0]), fmax(fabs(eye[1]), fabs(eye[2])));
 }
@@ -201,7 +203,7 @@ static bool depth_tight(const struct fitted *f)
 /* Returns the size of the numbers whose rounding can change gap k. */
 static double rounded_size(const struct fitted *f, int k)
 {
-	return farthest(f->s.camera.eye) + nearest_double(f->gap[k].size);
+	return largest_coordinate(f->s.camera.eye) + nearest_double(f->gap[k].size);
 }
 
 /* Returns whether opposite gaps are equal but for rounding. */
@@ -323,10 +325,10 @@ static unsigned out_bits(const struct scene *s, const struct fitted *f)
 	if (f->cloud.n == 0) {
 		struct hull h;
 
-		assert_null(hull_of(f->b, 3, &h));
+		assert_true(hull_of(f->b, 3, &h, NULL));
 		return hull_outside(&h, s);
 	}
-	assert_null(frustum_of(s, SPACE_MODEL, false, &frustum));
+	assert_true(frustum_of(s, SPACE_MODEL, false, &frustum, NULL));
 	for (size_t n = 0; n < f->cloud.n; n++)
 		out |= frustum_outside(&frustum,
 		    (double[4]){ f->cloud.in[0][n], f->cloud.in[1][n],
@@ -390,7 +392,7 @@ static bool sample_cloud(const struct scene *s, bool has_eye, int e, struct fitt
 			    kind == 3 && i == 2 ? along[1] :
 						  sample_number(e > 0 ? e : 1);
 	}
-	if (fit_directions(s, has_eye, &d) != NULL)
+	if (!fit_directions(s, has_eye, &d, NULL))
 		return false;
 	extremes_add(&extremes, &d, in, c->n);
 	return extremes_bounds(&extremes, &d, b);
@@ -482,7 +484,7 @@ static int fit_many(int n, int e, bool points)
 			sample_bounds(&b, e);
 		else if (!sample_cloud(&f.s, has_eye, e, &f, &b))
 			continue;
-		if (fit_scene(&f.s, has_eye, &b) != NULL)
+		if (!fit_scene(&f.s, has_eye, &b, NULL))
 			continue;
 		measure_gaps(&f);
 		assert_true(contains_bounds(&f));
@@ -546,13 +548,19 @@ static void test_farthest(void **state)
 			all.point[k / 3][k % 3] = f.cloud.in[k % 3][k / 3];
 
 		const struct projection *p = &f.s.projection, *q = &s.projection;
-		const char *why = fit_scene(&f.s, has_eye, &b);
+		bool is = fit_scene(&f.s, has_eye, &b, &faults);
 
-		assert_ptr_equal(fit_scene(&s, has_eye, &all), why);
-		for (int k = 0; k < 3 && why == NULL; k++)
-			assert_number(f.s.camera.eye[k], s.camera.eye[k]);
-		if (why != NULL)
+		assert_int_equal(fit_scene(&s, has_eye, &all, &faults_of_all), is);
+		if (!is) {
+			const struct refusal *r = &faults_of_all.list[0];
+
+			assert_refusal(is, &faults, r->where, r->what, r->remedy);
+			assert_int_equal(faults_of_all.n, 1);
+			faults_of_all.n = 0;
 			continue;
+		}
+		for (int k = 0; k < 3; k++)
+			assert_number(f.s.camera.eye[k], s.camera.eye[k]);
 		assert_number(p->near, q->near);
 		assert_number(p->far, q->far);
 		assert_number(p->section.width, q->section.width);
@@ -571,19 +579,23 @@ static void every_type_is_fitted_or_refused(void **state)
 	(void)state;
 	for (int type = 0; type < PROJECTION_TYPES; type++) {
 		const struct bounds ball = { .sphere = 1, .radius = 1 };
-		const char *why = "not tried";
+		bool fits = false;
 
 		SAMPLES(i, 100) {
 			struct scene s;
 
 			sample_scene(&s, 0);
 			s.projection.type = (enum projection_type)type;
-			if (why != NULL && (why = fit_scene(&s, false, &ball)) == NULL)
+			if (fits)
+				continue;
+			faults.n = 0;
+			fits = fit_scene(&s, false, &ball, &faults);
+			if (fits)
 				assert_true(scene_is_valid(&s));
 		}
-		/* assert_reason prints the reason of a type that is never fitted */
-		if (why != NULL)
-			assert_reason(why, "/projection/type");
+		/* assert_refusal prints the reason of a type that is never fitted */
+		if (!fits)
+			assert_refusal(fits, &faults, "/projection/type", NULL, NULL);
 	}
 }
 

@@ -1,31 +1,34 @@
 /* SPDX-License-Identifier: MIT */
 /* The projections and their inverses against MPFR, and refusals. */
+#include "block.h"
 #include "claims.h"
 
 static const struct convention d3d, gl = { true, true, true, false, true, false };
 
-/* Compares the matrix of a projection and its inverse with the truth. Returns the
- * reason if the projection is refused. */
-static const char *compare(const struct projection *p, const struct convention *c,
+static struct refusals faults;
+
+/* Compares the matrix of a projection and its inverse with the truth. Returns whether
+ * the projection is not refused. */
+static bool compare(const struct projection *p, const struct convention *c,
     struct worst *w)
 {
 	struct scene s = { .projection = *p, .convention = *c };
 	struct map m;
 	struct truth t;
 	int mark = real_mark();
-	const char *why = projection_map(p, c, false, &m);
+	bool is = projection_map(p, c, false, &m, &faults);
 
-	if (why == NULL) {
+	if (is) {
 		truth_scene(&s, SPACE_VIEW, SPACE_CLIP, &t);
 		truth_compare(&t, &m, w);
-		why = projection_map(p, c, true, &m);
+		is = projection_map(p, c, true, &m, &faults);
 	}
-	if (why == NULL && map_is_finite(&m)) {
+	if (is && map_is_finite(&m)) {
 		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &t);
 		truth_compare(&t, &m, w);
 	}
 	real_release(mark);
-	return why;
+	return is;
 }
 
 static void check_projections(const char *what, int e, int tries)
@@ -39,7 +42,7 @@ static void check_projections(const char *what, int e, int tries)
 
 		sample_projection(&p, e);
 		sample_convention(&c);
-		bool is = compare(&p, &c, &w) == NULL;
+		bool is = compare(&p, &c, &w);
 
 		compared[p.type] += is;
 		refused += !is;
@@ -78,13 +81,13 @@ static void eyes_through_infinity(void **state)
 	(void)state;
 	for (int i = 0; i < 24; i++) {
 		p.volume.inverse_eye_z = i % 2 ? -tiny[i / 4] : tiny[i / 4];
-		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
+		assert_true(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
 	p.volume.eye_given_by = EYE_BY_POINT;
 	for (int i = 0; i < 20; i++) {
 		p.volume.eye[0] = 5;
 		p.volume.eye[2] = (i % 2 ? -1 : 1) * pow(10, 2 + 7 * i);
-		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
+		assert_true(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
 	assert_maps("volume through q = 0", &w);
 }
@@ -109,7 +112,7 @@ static void volumes_by_angle(void **state)
 		p.aspect[0] = i % 5;
 		p.aspect[1] = i % 5 == 0 ? 0 : i % 7 + 1;
 		p.volume.half_height = p.aspect[1] == 0 ? 2 : p.volume.half_width;
-		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
+		assert_true(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
 	assert_maps("volumes by angle", &w);
 }
@@ -127,17 +130,159 @@ static void narrow_and_wide_angles(void **state)
 		     p.section.way++) {
 			p.type = PROJECTION_PERSP;
 			p.section.angle = 180 - ldexp(1, -k);
-			assert_null(compare(&p, &d3d, &w));
+			assert_true(compare(&p, &d3d, &w));
 			p.section.angle = ldexp(1, -11 * k);
-			assert_null(compare(&p, &gl, &w));
+			assert_true(compare(&p, &gl, &w));
 			p.far = 1 + pow(10, -k / 3);
 		}
 	assert_maps("narrow and wide angles", &w);
 }
 
+/* Judges images of points that are at most 1e-30 from the plane of view z `z`, which is
+ * at least 1e45 from the eye. The world adds the distance from the plane to the points'
+ * z, which doubles could not hold. */
+static void judge_beside_plane(struct scene *s, double z, struct tally *tally)
+{
+	static struct block b;
+	static struct transform t;
+	static struct truth truth;
+	const int mark = real_mark();
+	const double beside = pow(10, -30 - (double)sample_below(40));
+
+	s->has_world = true;
+	s->world.matrix[3][2] = sample_below(2) ? beside : -beside;
+	for (int i = 0; i < 4; i++)
+		s->world.matrix[i][i] = 1;
+	for (int i = 0; i < POINTS; i++) {
+		b.in[0][i] = i % 2 ? 0 : sample_number(3) * beside;
+		b.in[1][i] = i % 3 ? 0 : sample_number(3) * beside;
+		b.in[2][i] = z;
+	}
+	truth = (struct truth){ .n = 0 };
+	truth_scene(s, SPACE_MODEL, SPACE_NDC, &truth);
+	assert_true(transform_of_scene(s, SPACE_MODEL, SPACE_NDC, false, &t, NULL));
+	map_block_exactly(&t, &b, POINTS);
+	judge_block(&truth, &t, &b, POINTS, false, tally);
+	real_release(mark);
+}
+
+static void assert_all_nearest(const struct tally *tally)
+{
+	assert_int_equal(tally->n[WITHIN_TOLERANCE], 0);
+	assert_int_equal(tally->n[WRONG], 0);
+	assert_true(tally->n[NEAREST] > 2000);
+}
+
+/* The difference from the plane must be multiplied by the shear: the difference of two
+ * products by the shear, whose error is 2^-309, has lost it. */
+static void oblique_beside_its_plane(void **state)
+{
+	struct tally tally = { 0 };
+
+	(void)state;
+	SAMPLES(i, 80) {
+		struct scene s = { .projection = { .type = PROJECTION_OBLIQUE,
+				       .shear.kind = sample_below(3),
+				       .shear.projector_angle = 50,
+				       .shear.direction = sample_between(1, 89),
+				       .section.way = SECTION_SIZE,
+				       .section.width = 3,
+				       .section.height = 7,
+				       .near = 1,
+				       .far = 10 } };
+		double plane = pow(10, 45 + (double)sample_below(20));
+
+		sample_convention(&s.convention);
+		s.projection.shear.plane = i & 1 ? plane : -plane;
+		judge_beside_plane(&s,
+		    s.projection.shear.plane * truth_gaze_sign(&s.convention), &tally);
+	}
+	assert_all_nearest(&tally);
+}
+
+/* Depth is 0 in the near plane: the difference from it must be multiplied by what the
+ * view angle makes. */
+static void volume_beside_its_near_plane(void **state)
+{
+	struct tally tally = { 0 };
+
+	(void)state;
+	SAMPLES(i, 80) {
+		double z_near = pow(10, 45 + (double)sample_below(20));
+		struct scene s = { .projection = { .type = PROJECTION_VOLUME,
+				       .volume.half_width = 1e40,
+				       .volume.half_height = 2e40,
+				       .volume.z_near = i & 1 ? z_near : -z_near,
+				       .volume.eye_given_by = EYE_BY_ANGLE,
+				       .volume.view_angle = sample_between(1, 99),
+				       .volume.tan_skew = { 0.1, 0.7 } } };
+		struct projection_volume *v = &s.projection.volume;
+
+		sample_convention(&s.convention);
+		v->z_far = (2 + sample_unit()) * v->z_near;
+		judge_beside_plane(&s, v->z_near, &tally);
+	}
+	assert_all_nearest(&tally);
+}
+
+/* If z of view space is multiplied by a number with an error, the map's origin is in a
+ * plane where it is multiplied by 0, so that its image has no error. */
+static void errors_of_every_type_have_a_plane(void **state)
+{
+	int inexact[PROJECTION_TYPES] = { 0 };
+
+	(void)state;
+	SAMPLES(i, 2000) {
+		struct projection p;
+		struct map m;
+
+		sample_projection(&p, 0);
+		p.shear.plane = sample_number(2);
+		if (!projection_map(&p, &d3d, false, &m, &faults))
+			continue;
+		for (int j = 0; j < 3; j++) {
+			if (sum_is_exact(&m.m[2][j]))
+				continue;
+			inexact[p.type]++;
+			if (!sum_is_exact(&m.m[4][j]))
+				fail_msg("type %d lacks its plane", (int)p.type);
+		}
+	}
+	assert_true(inexact[PROJECTION_PERSP] > 50);
+	assert_true(inexact[PROJECTION_OBLIQUE] > 50);
+	assert_true(inexact[PROJECTION_VOLUME] > 50);
+}
+
+/* Every type has a row, and is the one that its family and shear choose, or has the
+ * same of them. */
+static void types_by_properties(void **state)
+{
+	(void)state;
+	for (unsigned type = 1; type < PROJECTION_TYPES; type++) {
+		struct projection p = { .type = type }, q = { .near = 1 };
+		const bool sheared = projection_is_sheared(&p);
+
+		if (projection_family(&p) == FAMILY_FIXED &&
+		    !projection_is_given_matrix(&p))
+			fail_msg("type %u has no row", type);
+		projection_set_defaults(&q,
+		    projection_type_of(projection_family(&p), sheared));
+		assert_false(projection_is_none(&p));
+		assert_false(projection_is_none(&q));
+		assert_int_equal(projection_family(&q), projection_family(&p));
+		assert_int_equal(projection_is_sheared(&q), sheared);
+		assert_number(q.near, 0);
+		assert_number(q.near_ratio, 0.0005);
+		assert_number(q.shear.direction, 45);
+		assert_int_equal(q.shear.direction_unit, ANGLE_DEGREES);
+	}
+	assert_true(projection_is_none(&(struct projection){ .near = 1 }));
+	assert_int_equal(projection_type_of(FAMILY_VOLUME, true), PROJECTION_NONE);
+}
+
 static void map_for(const struct projection *p, struct map *m)
 {
-	assert_null(projection_map(p, &d3d, false, m));
+	assert_true(projection_map(p, &d3d, false, m, &faults));
 }
 
 /* Elements that are short are exact, and others have the digits of bc. */
@@ -184,12 +329,18 @@ static void elements_by_bc(void **state)
 }
 
 static void assert_projection_refused(const struct projection *p, bool inverse,
-    const char *member)
+    const char *where)
 {
+	const struct convention *const both[] = { &d3d, &gl };
 	struct map m;
 
-	assert_reason(projection_map(p, &d3d, inverse, &m), member);
-	assert_reason(projection_map(p, &gl, inverse, &m), member);
+	for (int i = 0; i < 2; i++) {
+		faults.n = 0;
+		assert_false(projection_map(p, both[i], inverse, &m, &faults));
+		assert_int_equal(faults.n, 1);
+		assert_string_equal(faults.list[0].where, where);
+		assert_true(*faults.list[0].what != '\0');
+	}
 }
 
 static void refusals(void **state)
@@ -227,7 +378,7 @@ static void refusals(void **state)
 	p.volume.inverse_eye_z = 1;
 	assert_projection_refused(&p, false, "/projection/inverse_eye_z");
 	p.volume.inverse_eye_z = nextafter(1, 0);
-	assert_null(compare(&p, &d3d, &(struct worst){ 0 }));
+	assert_true(compare(&p, &d3d, &(struct worst){ 0 }));
 	p.volume.eye_given_by = EYE_BY_POINT;
 	assert_projection_refused(&p, false, "/projection/eye");
 	p.volume.eye[2] = 0.5;
@@ -265,21 +416,26 @@ static void transposed_matrices(void **state)
 		memcpy(p.matrix[3], cases[k].row, sizeof cases[k].row);
 		for (int i = 0; i < 4; i++)
 			p.matrix[i][3] = cases[k].column[i];
-		for (int inverse = 0; inverse < 2 && cases[k].refused; inverse++)
-			assert_projection_refused(&p, inverse,
-			    "/projection/matrix: is transposed");
+		for (int inverse = 0; inverse < 2 && cases[k].refused; inverse++) {
+			assert_projection_refused(&p, inverse, "/projection/matrix");
+			assert_string_equal(faults.list[0].what, "is transposed");
+		}
 		if (!cases[k].refused)
-			assert_null(projection_map(&p, &d3d, false, &m));
+			assert_true(projection_map(&p, &d3d, false, &m, &faults));
 	}
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(types_by_properties),
 		cmocka_unit_test(random_projections),
 		cmocka_unit_test(eyes_through_infinity),
 		cmocka_unit_test(volumes_by_angle),
 		cmocka_unit_test(narrow_and_wide_angles),
+		cmocka_unit_test(errors_of_every_type_have_a_plane),
+		cmocka_unit_test(oblique_beside_its_plane),
+		cmocka_unit_test(volume_beside_its_near_plane),
 		cmocka_unit_test(elements_by_bc),
 		cmocka_unit_test(refusals),
 		cmocka_unit_test(transposed_matrices),

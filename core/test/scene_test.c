@@ -2,6 +2,8 @@
 /* Maps between any two spaces against MPFR, and refusals. */
 #include "claims.h"
 
+static struct refusals faults;
+
 static void compare(const struct scene *s, enum space from, enum space to,
     struct worst *w)
 {
@@ -9,7 +11,7 @@ static void compare(const struct scene *s, enum space from, enum space to,
 	struct truth t;
 	int mark = real_mark();
 
-	if (scene_map(s, from, to, &m) == NULL) {
+	if (scene_map(s, from, to, &m, NULL)) {
 		truth_scene(s, from, to, &t);
 		truth_compare(&t, &m, w);
 	}
@@ -96,8 +98,9 @@ static void around_all_conventions(void **state)
 			int next = (k % 5 + i * (1 + k / 5 % 4)) % 5;
 
 			s.answer = &known[next];
-			assert_null(scene_map(&s, SPACE_WORLD, SPACE_VIEW, &view));
-			assert_null(scene_map(&s, SPACE_VIEW, SPACE_CLIP, &clip));
+			assert_true(
+			    scene_map(&s, SPACE_WORLD, SPACE_VIEW, &view, NULL));
+			assert_true(scene_map(&s, SPACE_VIEW, SPACE_CLIP, &clip, NULL));
 			for (int j = 0; j < 16; j++) {
 				s.camera.steps.matrix[j / 4][j % 4] = element(&view,
 				    j / 4, j % 4);
@@ -112,7 +115,7 @@ static void around_all_conventions(void **state)
 		    sizeof s.camera.steps.matrix);
 		assert_memory_equal(s.projection.matrix, given.projection.matrix,
 		    sizeof s.projection.matrix);
-		assert_null(scene_map(&given, SPACE_WORLD, SPACE_CLIP, &m));
+		assert_true(scene_map(&given, SPACE_WORLD, SPACE_CLIP, &m, NULL));
 	}
 }
 
@@ -129,10 +132,10 @@ static void device_is_the_same_in_all_conventions(void **state)
 		sample_answer(&s);
 		if (s.answer != NULL)
 			s.convention.origin_bottom_left = s.answer->origin_bottom_left;
-		if (scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &other) != NULL)
+		if (!scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &other, NULL))
 			continue;
 		s.answer = NULL;
-		assert_null(scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &own));
+		assert_true(scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &own, NULL));
 		for (int j = 0; j < 16; j++)
 			assert_number(element(&own, j / 4, j % 4),
 			    element(&other, j / 4, j % 4));
@@ -153,20 +156,21 @@ static void map_to_the_same_space(void **state)
 	(void)state;
 	sample_scene(&s, 0);
 	for (enum space space = SPACE_MODEL; space <= FLAT_DEVICE; space++) {
-		assert_null(scene_map(&s, space, space, &m));
+		assert_true(scene_map(&s, space, space, &m, NULL));
 		assert_identity(&m);
 	}
 	/* from clip space to ndc there is only the division */
-	assert_null(scene_map(&s, SPACE_CLIP, SPACE_NDC, &m));
+	assert_true(scene_map(&s, SPACE_CLIP, SPACE_NDC, &m, NULL));
 	assert_identity(&m);
 }
 
 static void assert_scene_refused(const struct scene *s, enum space from, enum space to,
-    const char *member)
+    const char *where, const char *what, const char *remedy)
 {
 	struct map m;
 
-	assert_reason(scene_map(s, from, to, &m), member);
+	assert_refusal(scene_map(s, from, to, &m, &faults), &faults, where, what,
+	    remedy);
 }
 
 static void refusals(void **state)
@@ -184,25 +188,27 @@ static void refusals(void **state)
 	};
 
 	(void)state;
-	assert_scene_refused(&s, SPACE_NDC, SPACE_DEVICE, "/viewport");
-	assert_scene_refused(&s, SPACE_DEVICE, SPACE_MODEL, "/viewport");
+	assert_scene_refused(&s, SPACE_NDC, SPACE_DEVICE, "/viewport", NULL, NULL);
+	assert_scene_refused(&s, SPACE_DEVICE, SPACE_MODEL, "/viewport", NULL, NULL);
 	s.world.matrix[0][3] = 1e-9;
-	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world");
-	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL, "/world: " MAP_NOT_AFFINE);
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world", NULL, NULL);
+	assert_scene_refused(&s, SPACE_WORLD, SPACE_MODEL, "/world", STEPS_NOT_AFFINE,
+	    STEPS_NOT_AFFINE_REMEDY);
 	s.world.matrix[3][0] = 1;
-	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world: " MAP_NOT_AFFINE);
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_WORLD, "/world", STEPS_NOT_AFFINE,
+	    STEPS_NOT_AFFINE_REMEDY);
 	s.world.matrix[0][3] = s.world.matrix[3][0] = 0;
 	s.world.matrix[0][0] = 0;
-	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world");
+	assert_scene_refused(&s, SPACE_CLIP, SPACE_MODEL, "/world", NULL, NULL);
 	s.world.matrix[0][0] = 1e150;
 	s.projection.section.width = 1e-150;
 	s.has_viewport = true;
 	s.viewport = (struct viewport){ .width = 1e150, .height = 1, .max_z = 1 };
-	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/projection");
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/projection", NULL, NULL);
 	s.projection.section.width = 1;
 	memcpy(s.camera.at, s.camera.eye, sizeof s.camera.at);
-	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/camera/at");
-	assert_scene_refused(&s, SPACE_VIEW, SPACE_MODEL, "/camera/at");
+	assert_scene_refused(&s, SPACE_MODEL, SPACE_DEVICE, "/camera/at", NULL, NULL);
+	assert_scene_refused(&s, SPACE_VIEW, SPACE_MODEL, "/camera/at", NULL, NULL);
 }
 
 int main(void)

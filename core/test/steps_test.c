@@ -4,6 +4,8 @@
 
 #include "claims.h"
 
+static struct refusals faults;
+
 static void compare(const struct scene *s, enum space from, enum space to,
     struct worst *w)
 {
@@ -11,7 +13,7 @@ static void compare(const struct scene *s, enum space from, enum space to,
 	struct truth t;
 	int mark = real_mark();
 
-	if (scene_map(s, from, to, &m) == NULL) {
+	if (scene_map(s, from, to, &m, NULL)) {
 		truth_scene(s, from, to, &t);
 		truth_compare(&t, &m, w);
 	}
@@ -82,11 +84,12 @@ static void orthonormalized_products(void **state)
 	assert_errors("nearest rotations", &w, 0x1p-245 / TRUTH_TOLERANCE);
 }
 
-static const char *map_of(const struct step *s, int n, bool inverse, struct map *m)
+static bool map_of_list(const struct step *s, int n, bool inverse, struct map *m,
+    struct refusals *why)
 {
 	const struct steps list = { .step = s, .n = n, .unit = ANGLE_DEGREES };
 
-	return steps_map(&list, "/world", inverse, false, m);
+	return steps_map(&list, "/world", inverse, false, m, why);
 }
 
 /* A list and its inverse multiply to exactly the identity, if all of it is rational. */
@@ -107,9 +110,7 @@ static void rational_lists_are_exact(void **state)
 			s[k].rotation[3] = 1;
 			s[k + 3] = s[k];
 		}
-		const char *why = map_of(s, 7, sample_below(2), &m);
-
-		if (why != NULL)
+		if (!map_of_list(s, 7, sample_below(2), &m, NULL))
 			continue;
 		for (int k = 0; k < 16; k++) {
 			assert_true(sum_is_exact(&m.m[k / 4][k % 4]));
@@ -125,24 +126,25 @@ static void single_angles(void **state)
 	struct map m;
 
 	(void)state;
-	assert_null(map_of(&s, 1, false, &m));
+	assert_true(map_of_list(&s, 1, false, &m, NULL));
 	assert_true(sum_is_exact(&m.m[0][1]) && element(&m, 0, 1) == 0.5);
 	assert_true(element(&m, 1, 0) == -0.5);
 	s.angle = 60;
-	assert_null(map_of(&s, 1, true, &m));
+	assert_true(map_of_list(&s, 1, true, &m, NULL));
 	assert_true(sum_is_exact(&m.m[0][0]) && element(&m, 0, 0) == 0.5);
 	s = (struct step){ .kind = STEP_ROTATE, .rotation = { 1, 1 }, .angle = 1e-150 };
-	assert_null(map_of(&s, 1, false, &m));
+	assert_true(map_of_list(&s, 1, false, &m, NULL));
 	/* (1 - cos a) / 2 is a^2 / 4, with a in radians */
 	assert_number(element(&m, 0, 1), 7.615435494667715079552378e-305);
 }
 
 static void assert_step_refused(const struct step *s, int n, bool inverse,
-    const char *begins)
+    const char *where, const char *what)
 {
 	struct map m;
 
-	assert_reason(map_of(s, n, inverse, &m), begins);
+	assert_refusal(map_of_list(s, n, inverse, &m, &faults), &faults, where, what,
+	    NULL);
 }
 
 /* Messages name the step by its place in the list and in lists of inverses. */
@@ -152,30 +154,46 @@ static void refused_steps(void **state)
 
 	(void)state;
 	s[12] = (struct step){ .kind = STEP_SCALE, .scale = { 1, 0, 1 } };
-	assert_step_refused(s, 14, false,
-	    "/world/12: its scale has a factor 0, which flattens all points");
+	assert_step_refused(s, 14, false, "/world/12",
+	    "its scale has a factor 0, which flattens all points");
 	s[12] = (struct step){ .kind = STEP_QUATERNION };
-	assert_step_refused(s, 14, false,
-	    "/world/12: its quaternion is 0, "
-	    "which is no rotation");
+	assert_step_refused(s, 14, false, "/world/12",
+	    "its quaternion is 0, which is no rotation");
 	s[12] = (struct step){ .kind = STEP_ROTATE };
-	assert_step_refused(s, 14, true,
-	    "/world/12: its axis is 0, which has "
-	    "no direction");
+	assert_step_refused(s, 14, true, "/world/12",
+	    "its axis is 0, which has no direction");
 	s[12] = (struct step){ .kind = STEP_RVEC, .rotation = { 7 } };
 	s[3] = (struct step){ .kind = STEP_INVERSE, .inner = 10 };
 	s[5] = (struct step){ .kind = STEP_INVERSE, .inner = 7 };
-	assert_step_refused(s, 14, false,
-	    "/world/3/inverse/1/inverse/6: its rvec is longer than 2 pi");
+	assert_step_refused(s, 14, false, "/world/3/inverse/1/inverse/6",
+	    "its rvec is longer than 2 pi");
 	s[12] = (struct step){ .kind = STEP_MATRIX, .matrix = { { 1 } } };
-	assert_step_refused(s, 14, false,
-	    "/world/3/inverse/1/inverse/6: " MAP_NOT_AFFINE);
+	assert_refusal(map_of_list(s, 14, false, &(struct map){ 0 }, &faults), &faults,
+	    "/world/3/inverse/1/inverse/6", STEPS_NOT_AFFINE, STEPS_NOT_AFFINE_REMEDY);
 	s[12].matrix[3][3] = 1;
-	assert_step_refused(s, 14, true, "/world/3/inverse/1/inverse/6: singular");
-	assert_step_refused(s, 14, false, "/world/3/inverse/1/inverse/6: singular");
+	assert_step_refused(s, 14, true, "/world/3/inverse/1/inverse/6", "singular");
+	assert_step_refused(s, 14, false, "/world/3/inverse/1/inverse/6", "singular");
 	s[3].inner = 1;
 	s[5] = (struct step){ 0 };
-	assert_null(map_of(s, 14, false, &(struct map){ 0 }));
+	assert_true(map_of_list(s, 14, false, &(struct map){ 0 }, NULL));
+}
+
+/* The pointer to a step in more inverses than a refusal has room for ends at one. */
+static void deep_steps_are_refused(void **state)
+{
+	struct step s[STEPS_MAX];
+	char where[sizeof faults.list->where] = "/world";
+
+	(void)state;
+	for (int k = 0; k < STEPS_MAX; k++)
+		s[k] = (struct step){ .kind = STEP_INVERSE,
+			.inner = STEPS_MAX - 1 - k };
+	s[STEPS_MAX - 1].kind = STEP_SCALE;
+	for (int k = 0; k < 24; k++)
+		strcat(where, "/0/inverse");
+	assert_step_refused(s, STEPS_MAX, false, where, NULL);
+	memcpy(where + 6 + 20 * 10, "/0", 3);
+	assert_step_refused(s + STEPS_MAX - 21, 21, false, where, NULL);
 }
 
 /* Eight nodes of 17 digits in world and eight in a pose have room in every direction.
@@ -199,11 +217,11 @@ static void room_for_digits(void **state)
 		scene.camera.steps = (struct steps){ .step = s[1],
 			.n = 8,
 			.unit = ANGLE_DEGREES };
-		assert_null(scene_map(&scene, SPACE_MODEL, SPACE_VIEW, &m));
-		assert_null(scene_map(&scene, SPACE_VIEW, SPACE_MODEL, &m));
+		assert_true(scene_map(&scene, SPACE_MODEL, SPACE_VIEW, &m, NULL));
+		assert_true(scene_map(&scene, SPACE_VIEW, SPACE_MODEL, &m, NULL));
 		scene.world.n = STEPS_MAX;
-		assert_reason(scene_map(&scene, SPACE_VIEW, SPACE_MODEL, &m),
-		    "/world: " STEPS_TOO_WIDE);
+		assert_refusal(scene_map(&scene, SPACE_VIEW, SPACE_MODEL, &m, &faults),
+		    &faults, "/world", STEPS_TOO_WIDE, STEPS_TOO_WIDE_REMEDY);
 	}
 }
 
@@ -215,6 +233,7 @@ int main(void)
 		cmocka_unit_test(rational_lists_are_exact),
 		cmocka_unit_test(single_angles),
 		cmocka_unit_test(refused_steps),
+		cmocka_unit_test(deep_steps_are_refused),
 		cmocka_unit_test(room_for_digits),
 	};
 

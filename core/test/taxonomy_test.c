@@ -205,7 +205,7 @@ static void numbers_are_nearest(void **state)
 
 		sample_scene(&s, k % 3 * 10);
 		sample_answer(&s);
-		if (picture_of(&s, &p) != NULL)
+		if (!picture_of(&s, &p, NULL))
 			continue;
 		bool parallel = t->taxon <= TAXON_OBLIQUE;
 

@@ -235,13 +235,34 @@ static void arctangents_of_zeros(void **state)
 		struct sum least = sum_of_double(0x1p-1074);
 
 		for (int turn = 0; turn < 2; turn++) {
-			assert_number(trig_atan2_degrees(zero, one), 0);
-			assert_number(trig_atan2_degrees(zero, least), 0);
-			assert_number(trig_atan2_degrees(one, zero), 90);
-			assert_number(trig_atan2_degrees(zero, sum_neg(one)), 180);
-			assert_true(isnan(trig_atan2_degrees(zero, zero)));
+			assert_number(trig_atan2(zero, one, ANGLE_DEGREES), 0);
+			assert_number(trig_atan2(zero, least, ANGLE_DEGREES), 0);
+			assert_number(trig_atan2(one, zero, ANGLE_DEGREES), 90);
+			assert_number(trig_atan2(zero, sum_neg(one), ANGLE_DEGREES),
+			    180);
+			assert_true(isnan(trig_atan2(zero, zero, ANGLE_DEGREES)));
 			zero = sum_neg(zero);
 		}
+	}
+}
+
+/* A double's own sine and cosine give it back, and those of degrees the radians. */
+static void arctangents_of_angles(void **state)
+{
+	struct sum s, c;
+
+	(void)state;
+	SAMPLES(k, 3000) {
+		double angle = sample_between(0, k % 4 ? PI : 1e-9);
+
+		trig_sin_cos(angle, ANGLE_RADIANS, &s, &c);
+		assert_number(trig_atan2(s, c, ANGLE_RADIANS), angle);
+		trig_sin_cos(angle, ANGLE_DEGREES, &s, &c);
+		assert_number(trig_atan2(s, c, ANGLE_DEGREES), angle);
+	}
+	for (int i = 45; i <= 180; i *= 2) {
+		trig_sin_cos(i, ANGLE_DEGREES, &s, &c);
+		assert_number(trig_atan2(s, c, ANGLE_RADIANS), i * PI / 180);
 	}
 }
 
@@ -254,6 +275,7 @@ int main(void)
 		cmocka_unit_test(roots_of_sums_of_squares),
 		cmocka_unit_test(exact_values),
 		cmocka_unit_test(arctangents_of_zeros),
+		cmocka_unit_test(arctangents_of_angles),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -93,7 +93,7 @@ int truth_sign(struct sized, bool *doubtful);
 /* The result of the comparison of a number with the truth. */
 enum verdict {
 	NEAREST,          /* the nearest double or float; of two, the even one */
-	WITHIN_TOLERANCE, /* nearest to a number that differs by less than the tolerance */
+	WITHIN_TOLERANCE, /* nearest to a number off by less than the tolerance */
 	WRONG,
 	VERDICTS,
 };

@@ -19,7 +19,8 @@ static void affine(struct truth *t, const double m[4][4])
 	set_reals(truth_stage(t)->m[3], 3, m[3]);
 }
 
-/* Replaces the stages of an affine matrix by the nearest rotation and the translation. */
+/* Replaces the stages of an affine matrix by the nearest rotation
+ * and the translation. */
 static void nearest_rotation(struct truth *t)
 {
 	truth_compose(t);
@@ -81,7 +82,8 @@ static void quaternion_matrix(const double orientation[4], real m[4][4])
 }
 
 /* Sets the stage to the rotation of cv::Rodrigues, cos I + (1 - cos) u u' + sin [u]x,
- * about the unit vector u = axis / |axis|. It is for column vectors: here transposed. */
+ * about the unit vector u = axis / |axis|. It is for column
+ * vectors: here transposed. */
 static void rotation(const double axis[3], real c, real s, struct truth_stage *stage)
 {
 	real(*m)[4] = stage->m;

@@ -2,6 +2,8 @@
 /* Windows, devices and viewports against MPFR. */
 #include "claims.h"
 
+static struct refusals faults;
+
 static void check_windows(const char *what, int e, int tries)
 {
 	struct worst one = { 0 }, two = { 0 };
@@ -16,7 +18,7 @@ static void check_windows(const char *what, int e, int tries)
 		int mark = real_mark();
 
 		sample_flat(&s.window, &s.device, e);
-		if (scene_map(&s, from, to, &m) == NULL) {
+		if (scene_map(&s, from, to, &m, NULL)) {
 			truth_flat(&s, from, to, &t);
 			truth_compare(&t, &m, both ? &two : &one);
 		}
@@ -47,7 +49,7 @@ static void check_viewports(const char *what, int e, int tries)
 
 		sample_convention(&s.convention);
 		sample_viewport(&s.viewport, e);
-		if (viewport_map(&s.viewport, &s.convention, back, &m) == NULL) {
+		if (viewport_map(&s.viewport, &s.convention, back, &m, NULL)) {
 			truth_scene(&s, back ? SPACE_DEVICE : SPACE_NDC,
 			    back ? SPACE_NDC : SPACE_DEVICE, &t);
 			truth_compare(&t, &m, &w);
@@ -71,7 +73,7 @@ static void check_shown(const struct window *w, const struct device *d, double c
 {
 	struct map m;
 
-	assert_null(window_map(w, d, false, &m));
+	assert_true(window_map(w, d, false, &m, NULL));
 	assert_number(element(&m, 0, 0), 1 / half);
 	assert_number(m.origin[0], center);
 	assert_number(element(&m, 3, 0), -center / half);
@@ -138,16 +140,20 @@ static void refusals(void **state)
 	struct map m;
 
 	(void)state;
-	assert_reason(window_map(&w, NULL, false, &m), "/window/right");
+	assert_refusal(window_map(&w, NULL, false, &m, &faults), &faults,
+	    "/window/right", NULL, NULL);
 	w.right = 2;
 	w.top = -1;
-	assert_reason(window_map(&w, NULL, true, &m), "/window/top");
+	assert_refusal(window_map(&w, NULL, true, &m, &faults), &faults, "/window/top",
+	    NULL, NULL);
 	w.top = 1;
 	w.adapt = ADAPT_GROW;
-	assert_reason(window_map(&w, NULL, false, &m), "/window/adapt");
+	assert_refusal(window_map(&w, NULL, false, &m, &faults), &faults,
+	    "/window/adapt", NULL, NULL);
 	w.adapt = ADAPT_STRETCH;
-	assert_null(viewport_map(&v, &d3d, false, &m));
-	assert_reason(viewport_map(&v, &d3d, true, &m), "/viewport/max_z");
+	assert_true(viewport_map(&v, &d3d, false, &m, NULL));
+	assert_refusal(viewport_map(&v, &d3d, true, &m, &faults), &faults,
+	    "/viewport/max_z", NULL, NULL);
 }
 
 int main(void)

@@ -31,7 +31,7 @@
 
 #include "exact.h"
 #include "doubled.h"
-#include "farthest.h"
+#include "reach.h"
 #include "rows.h"
 #include "signs.h"
 
@@ -75,7 +75,7 @@ const struct kernels KERNELS_NAME = {
 	},
 	.float_rows = { KERNELS_OF(float_rows, depth) },
 	.signs = signs,
-	.farthest = farthest,
+	.reach = block_reach,
 	.to_columns = { ROWS_OF(to_columns_floats),
 	    ROWS_OF(to_columns_doubles) },
 	.to_rows = { ROWS_OF(to_rows_floats), ROWS_OF(to_rows_doubles) },

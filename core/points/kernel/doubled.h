@@ -21,7 +21,8 @@
 #define DOUBLED_BOUND 0x1p-98
 #endif
 
-/* A map, with a copy of its elements' magnitudes, other than 0 at least 1 / MODERATE. */
+/* A map, with a copy of its elements' magnitudes, other than 0 at
+ * least 1 / MODERATE. */
 struct doubled_map {
 	struct kernel_map m;
 	double size[4][4];

@@ -23,7 +23,8 @@ enum kernel_kind {
 	KERNELS,
 };
 
-/* How many coordinates a point and its image have, and whether they are divided by w. */
+/* How many coordinates a point and its image have, and whether they
+ * are divided by w. */
 static inline int kernel_inputs(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
@@ -91,7 +92,8 @@ typedef int (*to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_
 /* A map in doubles, with the matrix m, which finds signs of the columns of an exact map
  * by estimates. Let size be |x| + |y| + |z|, relative to the origin. If low <= size <
  * high, an estimate whose magnitude is above slope * size + floor has the sign of the
- * exact column. One slope and one floor, the largest, serve all columns, to save time. */
+ * exact column. One slope and one floor, the largest, serve all
+ * columns, to save time. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };
@@ -129,7 +131,7 @@ enum processor {
  * the greatest magnitude of each coordinate to largest. Each term of a sum is rounded
  * at most three times. If all coordinates are nan, most is -infinity and largest is 0.
  * The kernel reads n numbers of each column, with n rounded up to a multiple of 16. */
-typedef void (*farthest_kernel)(const double (*m)[3], int directions,
+typedef void (*reach_kernel)(const double (*m)[3], int directions,
     const double *const in[3], size_t n, double *most, double largest[3]);
 
 struct kernels {
@@ -139,7 +141,7 @@ struct kernels {
 	approx_kernel approx[3][KERNELS]; /* [precision][kind] */
 	float_rows_kernel float_rows[KERNELS];
 	signs_kernel signs;
-	farthest_kernel farthest;
+	reach_kernel reach;
 	/* [0 for rows of floats, 1 for rows of doubles][numbers per row] */
 	to_columns_kernel to_columns[2][5];
 	to_rows_kernel to_rows[2][5];

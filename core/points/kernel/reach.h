@@ -18,7 +18,7 @@ static double farthest_along(const double m[3], const double *const in[3], size_
 	return greatest_lane(MAX(most[0], most[1]));
 }
 
-static void farthest(const double (*m)[3], int directions, const double *const in[3],
+static void block_reach(const double (*m)[3], int directions, const double *const in[3],
     size_t n, double *most, double largest[3])
 {
 	for (int j = 0; j < directions; j++)
