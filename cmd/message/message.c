@@ -27,15 +27,15 @@ bool output_is_colored(int fd)
 	    strcmp(term, "dumb") != 0 && isatty(fd);
 }
 
-/* A line has room for a message, a file name, a JSON pointer and as much fixed text as
- * one of the three. Each of the three is cut at MESSAGE_MAX bytes (no path that can be
- * opened is as long), and each of its bytes may become JSON_ESCAPE_MAX bytes. */
+/* A line has room for what is wrong, a remedy, a file name, a JSON pointer and as much
+ * fixed text as one of the four. Each of the four is cut at MESSAGE_MAX bytes (no path
+ * that can be opened is as long), and each of its bytes may become JSON_ESCAPE_MAX. */
 enum {
 	MESSAGE_MAX = 4096,
-	LINE_ROOM = 4 * JSON_ESCAPE_MAX * MESSAGE_MAX,
+	LINE_ROOM = 5 * JSON_ESCAPE_MAX * MESSAGE_MAX,
 };
 
-/* The line that print_line writes by one call, as other processes may write to
+/* The line that say_at writes by one call, as other processes may write to
  * standard error. It is too large for a thread's stack; flockfile(stderr) guards it. */
 static struct {
 	char s[LINE_ROOM];
@@ -58,7 +58,8 @@ static void add_escaped(const char *s)
 }
 
 /* Adds the message to `line` as text; the place is last if p->before_place is set. */
-static void add_text(int status, const struct place *p, const char *message)
+static void add_text(int status, const struct place *p, const char *what,
+    const char *remedy)
 {
 	static const char *const colors[] = { "\033[1m", "\033[1;31m" };
 	bool colored = output_is_colored(STDERR_FILENO);
@@ -67,7 +68,7 @@ static void add_text(int status, const struct place *p, const char *message)
 	addf("%sprojcalc:%s %s", colored ? colors[status > 0] : "",
 	    colored ? "\033[0m" : "", status == SAY_NOTE ? "note: " : "");
 	if (p->before_place != NULL) {
-		add_escaped(message);
+		add_escaped(what);
 		addf("%s", p->before_place);
 	}
 	if (p->scene.number > 0)
@@ -76,6 +77,8 @@ static void add_text(int status, const struct place *p, const char *message)
 		add_escaped(p->file);
 	if (p->line > 0 && !pointer)
 		addf(p->of_points ? ": point %lld" : ":%lld", p->line);
+	if (p->column > 0 && !pointer)
+		addf(":%zu", p->column);
 	if (p->before_place != NULL)
 		return;
 	if (p->file != NULL)
@@ -84,25 +87,10 @@ static void add_text(int status, const struct place *p, const char *message)
 		add_escaped(p->pointer);
 		addf(": ");
 	}
-	add_escaped(message);
-}
-
-/* Cuts a message at the first "; " outside of quotes. Returns the hint behind it or
- * NULL. An opening quote, unlike an apostrophe, is first or follows a blank. */
-static const char *cut_hint(char *message)
-{
-	char quote = '\0';
-
-	for (char *s = message; *s != '\0'; s++)
-		if (quote != '\0') {
-			quote = *s == quote ? '\0' : quote;
-		} else if (strchr("'\"", *s) && (s == message || s[-1] == ' ')) {
-			quote = *s;
-		} else if (strncmp(s, "; ", 2) == 0) {
-			*s = '\0';
-			return s + 2;
-		}
-	return NULL;
+	add_escaped(what);
+	if (*remedy != '\0')
+		addf("; ");
+	add_escaped(remedy);
 }
 
 static void add_member(const char *name, const char *s)
@@ -113,10 +101,9 @@ static void add_member(const char *name, const char *s)
 }
 
 /* Adds the message to `line` as a JSON object. */
-static void add_json(int status, const struct place *p, char *message)
+static void add_json(int status, const struct place *p, const char *what,
+    const char *remedy)
 {
-	const char *hint = cut_hint(message);
-
 	addf("{\"level\":\"%s\"", status > 0 ? "error" : "note");
 	if (p->scene.number > 0)
 		addf(",\"scene\":%ld,\"scene_line\":%ld", p->scene.number,
@@ -129,38 +116,30 @@ static void add_json(int status, const struct place *p, char *message)
 		addf(",\"column\":%zu", p->column);
 	if (p->pointer != NULL && *p->pointer != '\0')
 		add_member("pointer", p->pointer);
-	add_member("reason", message);
-	if (hint != NULL)
-		add_member("hint", hint);
+	add_member("reason", what);
+	if (*remedy != '\0')
+		add_member("hint", remedy);
 	addf(",\"status\":%d}", status > 0 ? status : EXIT_OK);
 }
 
-void vsay_at(int status, const struct place *place, const char *format, va_list args)
+void say_at(int status, const struct place *place, const char *what, const char *remedy)
 {
 	struct place p = place != NULL ? *place : (struct place){ 0 };
-	char message[MESSAGE_MAX];
 
 	if (p.scene.number == 0)
 		p.scene = message_state.scene;
-	vsnprintf(message, sizeof message, format, args);
+	if (remedy == NULL)
+		remedy = "";
+	output_flush();
 	flockfile(stderr);
 	line.n = 0;
 	if (message_state.json)
-		add_json(status, &p, message);
+		add_json(status, &p, what, remedy);
 	else
-		add_text(status, &p, message);
+		add_text(status, &p, what, remedy);
 	addf("\n");
 	fwrite(line.s, 1, line.n, stderr);
 	funlockfile(stderr);
-}
-
-void say_at(int status, const struct place *place, const char *format, ...)
-{
-	va_list args;
-
-	va_start(args, format);
-	vsay_at(status, place, format, args);
-	va_end(args);
 }
 
 bool note_is_new(unsigned kind)
@@ -173,37 +152,34 @@ bool note_is_new(unsigned kind)
 }
 
 /* Returns in the first thread that calls it, and never in another: if several threads
- * fail together, only the first prints a message and ends the program. */
+ * fail together, only the first ends the program. It may call it again, as the output
+ * before its message may fail, too. */
 static void wait_unless_first(void)
 {
 	static atomic_flag ending = ATOMIC_FLAG_INIT;
+	static _Thread_local bool is_first;
 
-	while (atomic_flag_test_and_set(&ending))
+	while (!is_first && atomic_flag_test_and_set(&ending))
 		pause();
+	is_first = true;
 }
 
-void die_at(int status, const struct place *place, const char *format, ...)
+void end_program(int status)
 {
-	const bool ends = place == NULL || !place->of_scene ||
-	    message_state.on_refusal == NULL;
-	va_list args;
-
-	if (ends)
-		wait_unless_first();
-	va_start(args, format);
-	vsay_at(ends ? status : EXIT_INPUT, place, format, args);
-	va_end(args);
-	if (ends)
-		exit(status);
-	quit(EXIT_INPUT, true);
-}
-
-void quit(int status, bool of_scene)
-{
-	if (of_scene && message_state.on_refusal != NULL)
-		longjmp(*message_state.on_refusal, 1);
 	wait_unless_first();
 	exit(status);
+}
+
+void die_at(int status, const struct place *place, const char *what, const char *remedy)
+{
+	wait_unless_first();
+	say_at(status, place, what, remedy);
+	exit(status);
+}
+
+void die(int status, const char *what, const char *remedy)
+{
+	die_at(status, NULL, what, remedy);
 }
 
 void *xrealloc(void *old, size_t size)
@@ -211,13 +187,14 @@ void *xrealloc(void *old, size_t size)
 	void *p = realloc(old, size > 0 ? size : 1);
 
 	if (p == NULL)
-		die(EXIT_SYSTEM, "out of memory");
+		die(EXIT_SYSTEM, "out of memory", NULL);
 	return p;
 }
 
 static _Noreturn void die_of_output(void)
 {
-	die(EXIT_SYSTEM, "standard output: %s", strerror(errno));
+	message_state.scene.number = 0; /* no scene is to blame */
+	die(EXIT_SYSTEM, text("standard output: %s", strerror(errno)), NULL);
 }
 
 bool io_retry(int fd, short events)
@@ -239,7 +216,8 @@ void pipe_enlarge(int fd, int size)
 #endif
 }
 
-void output_write(const char *s, size_t size)
+/* Returns false, with errno, if not all is written. */
+static bool write_all(const char *s, size_t size)
 {
 	while (size > 0) {
 		ssize_t n = write(STDOUT_FILENO, s, size);
@@ -247,13 +225,67 @@ void output_write(const char *s, size_t size)
 		if (n < 0 && io_retry(STDOUT_FILENO, POLLOUT))
 			continue;
 		if (n < 0)
-			die_of_output();
+			return false;
 		s += n;
 		size -= (size_t)n;
 	}
+	return true;
 }
 
-/* The longest help, that of persp, has less than 5,000 bytes. */
+/* What output_write keeps after output_gather. The lock of stdout guards it, as any
+ * thread may end the program by a message, which writes it first. No thread ends the
+ * program while it holds the lock, as another may already be ending it. */
+static struct {
+	bool on;
+	size_t n;
+	char s[1 << 16];
+} gathered;
+
+void output_gather(void)
+{
+	gathered.on = true;
+}
+
+/* Writes and empties what is gathered. A failed write is not tried again. */
+static bool write_gathered(void)
+{
+	const size_t n = gathered.n;
+
+	gathered.n = 0;
+	return write_all(gathered.s, n);
+}
+
+void output_flush(void)
+{
+	if (!gathered.on)
+		return;
+	flockfile(stdout);
+	const bool good = write_gathered();
+
+	funlockfile(stdout);
+	if (!good)
+		die_of_output();
+}
+
+void output_write(const char *s, size_t size)
+{
+	bool good = true;
+
+	flockfile(stdout);
+	if (gathered.n + size > sizeof gathered.s || !gathered.on)
+		good = write_gathered();
+	if (size > sizeof gathered.s || !gathered.on) {
+		good = good && write_all(s, size);
+	} else {
+		memcpy(gathered.s + gathered.n, s, size);
+		gathered.n += size;
+	}
+	funlockfile(stdout);
+	if (!good)
+		die_of_output();
+}
+
+/* The longest help, that of persp, has less than 6,000 bytes. */
 static struct {
 	char s[1 << 15];
 	size_t n;
@@ -261,17 +293,22 @@ static struct {
 
 void output_printf(const char *format, ...)
 {
+	const size_t room = sizeof printed.s - printed.n;
 	va_list args;
 
 	va_start(args, format);
-	printed.n += (size_t)vsnprintf(printed.s + printed.n,
-	    sizeof printed.s - printed.n, format, args);
+	const size_t n = (size_t)vsnprintf(printed.s + printed.n, room, format, args);
+
 	va_end(args);
+	if (n >= room)
+		die(EXIT_SYSTEM, "the help is longer than its buffer", NULL);
+	printed.n += n;
 }
 
 void output_close(void)
 {
-	output_write(printed.s, printed.n);
-	if (close(STDOUT_FILENO) != 0 && errno != EINTR)
+	output_flush();
+	if (!write_all(printed.s, printed.n) ||
+	    (close(STDOUT_FILENO) != 0 && errno != EINTR))
 		die_of_output();
 }

@@ -2,10 +2,11 @@
 /* Messages on standard error, the end of the program, memory, and standard output. */
 #pragma once
 
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
+
+#include "../../core/refusal/refusal.h"
+#include "phrase.h"
 
 /* SAY_NOTE is no exit status: say_at then prints a note. */
 enum { SAY_NOTE = -1, EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
@@ -21,23 +22,27 @@ struct scene_place {
 struct place {
 	const char *file;
 	long long line;      /* from 1; text omits it if pointer is set */
-	size_t column;       /* in bytes from 1; text omits it */
+	size_t column;       /* in bytes from 1 */
 	bool of_points;      /* `line` is the index of a binary point, from 1 */
 	const char *pointer; /* into a JSON document: "/camera/eye" */
 	/* If scene.number is 0, message_state.scene is used instead. */
 	struct scene_place scene;
-	bool of_scene; /* a scene is refused; --keep-going skips the scene */
 	/* Words between a message as text and its place; NULL: the place is first. */
 	const char *before_place;
 };
 
-/* Prints one line: "projcalc: ", the place, which may be NULL, and the message: what is
- * wrong and, after "; ", a hint. status is the exit status; below 1 the level is "note",
- * which text says before the place if status is SAY_NOTE. */
-void say_at(int status, const struct place *, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-void vsay_at(int status, const struct place *, const char *format, va_list)
-    __attribute__((format(printf, 3, 0)));
+/* Prints one line: "projcalc: ", the place, which may be NULL, what is wrong and, after
+ * "; ", the remedy, which may be NULL or "". status is the exit status; below 1 the
+ * level is "note", which text says before the place if status is SAY_NOTE. */
+void say_at(int status, const struct place *, const char *what, const char *remedy);
+
+/* Does what say_at does, and exits with status, from any thread. */
+_Noreturn void die_at(int status, const struct place *, const char *what,
+    const char *remedy);
+_Noreturn void die(int status, const char *what, const char *remedy);
+
+/* Exits with status, from any thread. */
+_Noreturn void end_program(int status);
 
 /* Returns whether to say a note of this kind, from 0 to 31: true at the first call for
  * each kind, unless message_state.quiet is set. */
@@ -51,22 +56,11 @@ extern struct message_state {
 	unsigned color;           /* an enum color */
 	bool quiet;               /* notes are left out */
 	struct scene_place scene; /* the current scene of --scenes */
-	/* If set, die_at and quit jump here if a scene is refused, which die_at reports
-	 * with status EXIT_INPUT. Only the first thread jumps, while no other thread works. */
-	jmp_buf *on_refusal;
 } message_state;
 
 /* Returns whether output to fd is coloured. COLOR_AUTO colours a terminal, unless the
  * environment has NO_COLOR (no-color.org) or TERM=dumb. */
 bool output_is_colored(int fd);
-
-/* Does what say_at does, and exits with status, from any thread. */
-_Noreturn void die_at(int status, const struct place *, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-#define die(status, ...) die_at(status, NULL, __VA_ARGS__)
-
-/* Does what die_at does at a place that is of_scene or not, but without a message. */
-_Noreturn void quit(int status, bool of_scene);
 
 /* Returns memory as realloc does, or exits with status 3. */
 void *xrealloc(void *old, size_t size);
@@ -82,6 +76,11 @@ void pipe_enlarge(int fd, int size);
 
 /* Writes all bytes to standard output, or exits with status 3. */
 void output_write(const char *s, size_t size);
+
+/* From output_gather on, output_write keeps up to 64 KB, which output_flush, a message
+ * and the end of the program write: a program that gathers flushes before it waits. */
+void output_gather(void);
+void output_flush(void);
 
 /* Appends text of the help, formatted as by printf, to a buffer that output_close
  * writes. stdio is not used, because it loses text if a non-blocking pipe is full. */

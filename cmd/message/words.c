@@ -2,286 +2,366 @@
 #include "words.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 enum {
 	CALL = WORD_COMMAND | WORD_OPTION,
-	/* The last word of the hint is also meant where it is a possible value. */
-	VALUE = CALL | WORD_VALUE,
-	REMARK = WORD_COMMAND | WORD_OPTION | WORD_MEMBER,
+	ARGUMENT = WORD_OPTION | WORD_VALUE,
+	SETTING = WORD_OPTION | WORD_MEMBER,
 };
 
-/* Words of other programs, with blanks between them, where they stand, and the hint
- * (word_hint) for each of these words. Names that other programs have for members are
- * in the tables of cmd/scene. */
-/* clang-format off */
+/* Words of other programs, in lower case without _ and - and with blanks between them,
+ * and what to write instead. A remark says only what is certain wherever the word may
+ * stand. synonyms_test types what it says: calls and titles in ', options, objects as
+ * JSON, members as "name" of "object", and other words in " in place of the word. */
 static const struct {
 	unsigned places; /* as bits of enum word_place */
-	const char *words, *hint;
-} word_rows[] = {
-	{ VALUE, "unproject backproject", "project --from device --to world" },
-	{ CALL, "screen2world screentoworld", "project --from device --to world" },
-	{ REMARK, "inverse invert",
-	    ": the way back is project --from device --to world; of lookat project -m "
-	    "--from view --to world; in 2D d2w, n2w or d2n" },
-	{ VALUE, "ray raycast", "project --ray" },
-	{ CALL, "transform points world2screen worldtoscreen", "project" },
-	{ VALUE, "mvp matrix", "project -m --to clip" },
-	{ VALUE, "pose", "project -m --from view --to world" },
-	{ VALUE, "viewport", "project --from ndc --to device" },
-	{ CALL, "camera view lookat", "lookat" },
-	{ VALUE, "camera", "project --to view" },
-	{ WORD_VALUE, "eye", "--to view" },
-	{ VALUE, "object local", "--from model" },
-	{ VALUE, "cv", "--convention opencv" },
-	{ WORD_COMMAND, "version", ": 'projcalc --version' prints it" },
-	{ CALL, "perspective projection", "persp" },
-	{ REMARK, "frustum",
-	    ": persp makes one of its left, right, bottom, top, near and far, and inspect "
-	    "describes one" },
-	{ CALL, "orthographic", "ortho" },
-	{ CALL, "cavalier cabinet", "oblique" },
-	{ WORD_VALUE, "cavalier cabinet",
-	    ": it is a \"kind\" of \"type\": \"oblique\"; receding lines have the "
-	    "\"direction\" in the picture" },
-	{ CALL, "transpose columnmajor rowmajor columnvectors",
-	    ": d3d is for row vectors, the other conventions are for column vectors; of "
-	    "its own, \"convention\": {\"vectors\": \"column\"} beside \"projection\" or "
-	    "\"camera\"" },
-	{ CALL, "window", "w2n" },
-	{ CALL, "w2v window2viewport windowtoviewport", "w2d" },
-	{ CALL, "device", "n2d" },
-	{ CALL, "bounds zoom extent", "fit" },
-	{ CALL, "info decompose planes frustumplanes clipplanes rq", "inspect" },
-	{ CALL, "click", "pick" },
-	{ CALL, "explain", "trace" },
-	{ CALL, "usage man", "help" },
-	{ CALL, "homography", "project -m -c opencv --plane 0,0,1,0" },
-	{ CALL, "vanishing vanishingpoint vanishingpoints", "inspect" },
-	{ CALL, "triangulate", "project --ray" },
-	{ CALL, "rectify",
-	    ": give the rectified P as \"intrinsics\"; 'man projcalc-scene' reads it of ROS" },
-	{ CALL, "solvepnp pnp calibrate",
-	    ": poses are not estimated; solvePnP's rvec and tvec are \"rvec\" and "
-	    "\"translation\" of \"camera\"" },
-	{ CALL, "render draw plot",
-	    ": 'A wireframe' in 'man projcalc-scene' makes lines for gnuplot" },
-
-	{ CALL, "format", ": -i names the format of POINTS, -o that of the output" },
-	{ VALUE, "json", "--output json" },
-	{ VALUE, "csv", "--input csv" },
-	{ CALL, "delimiter", "--separator" },
-	{ CALL, "cols", "--columns" },
-	{ CALL, "space", "--to" },
-	{ CALL, "threads", "--jobs" },
-	{ CALL, "round places", "--decimals" },
-	{ CALL, "epsilon", "--tolerance" },
-	{ CALL, "cull", "--visible" },
-	{ CALL, "verbose", "--progress" },
-	{ CALL, "silent", "--quiet" },
-	{ VALUE, "convert opengl", "--convention gl" },
-	{ VALUE, "directx direct3d", "--convention d3d" },
-	{ CALL, "d3d gl vulkan webgpu opencv", "--convention *" },
-	{ WORD_OPTION, "pixel pixels",
-	    ": pixels are POINTS, as '[320,240]', of pick --at 320,240; --to device prints "
-	    "them" },
-	{ VALUE, "pixel pixels screen image", "--to device" },
-	{ VALUE, "texture uv",
-	    ": it is \"device\" with \"viewport\": {\"width\": 1, \"height\": 1}" },
-	{ CALL, "world view ndc device", "--to *" },
-	{ VALUE, "float", "--precision single" },
-
+	const char *words, *remark;
+} remarks[] = {
+	/* commands */
+	{ CALL, "unproject backproject screen2world screentoworld inverse invert",
+	    "'projcalc project --from device --to world' leads back" },
+	{ CALL, "raycast triangulate", "'projcalc project --ray' prints rays" },
+	{ WORD_COMMAND, "ray", "'projcalc project --ray' prints rays" },
+	{ CALL, "transform world2screen worldtoscreen",
+	    "'projcalc project' maps points" },
+	{ CALL, "mvp", "'projcalc project -m --to clip' prints the matrix" },
+	{ WORD_COMMAND, "matrix", "'projcalc project -m --to clip' prints a matrix" },
+	{ WORD_COMMAND, "pose",
+	    "'projcalc project -m --from view --to world' prints it" },
+	{ WORD_COMMAND, "camera view",
+	    "'projcalc lookat' prints the matrix of a camera" },
+	{ WORD_COMMAND, "frustum pinhole",
+	    "'projcalc persp' prints the matrix of a frustum" },
+	{ WORD_COMMAND | WORD_VALUE, "cavalier cabinet military",
+	    "it is a \"kind\" of \"projection\" of type \"oblique\"" },
+	{ CALL | WORD_VALUE, "isometric dimetric trimetric axonometric",
+	    "it is {\"projection\": {\"type\": \"ortho\"}} with a gaze askew to the "
+	    "axes, as {\"camera\": {\"eye\": [9,9,9], \"gaze\": [-1,-1,-1]}}" },
+	{ WORD_COMMAND, "window", "'projcalc w2n' prints the matrix of a window" },
+	{ WORD_COMMAND, "device", "'projcalc n2d' prints the matrix of a device" },
+	{ WORD_COMMAND, "viewport",
+	    "'projcalc project --from ndc --to device' maps to it" },
+	{ WORD_COMMAND, "w2v window2viewport windowtoviewport",
+	    "'projcalc w2d' maps a window to a device" },
+	{ WORD_COMMAND, "bounds zoom extent", "'projcalc fit' fits a scene to bounds" },
+	{ CALL,
+	    "info decompose planes frustumplanes clipplanes rq vanishing "
+	    "vanishingpoint vanishingpoints",
+	    "'projcalc inspect' finds it" },
+	{ CALL, "click", "'projcalc pick' finds the points" },
+	{ CALL, "explain", "'projcalc trace' shows each step" },
+	{ CALL, "usage man manual", "'projcalc help' prints the usage" },
 	{ WORD_COMMAND, "depth",
-	    ": project --to view prints z of points, and inspect the steps of depth" },
-	{ WORD_OPTION, "depth distance", "--to view, or \"viewport\": {\"depth\": \"distance\"}" },
-	{ REMARK, "stdin", ": standard input is - in place of PARAMS or POINTS" },
-	{ REMARK, "clip", ": project --visible leaves out points that are outside; project "
-	    "--to clip prints x y z w" },
-	{ REMARK, "jitter",
-	    ": 'A jitter of half a pixel' in 'man projcalc-scene' moves the edges" },
-	{ REMARK, "infinite infinitefar", ": write \"far\": \"infinity\"" },
-	{ CALL, "na skip ignoreerrors",
-	    ": NA and nan print nan, and --keep-going passes bad lines" },
-	{ CALL, "ground", ": project --plane 0,1,0,0 is the ground y = 0, --plane 0,0,1,0 z = 0" },
-	{ REMARK, "crs epsg srs lat lon alt latitude longitude altitude",
-	    ": coordinates are lengths; of degrees cs2cs makes metres first" },
-	{ REMARK, "P0 P1 P2 P3 prect00 prect01 prect02 prect03",
-	    ": P is \"intrinsics\" of \"projection\", 3 rows of 4 numbers, with \"type\": "
-	    "\"persp\", beside \"viewport\" and \"convention\": \"opencv\"" },
-	{ REMARK, "r0rect rrect rrect00 tr trvelotocam trvelocam",
-	    ": steps chain them: \"world\": [{\"matrix\": Tr}, {\"matrix\": [R0|0]}]; "
-	    "'The lidar of KITTI' in 'man projcalc-scene'" },
-	{ REMARK, "cameraintrinsic",
-	    ": it is \"intrinsics\" of \"projection\"; the camera's frame is \"pose\" of "
-	    "\"camera\", as steps [{\"quaternion_wxyz\": rotation}, {\"translate\": "
-	    "translation}]; 'Sensors of nuScenes' in 'man projcalc-scene'" },
-	{ REMARK, "distortion undistort distort distortioncoefficients distortioncoeffs "
-	    "distortionmodel distortionparams radialdistortion tangentialdistortion "
-	    "distcoeffs distcoef distcoeff dist fisheye d k1 k2 k3 k4 k5 k6 p1 p2",
-	    ": lenses are not modelled; 'Points through a lens' in 'man projcalc-scene' "
-	    "bends points by awk" },
-	{ REMARK, "focal focallength focallengthmm lens sensorwidth sensorheight sensorsize "
-	    "filmgauge f",
-	    ": in mm give the sensor's \"width\" and \"height\", and \"edges_at\", the "
-	    "focal length; in pixels \"intrinsics\": [fx, fy, cx, cy]" },
-	{ WORD_VALUE, "fisheye",
-	    ": lenses are not modelled; 'Points through a lens' in 'man projcalc-scene' "
-	    "bends points by awk" },
-	{ VALUE, "isometric dimetric trimetric axonometric",
-	    ": it is \"ortho\" of a camera askew to the axes, such as \"gaze\": "
-	    "[-1,-1,-1]" },
-	{ VALUE, "lh lefthanded",
-	    ": the \"handedness\" is \"left\", as that of \"d3d\"" },
-	{ VALUE, "rh righthanded",
-	    ": the \"handedness\" is \"right\", as that of \"gl\", \"vulkan\", \"webgpu\" "
-	    "and \"opencv\"" },
+	    "'projcalc project --to view' prints z, 'projcalc inspect' the steps of "
+	    "depth" },
+	{ CALL | WORD_MEMBER, "homography",
+	    "'projcalc project -m -c opencv --plane 0,0,1,0' prints that of a plane" },
+	{ CALL, "solvepnp pnp calibrate",
+	    "poses are not estimated; those of solvePnP are \"rvec\" and "
+	    "\"translation\" of \"camera\"" },
+	{ CALL, "rectify", "the rectified P is \"intrinsics\" of \"projection\"" },
+	{ CALL, "stereo",
+	    "'PICTURES IN PAIRS AND PARTS' in 'man projcalc-scene' has pairs" },
+
+	/* options and their arguments */
+	{ WORD_OPTION, "format json csv tsv",
+	    "formats are named as in -i csv -o json" },
+	{ WORD_OPTION, "delimiter delim", "--separator ';' is between fields of csv" },
+	{ WORD_OPTION, "cols fields", "--columns 1,2,3 says where coordinates are" },
+	{ WORD_OPTION, "space world view ndc device model",
+	    "spaces are named as in --from world --to view" },
+	{ WORD_OPTION, "d3d gl vulkan webgpu opencv opengl directx direct3d",
+	    "conventions are named as in -c gl" },
+	{ WORD_OPTION, "threads workers", "--jobs 2 uses two threads" },
+	{ WORD_OPTION, "round places", "--decimals 2 rounds" },
+	{ WORD_OPTION, "epsilon eps",
+	    "'projcalc inspect --tolerance 1' takes an error" },
+	{ WORD_OPTION, "cull", "--visible leaves out points that are outside" },
+	{ WORD_OPTION, "clip",
+	    "--visible leaves out points that are outside, --to clip prints x y z w" },
+	{ WORD_OPTION, "verbose", "--progress reports how many lines are done" },
+	{ WORD_OPTION, "silent", "--quiet leaves out notes" },
+	{ WORD_OPTION, "depth distance",
+	    "--to view prints z, {\"viewport\": {\"depth\": \"distance\"}} the "
+	    "distance" },
+	{ WORD_OPTION, "stdin", "'projcalc inspect -' reads standard input" },
+	{ WORD_OPTION, "na skip ignoreerrors", "--keep-going passes bad lines" },
+	{ WORD_OPTION, "ground", "--plane 0,1,0,0 is the ground y = 0" },
+	{ WORD_OPTION, "float", "-p single computes in floats, -i f32 reads them" },
+	{ WORD_VALUE, "float", "a precision is -p single, a format -i f32" },
+	{ ARGUMENT, "pixel pixels screen image",
+	    "--to device prints pixels, --from device --to world reads them" },
+	{ ARGUMENT, "texture uv texcoord",
+	    "it is --to device with {\"viewport\": {\"width\": 1, \"height\": 1}}" },
+	{ WORD_VALUE, "camera", "the camera's space is \"view\"" },
+	{ WORD_VALUE, "local", "the model's space is \"model\"" },
+	{ WORD_VALUE, "xyz txt pts", "-i text reads it" },
+	{ WORD_VALUE,
+	    "bin binary float32 float64 <f4 <f8 <f4x3 <f8x3 f4 f8 kitti raw double",
+	    "-i f32x4 reads four floats a point, -i f32 three, -i f64 three doubles" },
+
+	/* conventions, and other words of scenes */
+	{ WORD_VALUE, "threejs three.js glm", "its matrices are those of \"gl\"" },
+	{ WORD_VALUE, "directxmath", "its matrices are those of \"d3d\"" },
+	{ WORD_VALUE, "unity unity3d",
+	    "its transforms are \"d3d\", the matrices of its cameras \"gl\"" },
+	{ WORD_VALUE, "unreal ue4 ue5",
+	    "its view space is left-handed, as that of \"d3d\"" },
+	{ WORD_VALUE, "metal hlsl",
+	    "it is \"d3d\" if view space is left-handed, else \"webgpu\"" },
+	{ WORD_VALUE, "glsl openxr",
+	    "it is \"gl\" where OpenGL draws, and \"vulkan\" where Vulkan does" },
+	{ WORD_VALUE, "blender bpy nerf nerfstudio instantngp arkit",
+	    "its cameras look backward along z with y up, as those of \"webgpu\"" },
+	{ WORD_VALUE, "colmap ros ros2 opensfm",
+	    "its cameras look along z with y down, as those of \"opencv\"" },
+	{ WORD_VALUE, "lh lefthanded",
+	    "it is {\"convention\": {\"handedness\": \"left\"}}" },
+	{ WORD_VALUE, "rh righthanded",
+	    "it is {\"convention\": {\"handedness\": \"right\"}}" },
 	{ WORD_VALUE, "contain letterbox cover crop",
-	    ": \"grow\" contains the window, and \"shrink\" covers the device" },
-	{ WORD_VALUE, "0 1 2 3 4 5 6 7 8 9 10 12",
-	    ": of decimals it is --decimals, of digits --digits" },
+	    "\"grow\" contains the window, \"shrink\" covers the device" },
+	{ CALL | WORD_MEMBER, "transpose columnmajor rowmajor columnvectors rowvectors",
+	    "it is {\"convention\": {\"vectors\": \"column\"}} for column vectors, M "
+	    "p" },
+	{ SETTING, "radians degrees unit units angles angleunits",
+	    "it is {\"angle_unit\": \"radians\"}" },
+	{ SETTING, "infinite infinitefar",
+	    "it is {\"projection\": {\"far\": \"infinity\"}}" },
+
+	/* members of a camera */
+	{ WORD_MEMBER, "pos eyepoint viewpoint cop from",
+	    "where the camera stands it is \"eye\" of \"camera\"" },
+	{ WORD_MEMBER, "to lookto center",
+	    "where one looks it is \"at\" of \"camera\" or \"pick\", where the camera "
+	    "stands \"eye\" of \"camera\"" },
+	{ WORD_MEMBER, "target", "of a window it is \"center\" of \"window\"" },
+	{ WORD_MEMBER, "vrp prp", "the centre of projection is \"eye\" of \"camera\"" },
+	{ WORD_MEMBER, "vpn",
+	    "it points to the eye; its opposite is \"gaze\" of \"camera\"" },
+	{ WORD_MEMBER, "dop", "of an ortho it is \"gaze\" of \"camera\"" },
+	{ WORD_MEMBER, "tvec translationvector",
+	    "of world to view it is \"translation\" of \"camera\"" },
+	{ WORD_MEMBER, "rodrigues rotationvector",
+	    "of world to view it is \"rvec\" of \"camera\"" },
+	{ WORD_MEMBER, "quaternion quat q rotationquaternion localrotation",
+	    "x, y, z, w of view to world is \"orientation\" of \"camera\", of a model "
+	    "{\"world\": [{\"quaternion\": [0,0,0,1]}]}" },
+	{ WORD_MEMBER, "rotation",
+	    "a quaternion x, y, z, w is \"orientation\" of \"camera\", or of a model "
+	    "{\"world\": [{\"quaternion\": [0,0,0,1]}]}" },
+	{ WORD_MEMBER, "qvec qw quaternionwxyz wxyz",
+	    "of world to view, w first, it is {\"camera\": {\"matrix\": "
+	    "[{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": [0,0,5]}]}}" },
+	{ WORD_MEMBER,
+	    "r t rotationmatrix extrinsic extrinsics rt w2c tcw world2cam worldtocam "
+	    "worldtocamera worldtocameramatrix viewmatrix modelviewmatrix "
+	    "matrixworldinverse",
+	    "of world to view [R|t] is \"matrix\" of \"camera\", as {\"camera\": "
+	    "{\"matrix\": [[1,0,0,0],[0,1,0,0],[0,0,1,5]]}}" },
+	{ WORD_MEMBER,
+	    "c2w twc cam2world camtoworld cameratoworld transformmatrix matrixworld "
+	    "localtoworldmatrix",
+	    "of view to world it is \"pose\" of \"camera\"" },
+	{ WORD_MEMBER, "view transform",
+	    "of world to view it is \"matrix\" of \"camera\", of view to world "
+	    "\"pose\"" },
+	{ WORD_MEMBER,
+	    "euler eulerangles rotationeuler yaw pitch heading omega phi kappa azimuth",
+	    "angles are steps, as {\"camera\": {\"pose\": [{\"rotate_x\": 10}, "
+	    "{\"rotate_y\": 30}, {\"translate\": [0,0,5]}]}}; units, orders and signs "
+	    "differ" },
+
+	/* of a projection */
+	{ SETTING, "fov yfov vfov fovv verticalfov fieldofview cameraangley",
+	    "the vertical angle is \"fovy\" of \"projection\", the horizontal one "
+	    "\"fovx\"" },
+	{ WORD_MEMBER, "xfov hfov fovh horizontalfov cameraanglex",
+	    "it is \"fovx\" of \"projection\"" },
 	{ WORD_MEMBER, "dfov diagonalfov fovd",
-	    ": of the diagonal; \"fovy\" is 2 atan(tan(dfov / 2) height / hypot(width, "
+	    "\"fovy\" of \"projection\" is 2 atan(tan(dfov / 2) height / hypot(width, "
 	    "height))" },
-	{ REMARK, "depthscale depthfactor",
-	    ": scale the depth before: awk '{$3 *= 0.001} 1'" },
-	{ REMARK, "size imagesize imageresolution windowsize resolution",
-	    ": give \"width\" and \"height\", of a picture in \"viewport\"" },
-	{ REMARK, "euler rotationeuler eulerangles yaw pitch heading omega phi kappa azimuth",
-	    ": angles are steps, as \"pose\" of \"camera\", in place of \"eye\": "
-	    "[{\"rotate_x\": 10}, {\"rotate_y\": 30}, {\"translate\": [0,0,5]}], beside a "
-	    "\"convention\"; units, orders and signs differ, see 'Yaw, pitch and roll' in "
-	    "'man projcalc-scene'" },
-	{ WORD_MEMBER, "right top xmax ymax",
-	    ": edges are of \"projection\" or \"window\"; a viewport and a device have "
-	    "\"width\" (right - left) and \"height\" (top - bottom)" },
-	{ WORD_MEMBER, "R T t",
-	    ": world to view they are \"matrix\" of \"camera\", [R|t] as 3 rows of 4" },
-	{ WORD_MEMBER, "H homography",
-	    ": [[a,b,c],[d,e,f],[g,h,i]] is \"projection\": {\"type\": \"matrix\", \"matrix\": "
-	    "[[a,b,0,c],[d,e,0,f],[0,0,1,0],[g,h,0,i]]} in \"convention\": {\"vectors\": "
-	    "\"column\"}; of a camera and a plane 'project -m -c opencv --plane 0,0,1,0' makes "
-	    "one" },
-	{ WORD_MEMBER, "header binningx binningy roi",
-	    ": is it ROS's? 'A CameraInfo of ROS' in 'man projcalc-scene' reads one, 'Frames "
-	    "of ROS and tf2' a transform" },
-	{ WORD_MEMBER, "metadata object",
-	    ": is it three.js's? a camera's \"matrix\" is \"pose\" of \"camera\", with "
-	    "\"convention\": \"webgpu\", its \"fov\" is \"fovy\"" },
-	{ WORD_MEMBER, "token sensortoken sampletoken calibratedsensortoken egoposetoken",
-	    ": is it nuScenes's? 'Sensors of nuScenes' in 'man projcalc-scene' reads one" },
-	{ WORD_MEMBER, "translation",
-	    ": where the camera stands it is \"eye\" of \"camera\", the t of [R|t] is "
-	    "\"translation\" there; 'Sensors of nuScenes' in 'man projcalc-scene' chains "
-	    "frames" },
-	{ WORD_MEMBER, "quaternion quat rotation localrotation",
-	    ": x, y, z, w from view to world it is \"orientation\" of \"camera\"; to turn "
-	    "the model, \"world\": [{\"quaternion\": q}]; with w first \"quaternion_wxyz\"" },
-	{ REMARK, "qvec qw quaternionwxyz",
-	    ": world to view, w first, it is \"matrix\": [{\"quaternion_wxyz\": q}, "
-	    "{\"translate\": t}] of \"camera\"; view to world it is \"pose\"" },
+	{ WORD_MEMBER, "angleleft angleright angleup angledown",
+	    "they are \"angles\" of \"projection\", [left, right, bottom, top] in "
+	    "{\"angle_unit\": \"radians\"} for OpenXR" },
+	{ WORD_MEMBER, "orthographicsize",
+	    "\"height\" of \"projection\" is twice the orthographicSize" },
+	{ WORD_MEMBER, "xmag ymag",
+	    "\"width\" and \"height\" of \"projection\" are twice xmag and ymag" },
+	{ WORD_MEMBER, "orthoscale",
+	    "it is the greater of \"width\" and \"height\" of \"projection\"" },
+	{ WORD_MEMBER, "ratio", "width over height is \"aspect\" of \"projection\"" },
+	{ WORD_MEMBER, "hither yon nearfar",
+	    "they are \"near\" and \"far\" of \"projection\"" },
 	{ WORD_MEMBER, "shiftx shifty lensshift",
-	    ": give left, right, bottom and top, as 'A camera of Blender' in "
-	    "'man projcalc-scene' does" },
-	{ WORD_MEMBER, "projectionmatrix",
-	    ": view to clip it is \"matrix\" in \"projection\", with \"type\": \"matrix\"; "
-	    "the 3x4 P of ROS is \"intrinsics\"" },
+	    "give \"left\", \"right\", \"bottom\" and \"top\" of \"projection\"" },
+	{ SETTING,
+	    "focal focallength focallengthmm lens sensorwidth sensorheight sensorsize "
+	    "filmgauge",
+	    "in mm it is {\"projection\": {\"type\": \"persp\", \"edges_at\": 50, "
+	    "\"width\": 36, \"height\": 24}}, in pixels \"intrinsics\" of "
+	    "\"projection\"" },
+	{ WORD_MEMBER, "fx fy cx cy flx fly skew principalpoint params",
+	    "it is [fx, fy, cx, cy] as in {\"projection\": {\"type\": \"persp\", "
+	    "\"intrinsics\": [500,500,320,240]}}" },
+	{ WORD_MEMBER,
+	    "k p intrinsic intrinsicmatrix cameramatrix cameraintrinsic "
+	    "cameraintrinsics p0 p1 p2 p3 prect00 prect01 prect02 prect03",
+	    "K, or P as 3 rows of 4, is \"intrinsics\" of \"projection\"" },
+	{ WORD_MEMBER, "projectionmatrix projmatrix proj",
+	    "of view to clip it is \"matrix\" of \"projection\" of type \"matrix\"" },
 	{ WORD_MEMBER, "mvp vp viewproj viewprojection viewprojectionmatrix",
-	    ": without a camera it is \"matrix\" in \"projection\", with \"type\": "
-	    "\"matrix\"" },
-	{ REMARK, "params cameramodel",
-	    ": \"intrinsics\" are [fx, fy, cx, cy]; 'A model of COLMAP' in "
-	    "'man projcalc-scene' finds them" },
-	{ WORD_MEMBER, "asset scenes nodes accessors bufferviews cameras",
-	    ": is it glTF? 'A camera of glTF' in 'man projcalc-scene' reads one; of other lists "
-	    "jq -c '.cameras[]' makes scenes for --scenes" },
+	    "without a camera it is \"matrix\" of \"projection\" of type \"matrix\"" },
 	{ WORD_MEMBER, "perspective orthographic",
-	    ": it is the \"type\" of \"projection\", \"persp\" or \"ortho\"; 'A camera of "
-	    "glTF' in 'man projcalc-scene' reads glTF's" },
-	{ REMARK, "eyeseparation ipd interocular stereo convergence",
-	    ": PICTURES IN PAIRS AND PARTS of 'man projcalc-scene' draws pairs" },
-	{ WORD_MEMBER, "frames filepath aabbscale",
-	    ": is it NeRF's? 'A frame of NeRF' in 'man projcalc-scene' reads one" },
-	{ WORD_MEMBER, "childframeid transforms",
-	    ": is it of tf2? 'Frames of ROS and tf2' in 'man projcalc-scene' chains them" },
+	    "it is the \"type\" of \"projection\"" },
+	{ SETTING,
+	    "distortion undistort distort distortioncoefficients distortioncoeffs "
+	    "distortionmodel distcoeffs distcoef dist fisheye k1 k2 k3 k4 k5 k6",
+	    "lenses are not modelled; 'Points through a lens' in 'man projcalc-scene' "
+	    "bends points" },
+
+	/* of a world */
+	{ WORD_MEMBER, "model modelmatrix",
+	    "it is {\"world\": [{\"translate\": [1,2,3]}]}, or a matrix in place of "
+	    "steps" },
+	{ WORD_MEMBER, "translation",
+	    "of a model it is {\"world\": [{\"translate\": [1,2,3]}]}, the t of [R|t] "
+	    "\"translation\" of \"camera\"" },
+	{ WORD_MEMBER, "trs localposition localscale",
+	    "it is {\"world\": [{\"node\": {\"translation\": [1,2,3], \"rotation\": "
+	    "[0,0,0,1], \"scale\": 2}}]}" },
+	{ WORD_MEMBER, "axisangle angleaxis",
+	    "it is {\"world\": [{\"rotate\": {\"axis\": [0,0,1], \"angle\": 90}}]}" },
+	{ WORD_MEMBER, "r0rect rrect rrect00 tr trvelotocam trvelocam",
+	    "steps chain matrices, as {\"world\": [{\"matrix\": "
+	    "[[1,0,0,0],[0,1,0,0],[0,0,1,0]]}]}" },
+
+	/* of rectangles */
+	{ WORD_MEMBER,
+	    "size imagesize resolution imageresolution windowsize screen image",
+	    "the picture's size is {\"viewport\": {\"width\": 640, \"height\": 480}}" },
+	{ WORD_MEMBER, "w h imagewidth imageheight pixelwidth pixelheight",
+	    "of a picture it is \"width\" and \"height\" of \"viewport\"" },
+	{ WORD_MEMBER, "xmin xmax ymin ymax right top",
+	    "edges are \"left\", \"right\", \"bottom\" and \"top\" of \"window\" or "
+	    "\"projection\"; a viewport has \"x\", \"y\", \"width\" and \"height\" of "
+	    "\"viewport\"" },
+	{ WORD_MEMBER, "mindepth maxdepth",
+	    "they are \"min_z\" and \"max_z\" of \"viewport\"" },
+	{ WORD_MEMBER, "depthrange zrange clipz ndcz",
+	    "of ndc it is \"depth\" of \"convention\", of the device \"min_z\" and "
+	    "\"max_z\" of \"viewport\"" },
 	{ WORD_MEMBER, "origin",
-	    ": it belongs in \"device\" or, of a viewport, in \"convention\"; \"webgpu\" is "
-	    "\"gl\" with y from the top, and depth from 0" },
-	{ REMARK, "zoom",
-	    ": only a window has it; in 3D divide \"width\" and \"height\" of \"ortho\", or "
-	    "give a smaller \"fovy\"" },
-	{ REMARK, "scale",
-	    ": only a viewport has it; in 3D \"world\": [{\"scale\": 2}] scales points" },
-	{ REMARK, "vrp prp",
-	    ": \"eye\" is the centre of projection; where PRP is 0,0,d of VRP's axes, it is "
-	    "VRP + d VPN for a VPN of length 1" },
-	{ REMARK, "vpn", ": VPN points to the eye; \"gaze\" is its opposite" },
-	{ REMARK, "dop",
-	    ": \"gaze\" is DOP in \"ortho\"; a DOP askew to the picture is \"oblique\", with "
-	    "\"angle\" and \"direction\"" },
-	{ REMARK, "features geometry geometries coordinates featurecollection feature",
-	    ": is it GeoJSON? jq -c '..|.coordinates?|arrays|..|arrays|"
-	    "select(.[0]|numbers)' makes lines of points for -i json" },
+	    "it belongs in \"origin\" of \"device\" or \"convention\"" },
+	{ WORD_MEMBER, "zoom",
+	    "only a window has \"zoom\" of \"window\"; in 3D give a smaller \"fovy\" "
+	    "of \"projection\"" },
+	{ WORD_MEMBER, "scale",
+	    "points are scaled by {\"world\": [{\"scale\": 2}]}, a window by \"zoom\" "
+	    "of \"window\"" },
+	{ WORD_MEMBER, "viewbox",
+	    "they are \"left\", \"right\", \"bottom\" and \"top\" of \"window\"" },
+	{ WORD_MEMBER, "anchor", "it is \"about\" of \"window\"" },
+	{ WORD_MEMBER, "objectfit preserveaspectratio",
+	    "it is \"adapt\" of \"window\"" },
+	{ WORD_MEMBER, "bbox boundingbox aabb",
+	    "they are \"min\" and \"max\" of \"bounds\"" },
+	{ WORD_MEMBER, "padding border", "it is {\"margin\": 0.1}" },
 
-	{ WORD_JSON, "nan none undefined",
-	    ": a point may have null; in a scene write a number, or leave the member out" },
-	{ WORD_JSON, "imagewidth imageheight cameramatrix header",
-	    ": is it ROS's? 'A CameraInfo of ROS' in 'man projcalc-scene' reads YAML" },
-	{ WORD_JSON, "P0 P1 P2 P3 Tr calibtime",
-	    ": is it KITTI's? 'The lidar of KITTI' in 'man projcalc-scene' reads calib.txt" },
-	{ WORD_JSON, "infinity inf",
-	    ": write \"infinity\" for far, else a number up to 1e150; a point "
-	    "may have null" },
-	{ WORD_JSON, "True False", ": JSON has true and false" },
-
-	{ VALUE, "threejs three.js glm directxmath",
-	    ": elements of three.js and GLM are \"gl\", of DirectXMath \"d3d\"; 'Matrices of "
-	    "GLM, DirectXMath and three.js' in 'man projcalc-scene'" },
-	{ VALUE, "unity unity3d",
-	    ": its transforms, position and rotation, are \"d3d\", the matrices of its cameras "
-	    "\"gl\", as 'A camera of Unity' in 'man projcalc-scene' reads them" },
-	{ VALUE, "unreal ue4 ue5 hlsl metal",
-	    ": it is \"d3d\" if view space is left-handed, as Unreal's, else \"webgpu\"; "
-	    "'projcalc help convention' has their axes" },
-	{ VALUE, "glsl", ": it is \"gl\", or \"vulkan\" if Vulkan draws" },
-	{ VALUE, "blender bpy",
-	    ": it is \"webgpu\"; 'A camera of Blender' in 'man projcalc-scene' reads one" },
-	{ VALUE, "openxr",
-	    ": it is \"vulkan\"; 'A field of view of OpenXR' in 'man projcalc-scene'" },
-	{ VALUE, "colmap",
-	    ": it is \"opencv\"; 'A model of COLMAP' in 'man projcalc-scene' reads one" },
-	{ VALUE, "nerf nerfstudio instantngp",
-	    ": it is \"webgpu\"; 'A frame of NeRF' in 'man projcalc-scene' reads one" },
-	{ VALUE, "ros ros2",
-	    ": it is \"opencv\"; 'A CameraInfo of ROS' in 'man projcalc-scene' reads one" },
-	{ VALUE, "xyz txt", "--input text" },
-	{ VALUE, "obj", ": grep '^v ' keeps its vertices, for --columns 2,3,4" },
-	{ VALUE, "ply pcd", ": of its ASCII form cut off the header, for -i text" },
-	{ VALUE, "bin binary float32 float64 double <f8 <f4 <f8x3 <f4x3 f4 f8 kitti npy raw "
-	    "numpy",
-	    ": -i f32x4 reads four floats a point (KITTI's .bin), -i f32 three, -i f64 three "
-	    "doubles, and -o text prints text; of a .npy it tells what to cut off" },
+	/* of whole documents */
+	{ WORD_MEMBER, "binningx binningy roi",
+	    "'A CameraInfo of ROS' in 'man projcalc-scene' reads ROS's" },
+	{ WORD_MEMBER, "asset accessors bufferviews",
+	    "'A camera of glTF' in 'man projcalc-scene' reads glTF" },
+	{ WORD_MEMBER, "frames filepath aabbscale",
+	    "'A frame of NeRF' in 'man projcalc-scene' reads NeRF's" },
+	{ WORD_MEMBER, "childframeid transforms",
+	    "'Frames of ROS and tf2' in 'man projcalc-scene' chains tf2's" },
+	{ WORD_MEMBER, "sampletoken sensortoken calibratedsensortoken egoposetoken",
+	    "'Sensors of nuScenes' in 'man projcalc-scene' reads nuScenes'" },
 };
-/* clang-format on */
 
-enum { WORD_ROWS = sizeof word_rows / sizeof *word_rows };
+enum { REMARKS = sizeof remarks / sizeof *remarks };
 
-const char *word_hint(const char *word, enum word_place place, char first)
+/* Skips _ and -, but not at the end of a word. */
+static const char *skip_inner(const char *s)
 {
-	for (int i = 0; i < WORD_ROWS; i++)
-		if ((word_rows[i].places & place) != 0 &&
-		    (first == '\0' || *word_rows[i].hint == first) &&
-		    word_is_one_of(word, word_rows[i].words))
-			return word_rows[i].hint;
+	const char *next = s + strspn(s, "_-");
+
+	return *next != '\0' ? next : s;
+}
+
+/* Does what word_equals does for name[0..n). */
+static bool equals_part(const char *word, const char *name, size_t n)
+{
+	const char *const end = name + n;
+
+	while (*word != '\0' && name < end &&
+	    tolower((unsigned char)*word) == tolower((unsigned char)*name)) {
+		word = skip_inner(word + 1);
+		name = skip_inner(name + 1);
+	}
+	return *word == '\0' && name >= end;
+}
+
+bool word_equals(const char *word, const char *name)
+{
+	return equals_part(word, name, strlen(name));
+}
+
+bool word_is_one_of(const char *word, const char *words)
+{
+	while (words != NULL && *words != '\0') {
+		const size_t n = strcspn(words, " ");
+
+		if (equals_part(word, words, n))
+			return true;
+		words += n;
+		words += *words == ' ';
+	}
+	return false;
+}
+
+int word_index(const char *word, const char *const *words, const char *const *aliases)
+{
+	for (int i = 0; words[i] != NULL; i++)
+		if (word_equals(word, words[i]))
+			return i;
+	for (int i = 0; aliases != NULL && words[i] != NULL; i++)
+		if (word_is_one_of(word, aliases[i]))
+			return i;
+	return -1;
+}
+
+const char *word_remark(const char *word, enum word_place place)
+{
+	for (int i = 0; i < REMARKS; i++)
+		if ((remarks[i].places & place) != 0 &&
+		    word_is_one_of(word, remarks[i].words))
+			return remarks[i].remark;
 	return NULL;
 }
 
-/* Returns whether at most n edits, which word_closeness defines, make b of a. */
+/* Room for a word of which the nearest is searched: longer ones have no near name. */
+enum { WORD_ROOM = 64 };
+
+/* Copies a word, cut, in lower case and without inner _ and -. Returns its length. */
+static size_t reduce(char out[WORD_ROOM], const char *word)
+{
+	size_t n = 0;
+
+	for (; *word != '\0' && n < WORD_ROOM - 1; word = skip_inner(word + 1))
+		out[n++] = (char)tolower((unsigned char)*word);
+	out[n] = '\0';
+	return n;
+}
+
+/* Returns whether at most n edits make b of a. */
 static bool edits_reach(const char *a, const char *b, int n)
 {
-	for (; *a != '\0' && strncasecmp(a, b, 1) == 0; a++)
+	for (; *a != '\0' && *a == *b; a++)
 		b++;
 	if (n == 0 || (*a == '\0' && *b == '\0'))
 		return *a == *b;
@@ -290,64 +370,85 @@ static bool edits_reach(const char *a, const char *b, int n)
 		return true;
 	return *a != '\0' && *b != '\0' &&
 	    (edits_reach(a + 1, b + 1, n - 1) ||
-		(strncasecmp(a, b + 1, 1) == 0 && strncasecmp(a + 1, b, 1) == 0 &&
-		    edits_reach(a + 2, b + 2, n - 1)));
+		(*a == b[1] && a[1] == *b && edits_reach(a + 2, b + 2, n - 1)));
 }
 
-int word_closeness(const char *word, const char *name)
+const char *word_nearest(const char *word, const char *const *words)
 {
-	const size_t n = strlen(word), m = strlen(name), least = n < m ? n : m;
+	char a[WORD_ROOM], b[WORD_ROOM];
+	const size_t n = reduce(a, word);
 	const int most = n < 2 ? 0 : n < 6 ? 1 : n < 9 ? 2 : 3;
+	const char *begins = NULL;
 
 	for (int edits = 0; edits <= most; edits++)
-		if (edits_reach(word, name, edits))
-			return WORD_EDITED + 3 - edits;
-	return least > 2 && strncasecmp(word, name, least) == 0 ? WORD_BEGINS : 0;
-}
-
-void word_offer(struct word_guess *g, int closeness, const char *format, ...)
-{
-	va_list args;
-
-	if (closeness <= g->closeness)
-		return;
-	va_start(args, format);
-	vsnprintf(g->remedy, sizeof g->remedy, format, args);
-	va_end(args);
-	g->closeness = closeness;
-}
-
-void word_offer_list(struct word_guess *g, const char *const *words, const char *format)
-{
-	const char *hint = word_hint(g->word, WORD_VALUE, '\0');
-
-	if (hint != NULL && *hint == ':')
-		word_offer(g, WORD_KNOWN, "%s", hint + 2);
-	for (; *words != NULL; words++)
-		word_offer(g,
-		    hint != NULL && strcmp(strrchr(hint, ' ') + 1, *words) == 0 ?
-			WORD_KNOWN :
-			word_closeness(g->word, *words),
-		    format, *words);
-}
-
-bool word_is_one_of(const char *word, const char *words)
-{
-	while (words != NULL && *words != '\0') {
-		const char *s = word + strspn(word, "_-");
-
-		while (*words > ' ' &&
-		    (*words == '_' || *s == *words ||
-			tolower((unsigned char)*s) == *words)) {
-			s += *words++ != '_';
-			s += strspn(s, "_-");
+		for (int i = 0; words[i] != NULL; i++) {
+			reduce(b, words[i]);
+			if (edits_reach(a, b, edits))
+				return words[i];
 		}
-		if (*s == '\0' && *words <= ' ')
+	for (int i = 0; words[i] != NULL && begins == NULL; i++) {
+		const size_t m = reduce(b, words[i]), least = n < m ? n : m;
+
+		if (least > 2 && strncmp(a, b, least) == 0)
+			begins = words[i];
+	}
+	return begins;
+}
+
+/* Returns whether a remark says to write `name`: in quotes, or behind an option. */
+static bool remark_names(const char *remark, const char *name)
+{
+	const size_t n = strlen(name);
+
+	for (const char *s = remark; (s = strstr(s, name)) != NULL; s++) {
+		const char *before = s;
+
+		if (s > remark && s[-1] == '"' && s[n] == '"')
 			return true;
-		words += strcspn(words, " ");
-		words += *words == ' ';
+		if (s - remark < 3 || s[-1] != ' ')
+			continue;
+		for (before--; before > remark && before[-1] != ' ';)
+			before--;
+		if (*before == '-')
+			return true;
 	}
 	return false;
+}
+
+/* Returns the remark on a word that stands for one of words[], if it names one of
+ * them. */
+static const char *remark_on_value(const char *word, const char *const *words)
+{
+	const char *remark = word_remark(word, WORD_VALUE);
+
+	for (; remark != NULL && *words != NULL; words++)
+		if (remark_names(remark, *words))
+			return remark;
+	return NULL;
+}
+
+const char *word_remedy(char out[LIST_ROOM], const char *word, enum word_place place,
+    const char *const *words, const char *quote)
+{
+	const int most = 12;
+	const char *remark = place == WORD_VALUE ? remark_on_value(word, words) :
+						   word_remark(word, place);
+	const char *near = word_nearest(word, words);
+	char all[LIST_ROOM];
+	int n = 0;
+
+	while (words[n] != NULL)
+		n++;
+	*out = '\0';
+	if (remark != NULL)
+		snprintf(out, LIST_ROOM, "%s", remark);
+	else if (near != NULL)
+		snprintf(out, LIST_ROOM, "did you mean %s%s%s?", quote, near, quote);
+	else if (n > 0 && n <= most)
+		snprintf(out, LIST_ROOM, "there %s %.*s", n == 1 ? "is" : "are",
+		    LIST_ROOM - (int)sizeof "there are ",
+		    words_join(all, words, " and ", quote));
+	return out;
 }
 
 const char *words_join(char out[LIST_ROOM], const char *const *words,

@@ -1,45 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* This module finds what an unknown word may mean, wherever it stands: on the command
- * line, as the argument of an option, as the name of a member or as its value. Who
- * reads the word offers all meanings to a struct word_guess, which keeps the remedy of
- * the closest, for the end of one message. The table of words.c has words of other
- * programs that are no aliases in the tables of members. */
+/* Compares words as users type them, and finds what an unknown word may mean, wherever
+ * it stands: on the command line, as an option's argument, as a member's name or value.
+ * The table of words.c has those words of other programs that have no alias here, as
+ * they mean something with another unit, order or place. */
 #pragma once
 
 #include <stdbool.h>
 
-enum { LIST_ROOM = 512, REMEDY_ROOM = LIST_ROOM + 64 };
+enum { LIST_ROOM = 512 };
 
-/* These tell how close a word is to a meaning. */
-enum {
-	WORD_ELSE = 1, /* is not; the remedy is for words without meaning */
-	WORD_BEGINS,   /* one begins with the other, by three letters or more */
-	WORD_EDITED,   /* three edits apart; + 1: two; + 2: one; + 3: equal */
-	WORD_KNOWN = WORD_EDITED + 4, /* an alias, or a word with a hint */
-};
+/* Returns whether two names are equal but for case, and _ and - inside of them. */
+bool word_equals(const char *word, const char *name);
 
-struct word_guess {
-	const char *word;
-	int closeness;            /* of the remedy; 0: there is none */
-	char remedy[REMEDY_ROOM]; /* such as "did you mean --to?" */
-};
-
-/* Sets the remedy if its meaning is closer than those offered before. */
-void word_offer(struct word_guess *, int closeness, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-/* Offers each of words[], which NULL ends, by a format with one %s. */
-void word_offer_list(struct word_guess *, const char *const *words, const char *format);
-
-/* Returns how close `word` is to `name`, or 0. An edit changes, adds or drops a letter,
- * or swaps two neighbours; a word of two to five letters may have one edit, of six to
- * eight two, a longer one three. Case does not count. */
-int word_closeness(const char *word, const char *name);
-
-/* Returns whether `word` is in `words`: words with blanks between them, or NULL for no
- * words. Ignores _ and -, and case but of capitals in `words`: LookAt, look_at and
- * look-at are lookat, and p2 is not P2. */
+/* Returns whether `word` equals one of `words`, which have blanks between them; NULL
+ * has none. */
 bool word_is_one_of(const char *word, const char *words);
+
+/* Returns the index of a word in words[], which NULL ends: it equals the word, or one
+ * of aliases[index]; aliases, or an element of it, may be NULL. Returns -1 if there is
+ * none. */
+int word_index(const char *word, const char *const *words, const char *const *aliases);
 
 /* A word of other programs may stand in these places, as bits. */
 enum word_place {
@@ -47,13 +27,23 @@ enum word_place {
 	WORD_OPTION = 2,
 	WORD_VALUE = 4,  /* the argument of an option, the string of a member */
 	WORD_MEMBER = 8, /* the name of a member */
-	WORD_JSON = 16,  /* a value of JSON without quotes */
 };
 
-/* Returns the hint for a word of other programs in a place, or NULL. The hint is an
- * option ("--jobs"), a call ("project -m") or a remark (": ..."); a * stands for the
- * word. If `first` is not NUL, ignores hints that do not begin with it. */
-const char *word_hint(const char *word, enum word_place, char first);
+/* Returns the remark on a word of other programs in a place, or NULL: what to write
+ * instead of it. */
+const char *word_remark(const char *word, enum word_place place);
+
+/* Returns the word of words[], which NULL ends, that is nearest to `word`, if few edits
+ * make one of the other, else NULL. An edit changes, adds or drops a letter, or swaps
+ * two neighbours; a word of two to five letters may have one edit, of six to eight two,
+ * a longer one three. Or one begins with the other, by three letters or more. */
+const char *word_nearest(const char *word, const char *const *words);
+
+/* Writes a remedy for a word that is none of words[]: its remark, the nearest of them
+ * ("did you mean NAME?"), or all of them if there are at most twelve. `quote` is before
+ * and after each word, as "\"". Returns out, which may be "". */
+const char *word_remedy(char out[LIST_ROOM], const char *word, enum word_place place,
+    const char *const *words, const char *quote);
 
 /* Writes words[] as a list such as "a", "b" or "c": with `quote` before and after each,
  * and `before_last`, such as " or ", before the last. Cuts the list at LIST_ROOM bytes.
