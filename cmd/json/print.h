@@ -16,7 +16,8 @@ struct printer {
 	bool compact;
 	int level; /* the number of open brackets */
 	/* What is put before the next value: NULL before the first value of the output,
-	 * "" before that of an array or of an object, else a comma and perhaps blanks. */
+	 * "" before that of an array or of an object, else a comma
+	 * and perhaps blanks. */
 	const char *separator;
 };
 
@@ -34,5 +35,6 @@ void put_literal(struct printer *, const char *word); /* such as null */
 void put_number(struct printer *, double v);          /* null if v is not finite */
 void put_distance(struct printer *, double v);        /* or "infinity" */
 
-/* Prints the number *v if n is 0, otherwise an array of n numbers; null if *v is nan. */
+/* Prints the number *v if n is 0, otherwise an array of n numbers;
+ * null if *v is nan. */
 void put_numbers(struct printer *, const double *v, int n);

@@ -130,3 +130,26 @@ bool json_is_name(struct span f, struct span name, bool pointer)
 	}
 	return name.s == name.end;
 }
+
+const char *json_scalar_end(const char *p, const char *end)
+{
+	static const char *const words[] = { "true", "false", "null" };
+
+	for (int i = 0; i < 3 && p < end && '9' < *p; i++) {
+		size_t n = strlen(words[i]);
+
+		if ((size_t)(end - p) >= n && memcmp(p, words[i], n) == 0)
+			return p + n;
+	}
+	return json_number(p, end, NULL);
+}
+
+void json_count_lines(const char *text, const char *at, long long *line, size_t *column)
+{
+	*column += (size_t)(at - text);
+	for (const char *s = text; s < at; s++)
+		if (*s == '\n') {
+			++*line;
+			*column = (size_t)(at - s);
+		}
+}

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads the parts of JSON text (RFC 8259): numbers, strings, names, and the ends of
- * values. The functions take any text, also text that json_check would refuse. They
- * keep nothing and own nothing: each gets a pointer into the caller's text, and returns
- * one. No byte at or after `end` is read, except by json_unescape, which reads the byte
- * after the backslash. */
+ * values. The functions take any text. They keep nothing and own nothing: each gets a
+ * pointer into the caller's text, and returns one. No byte at or after `end` is read,
+ * except by json_unescape, which reads the byte after the backslash. */
 #pragma once
 
 #include <stdbool.h>
@@ -54,3 +53,11 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n);
 /* Returns whether a JSON string with its quotes stands for `name`. If `pointer` is set,
  * `name` is a token of a JSON pointer (RFC 6901), in which ~1 is / and ~0 is ~. */
 bool json_is_name(struct span string, struct span name, bool pointer);
+
+/* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
+const char *json_scalar_end(const char *p, const char *end);
+
+/* Changes *line and *column, which say where `text` is in its file, so that they say
+ * where `at` is. Columns are counted in bytes from 1. */
+void json_count_lines(const char *text, const char *at, long long *line,
+    size_t *column);

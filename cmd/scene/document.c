@@ -4,79 +4,16 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../json/text.h"
+#include "../json/point_list.h"
 #include "../message/message.h"
 #include "convention_member.h"
 #include "projection_member.h"
 
-/* The index of a member in scene_members[], and of its bit in enum scene_member. */
-#define ROW_OF(member) __builtin_ctz(SCENE_##member)
-
-enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
+/* The members that decide how others are read. */
+enum { FIRST = SCENE_CONVENTION | SCENE_ANGLE_UNIT };
 
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
-
-/* Writes the point v, whose text begins at s and is JSON, to *out as a line without
- * blanks, moves *out to its end, and returns the text's end. A point is an array: first
- * the coordinates, each a number or null, then any values but arrays and objects. */
-static const char *write_point(struct value *v, const char *s, const char *end,
-    int coordinates, char **out)
-{
-	struct value e = { v->source, .parent = v, .unused = v->unused };
-	int n = 0;
-
-	if (*s == '{')
-		value_refuse(v,
-		    "is an object; -i json reads lines of them, as jq -c '.[]' makes");
-	if (*s != '[') {
-		value_peek(v, s, end);
-		value_refuse_type(v, "an array of coordinates");
-	}
-	for (s = json_skip_blanks(s + 1, end); *s != ']'; e.index++) {
-		const char *stop = value_peek(&e, s, end);
-
-		*(*out)++ = n == 0 ? '[' : ',';
-		if (n++ < coordinates && *s != 'n')
-			value_number(&e, &range_any);
-		else if (*s == '[' || *s == '{')
-			value_refuse_type(&e, "a number, a string or null");
-		memmove(*out, s, (size_t)(stop - s));
-		*out += stop - s;
-		s = json_next_item(stop, end);
-	}
-	if (n < coordinates)
-		value_refuse(v, "has %d element%s; %d coordinates are wanted%s", n,
-		    n == 1 ? "" : "s", coordinates,
-		    n == 2 && v->source->two_numbers_hint != NULL ?
-			v->source->two_numbers_hint :
-			"");
-	*(*out)++ = ']';
-	*(*out)++ = '\n';
-	return s + 1;
-}
-
-/* Replaces the text of an array of points, or of one point, by a line for each point,
- * and returns the size of the lines. These fit into the text, as a comma or bracket is
- * before each point; the newline of a single point may take the byte after the text. */
-static size_t write_points(const struct value *v, const struct span *array,
-    int coordinates)
-{
-	struct value e = { v->source, .parent = v, .unused = v->unused };
-	const char *s = array->s, *end = array->end;
-	char *out = (char *)array->s;
-
-	if (!value_is(v, JSON_ARRAY))
-		value_refuse_type(v, "an array of points");
-	s = json_skip_blanks(s + 1, end);
-	if (*s != '[' && *s != '{' && *s != ']') {
-		e = *v;
-		s = array->s;
-	}
-	for (; s < end && *s != ']'; e.index++)
-		s = json_next_item(write_point(&e, s, end, coordinates, &out), end);
-	return (size_t)(out - array->s);
-}
 
 unsigned document_used_members(const struct document_wants *w)
 {
@@ -86,51 +23,36 @@ unsigned document_used_members(const struct document_wants *w)
 	    (w->flat_members != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
-/* Sets m[i] to the member of a faulty document that may mean the object with bit i, if
- * this is not `seen`. Returns these objects as bits. */
-static unsigned find_meant(const struct value *root, unsigned seen,
-    struct value m[SCENE_MEMBERS])
+/* Sets m[i] to the member with bit i, *seen to the members of the document as bits, and
+ * *meant to those that unknown ones may mean. If it has none, or only angle_unit, the
+ * document itself is w->lone_member. Returns false if the document is no object. */
+static bool find_members(struct json_source *source, const struct value *root,
+    const struct document_wants *w, struct value m[SCENE_ROWS], unsigned *seen,
+    unsigned *meant)
 {
-	unsigned meant = 0;
+	struct found found;
 
-	for (struct value v = value_child(root); v.item != NULL; value_next(&v)) {
-		const struct member *row = object_meant(&v, scene_members, 0);
-		const ptrdiff_t i = row != NULL ? row - scene_members : 0;
-
-		if (row == NULL || row->members == NULL || (seen >> i & 1) != 0)
-			continue;
-		m[i] = v;
-		meant |= 1u << i;
-	}
-	return meant;
-}
-
-/* Sets m[i] to the member with bit i, and returns the members of the document as bits.
- * If it has none, or only angle_unit, the document itself is w->lone_member. */
-static unsigned find_members(struct json_source *source, const struct value *root,
-    const struct document_wants *w, struct value m[SCENE_MEMBERS])
-{
-	unsigned seen = 0;
-
+	*seen = *meant = 0;
 	if (!value_is(root, JSON_OBJECT))
-		value_refuse_type(root, "an object, {...},");
-	for (int i = 0; i < SCENE_MEMBERS; i++)
-		if (value_member(root, scene_members[i].name, &m[i]))
-			seen |= 1u << i;
-	source->used = document_used_members(w);
-	if (w->lone_member == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
-		if (object_read(root, &scene_row, 0, NULL).faulty)
-			seen |= find_meant(root, seen, m);
-		return seen;
+		return value_refuse_type(root, "an object, {...},");
+	for (int i = 0; i < SCENE_ROWS; i++)
+		if (object_member(root, &scene_members[i], &m[i]))
+			*seen |= 1u << i;
+	if (w->lone_member == 0 || (*seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
+		object_read(root, &scene_row, 0, NULL, &found);
+		*meant = (unsigned)found.meant;
+		return true;
 	}
 	const int lone = __builtin_ctz(w->lone_member);
 
 	source->row = &scene_members[lone];
 	m[lone] = *root;
-	return seen | w->lone_member;
+	*seen |= w->lone_member;
+	return true;
 }
 
-/* Tells that a document lacks a member, or is 2D where the command is not. */
+/* Refuses a document that lacks a member, or is 2D where the command is not. `seen` are
+ * the members of the document, with those that unknown ones may mean. */
 static void check_members(const struct value *root, const struct document_wants *w,
     unsigned seen)
 {
@@ -141,35 +63,44 @@ static void check_members(const struct value *root, const struct document_wants 
 
 	if (w->flat_members == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 && (flat & ~w->used) != 0)
-		value_fault(VALUE_MISSING(root,
-				scene_members[__builtin_ctz(flat)].name),
-		    "is of two dimensions; so are w2n, n2w, n2d, d2n, w2d and d2w");
+		value_refuse(VALUE_MISSING(root,
+				 scene_members[__builtin_ctz(flat)].name),
+		    "is of two dimensions", "so are w2n, n2w, n2d, d2n, w2d and d2w");
 	else if (missing != 0 && (w->used & SCENE_SPATIAL) == 0 &&
 	    (seen & SCENE_SPATIAL) != 0)
-		value_fault(VALUE_MISSING(root, row->name),
-		    "missing; of a scene of three dimensions 'project', its --from and "
-		    "--to, --ray and --plane do this");
+		value_refuse(VALUE_MISSING(root, row->name), "missing",
+		    "of a scene of three dimensions 'project', its --from and --to, "
+		    "--ray and --plane do this");
 	else if (missing != 0)
-		value_fault(VALUE_MISSING(root, row->name), "missing; add \"%s\": %s%s",
-		    row->name, row->example,
-		    w->flat_members != 0 ? ", or for two dimensions \"window\": {}" :
-					   "");
+		value_refuse(VALUE_MISSING(root, row->name), "missing",
+		    text("add \"%s\": %s%s", row->name, row->example,
+			w->flat_members != 0 ?
+			    ", or for two dimensions \"window\": {}" :
+			    ""));
 }
 
-static void read_members(struct document *d, const struct value m[SCENE_MEMBERS],
+static void read_members(struct document *d, const struct value m[SCENE_ROWS],
     unsigned bits)
 {
-	for (int i = 0; i < SCENE_MEMBERS; i++)
+	for (int i = 0; i < SCENE_ROWS; i++)
 		if (bits >> i & 1)
 			object_read_member(&m[i], &scene_members[i], d);
+}
+
+/* Returns whether an object has the member `name` of its table. */
+static bool has_member(const struct value *object, const struct member *table,
+    const char *name)
+{
+	struct value given;
+
+	return object->item != NULL &&
+	    object_member(object, member_named(table, 0, name), &given);
 }
 
 /* Returns whether a "convention" gives a member, as each name of one does. */
 static bool convention_gives(const struct value *v, const char *name)
 {
-	struct value given;
-
-	return value_is(v, JSON_OBJECT) ? value_member(v, name, &given) :
+	return value_is(v, JSON_OBJECT) ? has_member(v, convention_members, name) :
 					  v->item != NULL;
 }
 
@@ -183,60 +114,112 @@ static const char *find_needs_axes(const struct camera *c)
 	return c->steps.step != NULL && c->way == CAMERA_MATRIX ? "matrix" : NULL;
 }
 
+static void check_distance(const struct value *viewport, const struct member *table)
+{
+	static const char *const names[] = { "min_z", "max_z" };
+
+	for (int i = 0; i < 2; i++)
+		if (has_member(viewport, table, names[i])) {
+			value_refuse(VALUE_MISSING(viewport, names[i]),
+			    "not together with \"depth\": \"distance\"",
+			    "it is for \"buffer\"");
+			return;
+		}
+}
+
 /* A device without "origin" takes it from -c or, without -c, from the document's. */
 static void complete_scene(struct document *d, const struct document_wants *w,
-    const struct value m[SCENE_MEMBERS], unsigned seen)
+    const struct value m[SCENE_ROWS], unsigned seen)
 {
 	struct scene *s = &d->scene;
 	const struct convention *answer = w->convention;
 	const char *needs_axes = find_needs_axes(&s->camera);
-	struct value given;
+	const struct value *viewport = &m[SCENE_ROW_VIEWPORT],
+			   *camera = &m[SCENE_ROW_CAMERA];
+	const struct member *const table = scene_members[SCENE_ROW_VIEWPORT].members;
 
 	s->camera.unit = (enum angle_unit)d->source.unit;
 	s->projection.without_camera = !s->has_camera;
 	d->written.angle_unit = (seen & SCENE_ANGLE_UNIT) != 0;
-	d->written.scale = s->has_viewport &&
-	    value_member(&m[ROW_OF(VIEWPORT)], "scale", &given);
+	d->written.scale = s->has_viewport && has_member(viewport, table, "scale");
 	d->has_eye = s->has_camera &&
 	    (s->camera.way >= CAMERA_TRANSLATION ||
-		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
+		has_member(camera, scene_members[SCENE_ROW_CAMERA].members, "eye"));
 	if (needs_axes != NULL)
-		convention_require(&m[ROW_OF(CAMERA)], needs_axes);
-	if (s->has_viewport && s->viewport.distance &&
-	    (value_member(&m[ROW_OF(VIEWPORT)], "min_z", &given) ||
-		value_member(&m[ROW_OF(VIEWPORT)], "max_z", &given)))
-		value_fault(&given,
-		    "not together with \"depth\": \"distance\"; it is for \"buffer\"");
+		convention_require(camera, needs_axes);
+	if (s->has_viewport && s->viewport.distance)
+		check_distance(viewport, table);
 	if (seen & SCENE_PROJECTION)
-		projection_complete(&m[ROW_OF(PROJECTION)],
+		projection_complete(&m[SCENE_ROW_PROJECTION],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_device && answer == NULL &&
-	    convention_gives(&m[ROW_OF(CONVENTION)], "origin"))
+	    convention_gives(&m[SCENE_ROW_CONVENTION], "origin"))
 		answer = &s->convention;
 	if (s->has_device && answer != NULL &&
-	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
+	    !has_member(&m[SCENE_ROW_DEVICE], scene_members[SCENE_ROW_DEVICE].members,
+		"origin"))
 		s->device.top_left = !answer->origin_bottom_left;
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
 
-void document_read(struct document *d, const char *name, char *text, size_t size,
+/* Reads the convention and the unit of angles, which decide how others are read. */
+static void read_first(struct document *d, const struct document_wants *w,
+    const struct value m[SCENE_ROWS], unsigned seen)
+{
+	struct json_source *source = &d->source;
+	const size_t faults = source->faults->n;
+
+	d->scene.convention = w->convention != NULL ? *w->convention :
+						      conventions[CONVENTION_D3D];
+	read_members(d, m, seen & FIRST);
+	/* a wrong convention would give them */
+	source->has_axes = w->convention != NULL || source->faults->n != faults;
+	for (const struct member *row = convention_members; row->name != NULL; row++)
+		source->has_axes |= convention_gives(&m[SCENE_ROW_CONVENTION],
+		    row->name);
+	d->written.convention = source->has_axes || (seen & SCENE_CONVENTION) != 0;
+	if (w->convention != NULL &&
+	    memcmp(w->convention, &d->scene.convention, sizeof d->scene.convention) !=
+		0)
+		d->scene.answer = w->convention;
+	source->column_vectors = d->scene.convention.column_vectors;
+}
+
+/* Cuts the points of the document from its text. */
+static void cut_points(struct document *d, const struct value *v, struct span points,
+    int coordinates)
+{
+	if (!value_is(v, JSON_ARRAY)) {
+		value_refuse_type(v, "an array of points");
+		return;
+	}
+	if (points.s == NULL) {
+		value_refuse(v, "its name has an escape", "write \"points\"");
+		return;
+	}
+	if (!points_cut(v, &points, coordinates) || coordinates == 0)
+		return;
+	d->points = points.s;
+	d->points_size = (size_t)(points.end - points.s);
+}
+
+bool document_read(struct document *d, const char *name, char *begin, size_t size,
     const struct document_wants *wants)
 {
 	struct document_wants w = *wants;
 	struct json_source *source = &d->source;
+	struct value root, m[SCENE_ROWS];
 	struct span points;
-	struct value m[SCENE_MEMBERS];
-	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
+	unsigned seen, meant;
 
 	*d = (struct document){ .source = wants->source };
 	source->name = name;
 	source->scene_members = scene_members;
 	source->row = &scene_row;
-	const struct value root = value_parse_document(source, "/points", text, size,
-	    &points);
-	const unsigned seen = find_members(source, &root, wants, m);
-
+	d->ends_run = !value_parse_document(source, begin, size, &root, &points);
+	if (d->ends_run || !find_members(source, &root, wants, m, &seen, &meant))
+		return false;
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat_members) != 0;
 	source->flat = d->flat;
 	if (d->flat) {
@@ -244,87 +227,74 @@ void document_read(struct document *d, const char *name, char *text, size_t size
 		w.used = document_used_members(wants) & ~(unsigned)SCENE_SPATIAL;
 		w.coordinates = w.coordinates > 0 ? 2 : 0;
 	}
-	for (int i = 0; i < SCENE_MEMBERS; i++)
+	for (int i = 0; i < SCENE_ROWS; i++)
 		m[i].unused = (w.used >> i & 1) == 0;
-	d->scene.convention = w.convention != NULL ? *w.convention :
-						     conventions[CONVENTION_D3D];
-	const size_t faults = json_faults.n;
-
-	read_members(d, m, seen & first);
-	/* a wrong convention would give them */
-	source->has_axes = w.convention != NULL || json_faults.n != faults;
-	for (const struct member *row = convention_members; row->name != NULL; row++)
-		source->has_axes |= convention_gives(&m[ROW_OF(CONVENTION)], row->name);
-	d->written.convention = source->has_axes || (seen & SCENE_CONVENTION) != 0;
-	if (w.convention != NULL &&
-	    memcmp(w.convention, &d->scene.convention, sizeof d->scene.convention) != 0)
-		d->scene.answer = w.convention;
-	source->column_vectors = d->scene.convention.column_vectors;
-	check_members(&root, &w, seen);
-	read_members(d, m, seen & ~(first | SCENE_POINTS));
+	check_members(&root, &w, seen | meant);
+	read_first(d, &w, m, seen);
+	read_members(d, m, seen & ~(unsigned)(FIRST | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
-	if (json_faults.n > 0)
-		value_give_up(&root);
-	if (seen & SCENE_POINTS) {
-		d->points_size = write_points(&m[ROW_OF(POINTS)], &points,
-		    w.coordinates);
-		d->points = w.coordinates > 0 ? points.s : NULL;
-	}
+	if (seen & SCENE_POINTS)
+		cut_points(d, &m[SCENE_ROW_POINTS], points, w.coordinates);
+	return source->faults->n == 0;
 }
 
-char *document_read_points(const char *name, char *text, size_t size, int coordinates,
-    const char *two_numbers_hint, size_t *points_size)
+bool document_read_points(struct json_source *source, char *begin, size_t size,
+    int coordinates, struct span *points)
 {
-	struct json_source source = { .name = name,
-		.two_numbers_hint = two_numbers_hint,
-		.is_operand = true,
-		.scene_members = scene_members };
-	struct span points;
-	struct value root = value_parse_document(&source, "", text, size, &points);
+	const struct value root = { .source = source };
 
-	*points_size = write_points(&root, &points, coordinates);
-	return (char *)points.s;
+	return value_find_array(source, begin, size, points) &&
+	    points_cut(&root, points, coordinates);
 }
 
-/* Returns the place to which the first n bytes of s, a JSON pointer, lead, and writes
- * the pointer. If the document is a camera, "/camera/up" becomes "/up". */
-static struct place document_place(const struct document *d, const char *s, size_t n,
-    char pointer[POINTER_ROOM])
+/* Returns the place to which a JSON pointer leads, and writes the pointer. If the
+ * document is a camera, "/camera/up" becomes "/up". */
+static struct place document_place(const struct json_source *source,
+    const char *pointer)
 {
-	const char *name = d->source.row->name;
+	const char *name = source->row != NULL ? source->row->name : NULL;
 	const size_t lone = name != NULL ? strlen(name) : 0;
 
-	if (lone > 0 && n > lone && strncmp(s + 1, name, lone) == 0 &&
-	    (n == lone + 1 || s[lone + 1] == '/')) {
-		s += lone + 1;
-		n -= lone + 1;
+	if (lone > 0 && *pointer == '/' && strncmp(pointer + 1, name, lone) == 0 &&
+	    (pointer[lone + 1] == '\0' || pointer[lone + 1] == '/'))
+		pointer += lone + 1;
+	return json_source_place(source, pointer);
+}
+
+bool document_refuse(const struct document *d, const char *where, const char *what,
+    const char *remedy)
+{
+	return refuse(d->source.faults, where, what, remedy);
+}
+
+void document_tell(const struct json_source *source, int status)
+{
+	const struct refusals *f = source->faults;
+	const size_t kept = f->n < REFUSALS_MAX ? f->n : REFUSALS_MAX;
+
+	for (size_t i = 0; i < kept; i++) {
+		const struct refusal *r = &f->list[i];
+		struct place place = document_place(source, r->where);
+
+		if (r->line > 0) {
+			place.line = r->line;
+			place.column = r->column;
+		}
+		say_at(status, &place, r->what, r->remedy);
 	}
-	snprintf(pointer, POINTER_ROOM, "%.*s", (int)n, s);
-	return json_source_place(&d->source, pointer);
+	if (f->n > kept) {
+		const struct place place = document_place(source, "");
+
+		say_at(status, &place, text("%zu more faults", f->n - kept), NULL);
+	}
 }
 
-void document_refuse(const struct document *d, const char *reason)
+void document_note(const struct document *d, const char *pointer, const char *what,
+    const char *remedy)
 {
-	const size_t n = *reason == '/' ? strcspn(reason, ":") : 0;
-	char pointer[POINTER_ROOM];
-	const struct place place = document_place(d, reason, n, pointer);
+	const struct place place = document_place(&d->source, pointer);
 
-	die_at(EXIT_INPUT, &place, "%s", n > 0 ? reason + n + 2 : reason);
-}
-
-void document_note(const struct document *d, const char *pointer, const char *text)
-{
-	char of_document[POINTER_ROOM];
-	const struct place place = document_place(d, pointer, strlen(pointer),
-	    of_document);
-
-	say_at(SAY_NOTE, &place, "%s", text);
-}
-
-void document_refuse_if(const struct document *d, const char *reason)
-{
-	if (reason != NULL)
-		document_refuse(d, reason);
+	say_at(SAY_NOTE, &place, what, remedy);
 }
 
 static void put_document(struct printer *p, const struct document *d, unsigned bits)
@@ -336,21 +306,17 @@ static void put_document(struct printer *p, const struct document *d, unsigned b
 void put_scene(struct printer *p, const struct scene *s)
 {
 	struct document d = { .scene = *s };
-	struct projection_shear *shear = &d.scene.projection.shear;
 
-	/* the world is printed as it was given, with its angles in radians; the other
-	 * angles that inspect finds are in degrees */
+	/* the world is printed as it was given, and the other angles that inspect finds
+	 * are in its unit */
 	d.source.unit = s->has_world ? s->world.unit : ANGLE_DEGREES;
-	if (d.source.unit == ANGLE_RADIANS) {
-		shear->projector_angle *= PI / 180;
-		shear->direction *= PI / 180;
-	}
 	put_document(p, &d, SCENE_CONVENTION | SCENE_ANGLE_UNIT | SCENE_SPATIAL);
 }
 
 void put_device(struct printer *p, const struct device *d)
 {
-	scene_members[ROW_OF(DEVICE)].type->print(p, &scene_members[ROW_OF(DEVICE)], d);
+	scene_members[SCENE_ROW_DEVICE].type->print(p, &scene_members[SCENE_ROW_DEVICE],
+	    d);
 }
 
 void document_print(const struct document *d, bool compact)

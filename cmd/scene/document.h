@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads JSON documents as scenes, and prints scenes. A wrong document is refused with a
- * message that says where it is wrong, and exit status 1. */
+/* Reads JSON documents as scenes, and prints scenes. */
 #pragma once
 
 #include <stddef.h>
@@ -20,14 +19,18 @@ struct pick {
 struct document {
 	struct scene scene;
 	bool flat; /* the scene is 2D: see document_wants.flat_members */
+	/* Of refusals: they are about the call, too, so that the exit status is
+	 * EXIT_USAGE; no scene can follow, as the text is no JSON, or typed points are
+	 * wrong. */
+	bool is_usage, ends_run;
 	struct written written;
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */
 	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
-	/* The text, for messages. Its `row` is that of a scene or, if the whole document
-	 * is one member of a scene, such as a camera, the row of this member, whose name
-	 * JSON pointers in messages leave out. */
+	/* The text, for messages. Its `row` is that of a scene or, if the whole
+	 * document is one member of a scene, such as a camera, the row of this member,
+	 * whose name JSON pointers in messages leave out. */
 	struct json_source source;
 	/* The member points, rewritten in the document's text as lines, as those of
 	 * document_read_points; or NULL. */
@@ -46,7 +49,7 @@ struct document_wants {
 	 * bits, and no projection. The command then needs no other member, uses none
 	 * of SCENE_SPATIAL, and reads 2D points. 0: no document is flat. */
 	unsigned flat_members;
-	/* The caller sets lines_before, bytes_before, two_numbers_hint, and:
+	/* The caller sets faults, lines_before, bytes_before, two_numbers_hint, and:
 	 * - implied_type: projections have only this type, and may lack "type".
 	 * - task: members that the rules leave to it (struct rule) may be missing. */
 	struct json_source source;
@@ -60,24 +63,28 @@ struct document_wants {
 /* Returns all members that the command may use, in a flat document or not, as bits. */
 unsigned document_used_members(const struct document_wants *);
 
-/* Reads the document text[0..size) into *d; changes `text`. Messages show `name`. */
-void document_read(struct document *d, const char *name, char *text, size_t size,
+/* Reads the document text[0..size) into *d; changes `text`. Messages show `name`.
+ * Returns false after refusals, which are in wants->source.faults, as all that follow
+ * are. */
+bool document_read(struct document *d, const char *name, char *text, size_t size,
     const struct document_wants *wants);
 
-/* Replaces text[0..size), a point or a list of points in JSON, by lines, and returns
- * the lines; sets *points_size to their size. Each line is a point's array without
- * blanks. The first `coordinates` elements of an array must be numbers or null. */
-char *document_read_points(const char *name, char *text, size_t size, int coordinates,
-    const char *two_numbers_hint, size_t *points_size);
+/* Replaces text[0..size), a point or a list of points in JSON, by lines, and sets
+ * *points to them. Each line is a point's array without blanks. The first `coordinates`
+ * elements of an array must be numbers or null. The source has a name and faults. */
+bool document_read_points(struct json_source *, char *text, size_t size,
+    int coordinates, struct span *points);
 
-/* Prints "projcalc: FILE: REASON" and ends as value_refuse does. The reason, from a
- * function of core/, may begin with a JSON pointer: "/camera/up: ...". */
-_Noreturn void document_refuse(const struct document *d, const char *reason);
+/* Refuses a document: the parts are those of struct refusal. Returns false. */
+bool document_refuse(const struct document *, const char *where, const char *what,
+    const char *remedy);
 
-void document_refuse_if(const struct document *d, const char *reason); /* or NULL */
+/* Prints the refusals of a document, with this exit status. */
+void document_tell(const struct json_source *, int status);
 
 /* Says a note on the member to which a JSON pointer leads. */
-void document_note(const struct document *, const char *pointer, const char *text);
+void document_note(const struct document *, const char *pointer, const char *what,
+    const char *remedy);
 
 /* Prints a document of the command fit, with a line for each member or, if compact, in
  * one line. Leaves SCENE_SPATIAL out of a flat document. If the camera has a gaze and

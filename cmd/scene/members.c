@@ -11,64 +11,76 @@ static const char *const scale_names[] = { "fill", "uniform", NULL };
 static const char *const depth_names[] = { "buffer", "distance", NULL };
 static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
+/* Rows of tables, and their bits. */
+enum {
+	CAMERA_ROW_EYE,
+	CAMERA_ROW_AT,
+	CAMERA_ROW_GAZE,
+	CAMERA_ROW_ORIENTATION,
+	CAMERA_ROW_RVEC,
+	CAMERA_ROW_TRANSLATION,
+	CAMERA_ROW_POSE,
+	CAMERA_ROW_MATRIX,
+	CAMERA_ROW_UP,
+	CAMERA_ROW_ROLL,
+	CAMERA_ROW_ORTHONORMALIZE,
+};
+
+#define CAMERA(row) MEMBER_BIT(CAMERA_ROW_##row)
+
 static const struct member camera_members[] = {
-	ROW(camera, "eye", type_numbers, eye, .n = 3,
-	    .aliases = "position pos from origin location c cop eyepoint viewpoint",
+	[CAMERA_ROW_EYE] = ROW(camera, "eye", type_numbers, eye, .n = 3,
+	    .aliases = "position location origin look_from eye_position",
 	    .unit = "world units", .about = "position of the camera in world space"),
-	ROW(camera, "at", type_numbers, at, .n = 3,
-	    .aliases = "target center centre lookat to", .unit = "world units",
+	[CAMERA_ROW_AT] = ROW(camera, "at", type_numbers, at, .n = 3,
+	    .aliases = "target look_at focal_point", .unit = "world units",
 	    .about = "point in world space at which the camera looks"),
-	ROW(camera, "gaze", type_numbers, at, .n = 3,
-	    .aliases = "direction dir forward",
+	[CAMERA_ROW_GAZE] = ROW(camera, "gaze", type_numbers, at, .n = 3,
+	    .aliases = "forward direction dir",
 	    .about = "direction in which the camera looks, of any length"),
-	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
-	    .aliases = "rotation rotationquaternion quaternion quat q",
-	    .hint =
-		" (x, y, z, w, view to world, beside \"eye\"; with a translation it is "
-		"\"pose\", world to view \"matrix\", as [{\"quaternion_wxyz\": q}, "
-		"{\"translate\": t}]; a 3x3 R is in \"matrix\", Euler angles are steps "
-		"in \"pose\")",
-	    .about = "quaternion x, y, z, w from view axes to world axes"),
-	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
-	    .aliases = "rotationvector rodrigues",
-	    .hint = " (world to view, its length the angle)", .unit = "radians",
+	[CAMERA_ROW_ORIENTATION] = ROW(camera, "orientation", type_numbers, orientation,
+	    .n = 4, .about = "quaternion x, y, z, w from view axes to world axes"),
+	[CAMERA_ROW_RVEC] = ROW(camera, "rvec", type_numbers, rvec, .n = 3,
+	    .unit = "radians",
 	    .about = "rotation vector that turns world axes into view axes"),
-	ROW(camera, "translation", type_numbers, eye, .n = 3,
-	    .aliases = "tvec t translationvector",
-	    .hint = " (t of world to view; beside R write \"matrix\": [R|t])",
+	[CAMERA_ROW_TRANSLATION] = ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
-	ROW(camera, "pose", type_steps, steps,
-	    .aliases = "transformmatrix transform matrixworld cameratoworld camtoworld "
-		       "c2w twc cam2world localtoworldmatrix",
-	    .hint = " (view to world; of NeRF, Blender and ARKit with \"convention\": "
-		    "\"webgpu\")",
+	[CAMERA_ROW_POSE] = ROW(camera, "pose", type_steps, steps,
 	    .about = "map from view to world: a matrix, or steps ('help world')"),
-	ROW(camera, "matrix", type_steps, steps,
-	    .aliases = "view viewmatrix extrinsic extrinsics r rt rotationmatrix "
-		       "worldtocamera worldtocameramatrix worldtocam w2c tcw world2cam "
-		       "modelviewmatrix matrixworldinverse",
-	    .hint = " (world to view, [R|t])",
+	[CAMERA_ROW_MATRIX] = ROW(camera, "matrix", type_steps, steps,
 	    .about = "map from world to view: [R|t], or steps ('help world')"),
-	ROW(camera, "up", type_numbers, up, .n = 3, .fallback = "[0, 1, 0]",
-	    .aliases = "vup viewup upvector", .shown = true,
+	[CAMERA_ROW_UP] = ROW(camera, "up", type_numbers, up, .n = 3,
+	    .fallback = "[0, 1, 0]", .aliases = "view_up up_vector vup", .shown = true,
 	    .about = "direction that points up in the image"),
-	ROW(camera, "roll", type_numbers, roll, .range = &range_any, .unit = "degrees",
-	    .fallback = "0",
+	[CAMERA_ROW_ROLL] = ROW(camera, "roll", type_numbers, roll, .range = &range_any,
+	    .unit = "degrees", .fallback = "0",
 	    .about = "angle by which the image is turned counterclockwise"),
-	ROW(camera, "orthonormalize", type_flag, orthonormalize, .fallback = "false",
+	[CAMERA_ROW_ORTHONORMALIZE] = ROW(camera, "orthonormalize", type_flag,
+	    orthonormalize, .fallback = "false",
 	    .about = "replace the matrix's 3x3 part by the nearest rotation"),
 	{ .name = NULL },
 };
 
-/* in the order of the enum that is the type of camera.way */
 static const struct rule camera_rules[] = {
-	{ .ways = WAYS("eye at up? roll?", "eye~ gaze up? roll?",
-	      "eye~ orientation roll?", "eye~ rvec roll?",
-	      "translation orientation roll?", "translation rvec roll?",
-	      "pose orthonormalize?", "matrix orthonormalize?"),
+	{ WAYS(WAY(CAMERA(EYE) | CAMERA(AT), .optional = CAMERA(UP) | CAMERA(ROLL),
+		   .value = CAMERA_AT),
+	      WAY(CAMERA(EYE) | CAMERA(GAZE), .optional = CAMERA(UP) | CAMERA(ROLL),
+		  .fitted = CAMERA(EYE), .value = CAMERA_GAZE),
+	      WAY(CAMERA(EYE) | CAMERA(ORIENTATION), .optional = CAMERA(ROLL),
+		  .fitted = CAMERA(EYE), .value = CAMERA_ORIENTATION),
+	      WAY(CAMERA(EYE) | CAMERA(RVEC), .optional = CAMERA(ROLL),
+		  .fitted = CAMERA(EYE), .value = CAMERA_RVEC),
+	      WAY(CAMERA(TRANSLATION) | CAMERA(ORIENTATION), .optional = CAMERA(ROLL),
+		  .value = CAMERA_TRANSLATION),
+	      WAY(CAMERA(TRANSLATION) | CAMERA(RVEC), .optional = CAMERA(ROLL),
+		  .value = CAMERA_RVEC_TRANSLATION),
+	      WAY(CAMERA(POSE), .optional = CAMERA(ORTHONORMALIZE),
+		  .value = CAMERA_POSE),
+	      WAY(CAMERA(MATRIX), .optional = CAMERA(ORTHONORMALIZE),
+		  .value = CAMERA_MATRIX)),
 	    .field = FIELD(camera, way) },
-	{ .ways = NULL },
+	{ .n = 0 },
 };
 
 #define SIZE(object, label, field, ...) \
@@ -78,37 +90,44 @@ static const struct value_range height_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE
 	.wanted = "a number from 1e-150 to 1e150 is wanted; for a flipped viewport of "
 		  "Vulkan write \"webgpu\", y + height for y, and -height for height" };
 
-#define RECTANGLE(object)                                                       \
-	ROW(object, "x", type_numbers, x, .aliases = "left xmin",               \
-	    .unit = "device units", .fallback = "0", .shown = true,             \
-	    .about = "least device x of the rectangle"),                        \
-	    ROW(object, "y", type_numbers, y, .aliases = "top bottom ymin",     \
-		.unit = "device units", .fallback = "0", .shown = true,         \
-		.about = "least device y of the rectangle"),                    \
-	    SIZE(object, "width", width, .unit = "device units",                \
-		.aliases = "w imagewidth pixelwidth",                           \
-		.about = "width of the rectangle, required"),                   \
-	    ROW(object, "height", type_numbers, height, .range = &height_range, \
-		.aliases = "h imageheight pixelheight", .unit = "device units", \
-		.about = "height of the rectangle, required")
+/* The first rows of the tables of viewport and device. */
+enum {
+	RECTANGLE_ROW_X,
+	RECTANGLE_ROW_Y,
+	RECTANGLE_ROW_WIDTH,
+	RECTANGLE_ROW_HEIGHT,
+	RECTANGLE_ROWS,
+};
+
+#define RECTANGLE(object)                                                             \
+	[RECTANGLE_ROW_X] = ROW(object, "x", type_numbers, x, .unit = "device units", \
+	    .fallback = "0", .shown = true,                                           \
+	    .about = "least device x of the rectangle"),                              \
+	[RECTANGLE_ROW_Y] = ROW(object, "y", type_numbers, y, .unit = "device units", \
+	    .fallback = "0", .shown = true,                                           \
+	    .about = "least device y of the rectangle"),                              \
+	[RECTANGLE_ROW_WIDTH] = SIZE(object, "width", width, .unit = "device units",  \
+	    .about = "width of the rectangle, required"),                             \
+	[RECTANGLE_ROW_HEIGHT] = ROW(object, "height", type_numbers, height,          \
+	    .range = &height_range, .unit = "device units",                           \
+	    .about = "height of the rectangle, required")
 
 /* "scale" in JSON sets the fields `scale` and `scales` of struct viewport. */
 enum {
 	TO_SCALES = offsetof(struct viewport, scales) - offsetof(struct viewport, scale)
 };
 
-static void read_scale(const struct value *v, const struct member *row, void *out)
+static bool read_scale(const struct value *v, const struct member *row, void *out)
 {
 	unsigned *by = out;
 
 	*by = SCALE_GIVEN;
 	if (value_is(v, JSON_ARRAY))
-		value_numbers(v, &range_positive, 2, "",
+		return value_numbers(v, &range_positive, 2,
 		    (double *)(void *)((char *)out + TO_SCALES));
-	else if (value_string(v) == NULL)
-		value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
-	else
-		*by = (unsigned)value_word(v, row->words);
+	if (value_string(v) == NULL)
+		return value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
+	return value_word(v, row->words, NULL, by);
 }
 
 static void print_scale(struct printer *p, const struct member *row, const void *at)
@@ -126,12 +145,11 @@ static const struct member_type type_scale = { "fill, uniform or 2 sizes", read_
 
 static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
-	ROW(viewport, "min_z", type_numbers, min_z, .aliases = "mindepth zmin",
+	[RECTANGLE_ROWS] = ROW(viewport, "min_z", type_numbers, min_z,
 	    .unit = "device units", .fallback = "0",
 	    .about = "device z of the least depth in ndc"),
-	ROW(viewport, "max_z", type_numbers, max_z, .aliases = "maxdepth zmax",
-	    .unit = "device units", .fallback = "1",
-	    .about = "device z of the greatest depth in ndc"),
+	ROW(viewport, "max_z", type_numbers, max_z, .unit = "device units",
+	    .fallback = "1", .about = "device z of the greatest depth in ndc"),
 	ROW(viewport, "scale", type_scale, scale, .words = scale_names,
 	    .fallback = "\"fill\"",
 	    .about = "device units (pixels) for one unit of ndc x and y"),
@@ -143,93 +161,119 @@ static const struct member viewport_members[] = {
 
 static const struct member device_members[] = {
 	RECTANGLE(device),
-	ROW(device, "origin", type_flag, top_left, .words = device_origins,
-	    .fallback = "\"bottom-left\"", .shown = true,
+	[RECTANGLE_ROWS] = ROW(device, "origin", type_flag, top_left,
+	    .words = device_origins, .fallback = "\"bottom-left\"", .shown = true,
 	    .default_from = "-c's or the convention's",
 	    .about = "corner of the device where x and y are least"),
 	{ .name = NULL },
 };
 
 static const struct rule rectangle_rules[] = {
-	{ .ways = WAYS("width height") },
-	{ .ways = NULL },
+	{ WAYS(
+	    WAY(MEMBER_BIT(RECTANGLE_ROW_WIDTH) | MEMBER_BIT(RECTANGLE_ROW_HEIGHT))) },
+	{ .n = 0 },
 };
 
+enum {
+	WINDOW_ROW_CENTER,
+	WINDOW_ROW_WIDTH,
+	WINDOW_ROW_HEIGHT,
+	WINDOW_ROW_LEFT,
+	WINDOW_ROW_RIGHT,
+	WINDOW_ROW_BOTTOM,
+	WINDOW_ROW_TOP,
+	WINDOW_ROW_PAN,
+	WINDOW_ROW_ZOOM,
+	WINDOW_ROW_ABOUT,
+	WINDOW_ROW_ADAPT,
+};
+
+#define WINDOW(row) MEMBER_BIT(WINDOW_ROW_##row)
+
 static const struct member window_members[] = {
-	ROW(window, "center", type_numbers, center, .n = 2,
-	    .aliases = "centre position", .unit = "window units",
+	[WINDOW_ROW_CENTER] = ROW(window, "center", type_numbers, center, .n = 2,
+	    .unit = "window units",
 	    .about = "centre of the window, with width and height"),
-	SIZE(window, "width", width, .unit = "window units",
+	[WINDOW_ROW_WIDTH] = SIZE(window, "width", width, .unit = "window units",
 	    .about = "width of the window"),
-	SIZE(window, "height", height, .unit = "window units",
+	[WINDOW_ROW_HEIGHT] = SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
-	ROW(window, "left", type_numbers, left,
-	    .aliases = "x xmin min viewbox bbox extent",
-	    .hint = ", with \"right\", \"bottom\" and \"top\"", .unit = "window units",
+	[WINDOW_ROW_LEFT] = ROW(window, "left", type_numbers, left,
+	    .unit = "window units",
 	    .about = "left edge of the window, with right, bottom and top"),
-	ROW(window, "right", type_numbers, right, .aliases = "xmax max",
+	[WINDOW_ROW_RIGHT] = ROW(window, "right", type_numbers, right,
 	    .unit = "window units",
 	    .about = "right edge of the window, greater than left"),
-	ROW(window, "bottom", type_numbers, bottom, .aliases = "y ymin",
+	[WINDOW_ROW_BOTTOM] = ROW(window, "bottom", type_numbers, bottom,
 	    .unit = "window units", .about = "bottom edge of the window"),
-	ROW(window, "top", type_numbers, top, .aliases = "ymax", .unit = "window units",
+	[WINDOW_ROW_TOP] = ROW(window, "top", type_numbers, top, .unit = "window units",
 	    .about = "top edge of the window, greater than bottom"),
-	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
-	    .fallback = "[0, 0]",
+	[WINDOW_ROW_PAN] = ROW(window, "pan", type_numbers, pan, .n = 2,
+	    .unit = "window units", .fallback = "[0, 0]",
 	    .about = "distance that the window moves along x and y"),
-	SIZE(window, "zoom", zoom, .aliases = "scale", .fallback = "1",
+	[WINDOW_ROW_ZOOM] = SIZE(window, "zoom", zoom, .fallback = "1",
 	    .about = "factor of magnification; 2 shows half the extent"),
-	ROW(window, "about", type_numbers, about, .n = 2,
-	    .flag = FIELD(window, has_about), .aliases = "at anchor",
-	    .unit = "window units",
+	[WINDOW_ROW_ABOUT] = ROW(window, "about", type_numbers, about, .n = 2,
+	    .flag = FIELD(window, has_about), .unit = "window units",
 	    .about = "point that zoom does not move; if absent, the centre"),
-	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
-	    .aliases = "fit objectfit preserveaspectratio", .fallback = "\"stretch\"",
+	[WINDOW_ROW_ADAPT] = ROW(window, "adapt", type_word, adapt,
+	    .words = adapt_names, .fallback = "\"stretch\"",
 	    .about = "if the device's shape differs: distort, show more, less"),
 	{ .name = NULL },
 };
 
+/* The values are those of window.by_edges. */
 static const struct rule window_rules[] = {
-	{ .ways = WAYS("center~ width~ height~", "left~ right~ bottom~ top~"),
+	{ WAYS(WAY(WINDOW(CENTER) | WINDOW(WIDTH) | WINDOW(HEIGHT),
+		   .fitted = WINDOW(CENTER) | WINDOW(WIDTH) | WINDOW(HEIGHT),
+		   .value = 0),
+	      WAY(WINDOW(LEFT) | WINDOW(RIGHT) | WINDOW(BOTTOM) | WINDOW(TOP),
+		  .fitted = WINDOW(LEFT) | WINDOW(RIGHT) | WINDOW(BOTTOM) | WINDOW(TOP),
+		  .value = 1)),
 	    .field = FIELD(window, by_edges) },
-	{ .ways = NULL },
+	{ .n = 0 },
 };
 
 /* Reads a point: three numbers, two in a flat document, either if it is not used. */
-static void read_bounds_point(const struct value *v, const struct member *row,
+static bool read_bounds_point(const struct value *v, const struct member *row,
     void *out)
 {
 	const bool two = v->unused ? value_count(v) == 2 : v->source->flat;
 
 	(void)row;
-	value_numbers(v, &range_any, two ? 2 : 3, "", out);
+	return value_numbers(v, &range_any, two ? 2 : 3, out);
 }
 
 static const struct member_type type_bounds_point = { "3 numbers, or 2 of a window",
 	read_bounds_point, NULL, 0 };
 
-#define POINT(label, field, alias, text)                               \
-	ROW(bounds, label, type_bounds_point, field, .aliases = alias, \
-	    .unit = "model units", .about = text)
+enum { BOUNDS_ROW_CENTER, BOUNDS_ROW_RADIUS, BOUNDS_ROW_MIN, BOUNDS_ROW_MAX };
+
+#define POINT(label, field, text)                                           \
+	ROW(bounds, label, type_bounds_point, field, .unit = "model units", \
+	    .about = text)
 
 static const struct member bounds_members[] = {
-	POINT("center", center, "centre position", "centre of the sphere"),
-	SIZE(bounds, "radius", radius, .aliases = "r", .unit = "model units",
+	[BOUNDS_ROW_CENTER] = POINT("center", center, "centre of the sphere"),
+	[BOUNDS_ROW_RADIUS] = SIZE(bounds, "radius", radius, .unit = "model units",
 	    .about = "radius of the sphere"),
-	POINT("min", min, "lower from", "least x, y and z of the box"),
-	POINT("max", max, "upper to", "greatest x, y and z of the box"),
+	[BOUNDS_ROW_MIN] = POINT("min", min, "least x, y and z of the box"),
+	[BOUNDS_ROW_MAX] = POINT("max", max, "greatest x, y and z of the box"),
 	{ .name = NULL },
 };
 
+/* The values are those of bounds.sphere. */
 static const struct rule bounds_rules[] = {
-	{ .ways = WAYS("min max", "center radius"), .field = FIELD(bounds, sphere) },
-	{ .ways = NULL },
+	{ WAYS(WAY(MEMBER_BIT(BOUNDS_ROW_MIN) | MEMBER_BIT(BOUNDS_ROW_MAX), .value = 0),
+	      WAY(MEMBER_BIT(BOUNDS_ROW_CENTER) | MEMBER_BIT(BOUNDS_ROW_RADIUS),
+		  .value = 1)),
+	    .field = FIELD(bounds, sphere) },
+	{ .n = 0 },
 };
 
 static const struct member pick_members[] = {
 	ROW(pick, "at", type_numbers, at, .n = 2, .flag = FIELD(pick, has_at),
-	    .aliases = "position center", .unit = "device units",
-	    .about = "centre of the circle to search"),
+	    .unit = "device units", .about = "centre of the circle to search"),
 	SIZE(pick, "radius", radius, .unit = "device units",
 	    .about = "radius of the circle to search"),
 	{ .name = NULL },
@@ -250,72 +294,67 @@ static const struct value_range margin_range = { .min = 0,
 	    .flag = FIELD(document, scene.has_##field), .members = table, __VA_ARGS__)
 
 const struct member scene_members[] = {
-	ROW(document, "convention", type_convention, scene.convention,
-	    .members = convention_members, .example = "\"d3d\"",
-	    .aliases = "d3d gl vulkan webgpu opencv", .words = convention_names,
+	[SCENE_ROW_CONVENTION] = ROW(document, "convention", type_convention,
+	    scene.convention, .members = convention_members, .example = "\"d3d\"",
+	    .words = convention_names, .word_aliases = convention_aliases,
 	    .fallback = "\"d3d\"", .shown = true, .default_from = "-c's",
 	    .about = "convention of the scene's axes, depths and matrices",
 	    .command = "lookat '{\"convention\": \"gl\", \"camera\": " CAMERA_EXAMPLE
 		       "}'"),
-	ROW(document, "angle_unit", type_word, source.unit,
-	    .aliases = "angleunits unit units angles radians degrees",
+	[SCENE_ROW_ANGLE_UNIT] = ROW(document, "angle_unit", type_word, source.unit,
 	    .words = angle_unit_names, .in_any_document = true,
 	    .fallback = "\"degrees\"", .about = "unit of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, \"aspect\": "
 		       "1.5, \"near\": 1, \"far\": 10}'"),
-	ROW(document, "world", type_steps, scene.world, .aliases = "model modelmatrix",
+	[SCENE_ROW_WORLD] = ROW(document, "world", type_steps, scene.world,
 	    .flag = FIELD(document, scene.has_world), .members = step_members,
 	    .rules = step_rules, .example = "[{\"translate\": [1,2,3]}]",
 	    .fallback = WORLD_EXAMPLE,
 	    .about = "map from model to world space: a matrix or steps",
 	    .command = "project --to world '{\"world\": [1,0,0,0, 0,1,0,0, 0,0,1,0, "
 		       "10,20,30,1]}' '[1,2,3]'"),
-	SCENE_OBJECT("camera", camera, camera_members, CAMERA_EXAMPLE,
-	    .rules = camera_rules, .aliases = "view",
-	    .hint = ", for a matrix {\"matrix\": [...]} (world to view) or "
-		    "{\"pose\": [...]} (view to world)",
+	[SCENE_ROW_CAMERA] = SCENE_OBJECT("camera", camera, camera_members,
+	    CAMERA_EXAMPLE, .rules = camera_rules,
 	    .about = "where the camera stands (map from world to view space)",
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
-	ROW(document, "projection", type_projection, scene.projection,
-	    .members = projection_members, .aliases = "lens perspective proj",
-	    .hint = ", such as " PERSP_EXAMPLE
-		    " or {\"type\": \"matrix\", \"matrix\": [...]}",
-	    .rules = projection_rules, .example = PERSP_EXAMPLE,
+	[SCENE_ROW_PROJECTION] = ROW(document, "projection", type_projection,
+	    scene.projection, .members = projection_members, .rules = projection_rules,
+	    .example = PERSP_EXAMPLE,
 	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
-	SCENE_OBJECT("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
-	    .rules = rectangle_rules, .aliases = "screen image",
+	[SCENE_ROW_VIEWPORT] = SCENE_OBJECT("viewport", viewport, viewport_members,
+	    RECTANGLE_EXAMPLE, .rules = rectangle_rules,
 	    .about = "rectangle on the screen that shows the camera's image",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
-	SCENE_OBJECT("window", window, window_members, WINDOW_EXAMPLE,
-	    .rules = window_rules, .aliases = "viewbox",
+	[SCENE_ROW_WINDOW] = SCENE_OBJECT("window", window, window_members,
+	    WINDOW_EXAMPLE, .rules = window_rules,
 	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
-	SCENE_OBJECT("device", device, device_members, RECTANGLE_EXAMPLE,
-	    .rules = rectangle_rules,
+	[SCENE_ROW_DEVICE] = SCENE_OBJECT("device", device, device_members,
+	    RECTANGLE_EXAMPLE, .rules = rectangle_rules,
 	    .about = "rectangle on the screen that shows a 2D window",
 	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
-	ROW(document, "points", type_points, points, .aliases = "point",
+	[SCENE_ROW_POINTS] = ROW(document, "points", type_points, points,
 	    .example = "[[0,0,0], [1,1,1]]",
 	    .about = "points to read if the command line has no POINTS",
 	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
-	ROW(document, "bounds", type_object, bounds,
-	    .flag = FIELD(document, has_bounds),
-	    .aliases = "extent bbox boundingbox aabb", .members = bounds_members,
+	[SCENE_ROW_BOUNDS] = ROW(document, "bounds", type_object, bounds,
+	    .flag = FIELD(document, has_bounds), .members = bounds_members,
 	    .rules = bounds_rules, .example = BOUNDS_EXAMPLE, .unit = "model units",
 	    .about = "volume that fit puts into the picture, and inspect finds there",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
-	ROW(document, "pick", type_object, pick, .flag = FIELD(document, has_pick),
-	    .members = pick_members, .example = PICK_EXAMPLE,
+	[SCENE_ROW_PICK] = ROW(document, "pick", type_object, pick,
+	    .flag = FIELD(document, has_pick), .members = pick_members,
+	    .example = PICK_EXAMPLE,
 	    .about = "circle in which pick finds points; or --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"projection\": " PERSP_EXAMPLE
 		       ", \"viewport\": " RECTANGLE_EXAMPLE ", \"pick\": " PICK_EXAMPLE
 		       "}' '[[0,0,0], [1,1,1]]'"),
-	ROW(document, "margin", type_numbers, scene.margin, .aliases = "padding border",
+	[SCENE_ROW_MARGIN] = ROW(document, "margin", type_numbers, scene.margin,
 	    .example = "0.1", .range = &margin_range, .fallback = "0",
 	    .about = "share of the picture that fit leaves free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "

@@ -6,26 +6,43 @@
 
 #include "../json/object.h"
 
+/* The rows of scene_members. */
+enum scene_row {
+	SCENE_ROW_CONVENTION,
+	SCENE_ROW_ANGLE_UNIT,
+	SCENE_ROW_WORLD,
+	SCENE_ROW_CAMERA,
+	SCENE_ROW_PROJECTION,
+	SCENE_ROW_VIEWPORT,
+	SCENE_ROW_WINDOW,
+	SCENE_ROW_DEVICE,
+	SCENE_ROW_POINTS,
+	SCENE_ROW_BOUNDS,
+	SCENE_ROW_PICK,
+	SCENE_ROW_MARGIN,
+	SCENE_ROWS,
+};
+
 /* The members of a scene as bits. */
 enum scene_member {
-	SCENE_CONVENTION = 1,
-	SCENE_ANGLE_UNIT = 2,
-	SCENE_WORLD = 4,
-	SCENE_CAMERA = 8,
-	SCENE_PROJECTION = 16,
-	SCENE_VIEWPORT = 32,
-	SCENE_WINDOW = 64,
-	SCENE_DEVICE = 128,
-	SCENE_POINTS = 256,
-	SCENE_BOUNDS = 512,
-	SCENE_PICK = 1024,
-	SCENE_MARGIN = 2048,
-	SCENE_ALL = 2 * SCENE_MARGIN - 1,
+	SCENE_CONVENTION = 1 << SCENE_ROW_CONVENTION,
+	SCENE_ANGLE_UNIT = 1 << SCENE_ROW_ANGLE_UNIT,
+	SCENE_WORLD = 1 << SCENE_ROW_WORLD,
+	SCENE_CAMERA = 1 << SCENE_ROW_CAMERA,
+	SCENE_PROJECTION = 1 << SCENE_ROW_PROJECTION,
+	SCENE_VIEWPORT = 1 << SCENE_ROW_VIEWPORT,
+	SCENE_WINDOW = 1 << SCENE_ROW_WINDOW,
+	SCENE_DEVICE = 1 << SCENE_ROW_DEVICE,
+	SCENE_POINTS = 1 << SCENE_ROW_POINTS,
+	SCENE_BOUNDS = 1 << SCENE_ROW_BOUNDS,
+	SCENE_PICK = 1 << SCENE_ROW_PICK,
+	SCENE_MARGIN = 1 << SCENE_ROW_MARGIN,
+	SCENE_ALL = (1 << SCENE_ROWS) - 1,
 	/* members of a 3D scene, which map model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION | SCENE_VIEWPORT,
 };
 
-/* The members of struct document; row i has bit i in enum scene_member. */
+/* The members of struct document. */
 extern const struct member scene_members[];
 
 /* Examples for the help. SCENE_EXAMPLE takes its aspect from the viewport. */

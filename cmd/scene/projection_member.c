@@ -41,6 +41,12 @@ const char *const projection_type_names[] = {
 _Static_assert(sizeof projection_type_names / sizeof(char *) == PROJECTION_TYPES,
     "every type but PROJECTION_NONE has a name");
 
+/* The aliases of the names, as word_aliases has them. */
+static const char *const projection_type_aliases[PROJECTION_TYPES] = {
+	[TYPE(PERSP)] = "perspective pinhole frustum",
+	[TYPE(ORTHO)] = "orthographic",
+};
+
 static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
 /* The types as bits, for the members and ways that they have. */
@@ -64,329 +70,361 @@ enum {
 	NUMBER(types, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(types, label, field, ...) \
 	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
-#define Z_HINT " (a z, which is below 0 where the camera looks along -z)"
-#define RADIANS "glTF and NeRF with \"angle_unit\": \"radians\""
+#define NEAR_NAMES "znear near_plane near_clip near_clip_plane clip_start"
+#define FAR_NAMES "zfar far_plane far_clip far_clip_plane clip_end"
+
+/* The rows of the table. A member has several if its types differ. */
+enum {
+	ROW_TYPE,
+	ROW_KIND,
+	ROW_ANGLE,
+	ROW_DIRECTION,
+	ROW_PLANE,
+	ROW_FOVY,
+	ROW_FOVX,
+	ROW_VIEW_ANGLE,
+	ROW_FIELD,
+	ROW_HALF_WIDTH,
+	ROW_HALF_HEIGHT,
+	ROW_SIZE,
+	ROW_WIDTH,
+	ROW_HEIGHT,
+	ROW_ASPECT,
+	ROW_LEFT,
+	ROW_RIGHT,
+	ROW_BOTTOM,
+	ROW_TOP,
+	ROW_ANGLES,
+	ROW_INTRINSICS,
+	ROW_EDGES_AT,
+	ROW_NEAR,
+	ROW_PARALLEL_NEAR,
+	ROW_FAR,
+	ROW_PARALLEL_FAR,
+	ROW_REVERSE_Z,
+	ROW_Z_NEAR,
+	ROW_Z_FAR,
+	ROW_EYE,
+	ROW_VOLUME_VIEW_ANGLE,
+	ROW_INVERSE_EYE_Z,
+	ROW_TAN_SKEW,
+	ROW_MATRIX,
+	ROW_NEAR_RATIO,
+	ROW_MIN_NEAR,
+	PROJECTION_ROWS,
+};
+
+_Static_assert(PROJECTION_ROWS <= 64, "each row has a bit");
+
+#define HAS(row) MEMBER_BIT(ROW_##row)
 
 /* The rows are in the order in which members are printed. */
 const struct member projection_members[] = {
-	MEMBER(0, "type", type_word, type, .words = projection_type_names,
-	    .word_0 = PROJECTION_PERSP,
+	[ROW_TYPE] = MEMBER(0, "type", type_word, type, .words = projection_type_names,
+	    .word_aliases = projection_type_aliases, .word_0 = PROJECTION_PERSP,
 	    .about = "type; commands persp, ortho, oblique, volume imply it"),
-	MEMBER(OBLIQUE, "kind", type_word, shear.kind, .words = oblique_kinds,
-	    .word_0 = OBLIQUE_CAVALIER,
+	[ROW_KIND] = MEMBER(OBLIQUE, "kind", type_word, shear.kind,
+	    .words = oblique_kinds, .word_0 = OBLIQUE_CAVALIER,
 	    .about =
 		"cavalier keeps the length of lines along the gaze, cabinet halves it"),
-	ANGLE(OBLIQUE, "angle", shear.projector_angle, .range = &projector_angle_range,
-	    .aliases = "alpha",
+	[ROW_ANGLE] = ANGLE(OBLIQUE, "angle", shear.projector_angle,
+	    .range = &projector_angle_range,
 	    .about = "angle between projectors and picture, in place of kind"),
-	ANGLE(OBLIQUE, "direction", shear.direction, .range = &range_any,
-	    .aliases = "phi", .fallback = "45", .shown = true,
+	[ROW_DIRECTION] = ANGLE(OBLIQUE, "direction", shear.direction,
+	    .range = &range_any, .fallback = "45", .shown = true,
 	    .about = "direction in the picture of lines along the gaze"),
-	LENGTH(OBLIQUE, "plane", shear.plane, .fallback = "0",
+	[ROW_PLANE] = LENGTH(OBLIQUE, "plane", shear.plane, .fallback = "0",
 	    .about = "distance along the gaze of points that do not shear"),
-	ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
-	    .aliases = "fov yfov vfov fovv verticalfov fieldofview cameraangley",
-	    .hint = " (vertical, as of Unity and three.js; Unreal's is \"fovx\"; "
-		    "of " RADIANS ")",
+	[ROW_FOVY] = ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
 	    .about = "angle between the bottom and the top plane"),
-	ANGLE(PERSP, "fovx", section.angle, .range = &fov_range,
-	    .aliases = "xfov fovh horizontalfov hfov cameraanglex anglex",
-	    .hint = " (of " RADIANS ")",
+	[ROW_FOVX] = ANGLE(PERSP, "fovx", section.angle, .range = &fov_range,
 	    .about = "angle between the left and the right plane"),
-	ANGLE(PERSP, "view_angle", section.angle, .range = &fov_range,
-	    .aliases = "angle",
+	[ROW_VIEW_ANGLE] = ANGLE(PERSP, "view_angle", section.angle,
+	    .range = &fov_range,
 	    .about = "angle across the smaller side of the picture"),
-	NUMBER(PERSP, "field", section.field, .range = &range_positive,
+	[ROW_FIELD] = NUMBER(PERSP, "field", section.field, .range = &range_positive,
 	    .about = "half the larger side of the picture at distance 1"),
-	SIZE(VOLUME, "half_width", volume.half_width,
+	[ROW_HALF_WIDTH] = SIZE(VOLUME, "half_width", volume.half_width,
 	    .about = "half the width of the view volume at view z = 0"),
-	SIZE(VOLUME, "half_height", volume.half_height,
+	[ROW_HALF_HEIGHT] = SIZE(VOLUME, "half_height", volume.half_height,
 	    .about = "half the height of the view volume at view z = 0"),
-	SIZE(VOLUME, "size", volume.half_width,
+	[ROW_SIZE] = SIZE(VOLUME, "size", volume.half_width,
 	    .about = "smaller side of the view volume at view z = 0"),
-	SIZE(SECTIONED, "width", section.width, .aliases = "orthoscale xmag",
-	    .hint = " (ortho_scale, or twice xmag)",
+	[ROW_WIDTH] = SIZE(SECTIONED, "width", section.width,
 	    .about = "width of the view volume; persp: at near or edges_at"),
-	SIZE(SECTIONED, "height", section.height, .aliases = "orthographicsize ymag",
-	    .hint = " (twice orthographicSize or ymag)",
+	[ROW_HEIGHT] = SIZE(SECTIONED, "height", section.height,
 	    .about = "height of the view volume; persp: at near or edges_at"),
-	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
-	    .aliases = "ratio aspectratio",
+	[ROW_ASPECT] = NUMBER(SECTIONED | VOLUME, "aspect", aspect,
+	    .range = &range_positive, .aliases = "aspect_ratio",
 	    .about = "width over height; if absent, from the viewport"),
-	LENGTH(SECTIONED, "left", section.left, .aliases = "xmin l",
+	[ROW_LEFT] = LENGTH(SECTIONED, "left", section.left, .aliases = "l",
 	    .about = "left edge of the view volume, in place of width"),
-	LENGTH(SECTIONED, "right", section.right, .aliases = "xmax r",
+	[ROW_RIGHT] = LENGTH(SECTIONED, "right", section.right, .aliases = "r",
 	    .about = "right edge of the view volume, other than left"),
-	LENGTH(SECTIONED, "bottom", section.bottom, .aliases = "ymin b",
+	[ROW_BOTTOM] = LENGTH(SECTIONED, "bottom", section.bottom, .aliases = "b",
 	    .about = "bottom edge of the view volume, in place of height"),
-	LENGTH(SECTIONED, "top", section.top, .aliases = "ymax t",
+	[ROW_TOP] = LENGTH(SECTIONED, "top", section.top, .aliases = "t",
 	    .about = "top edge of the view volume, other than bottom"),
-	ANGLE(PERSP, "angles", section.angles, .n = 4, .range = &edge_angle_range,
-	    .aliases = "angleleft angleright angleup angledown",
-	    .hint = " ([left, right, bottom, top] from the gaze; for OpenXR with "
-		    "\"angle_unit\": \"radians\")",
+	[ROW_ANGLES] = ANGLE(PERSP, "angles", section.angles, .n = 4,
+	    .range = &edge_angle_range,
 	    .about = "angles from the gaze: left, right, bottom, top plane"),
-	MEMBER(PERSP, "intrinsics", type_intrinsics, section.intrinsics,
-	    .aliases = "k fx fy cx cy flx fly cameramatrix matrix "
-		       "intrinsic p principalpoint skew",
-	    .hint =
-		" ([fx, fy, cx, cy], 3x3 K or 3x4 P, in pixels of the \"viewport\", "
-		"with a \"convention\" such as \"opencv\"; a 4x4 from view to clip is "
-		"\"matrix\" of type \"matrix\")",
-	    .unit = "device units",
+	[ROW_INTRINSICS] = MEMBER(PERSP, "intrinsics", type_intrinsics,
+	    section.intrinsics, .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
-	SIZE(PERSP, "edges_at", section.edges_at, .aliases = "distance d",
+	[ROW_EDGES_AT] = SIZE(PERSP, "edges_at", section.edges_at,
 	    .about = "distance from the eye where edges are; if absent, near"),
-	SIZE(PERSP, "near", near,
-	    .aliases = "znear n nearplane nearclipplane nearfar clipstart hither "
-		       "zmin",
+	[ROW_NEAR] = SIZE(PERSP, "near", near, .aliases = NEAR_NAMES,
 	    .about = "distance of the near plane from the eye"),
-	LENGTH(PARALLEL, "near", near,
-	    .aliases = "znear n nearplane nearclipplane clipstart hither zmin",
+	[ROW_PARALLEL_NEAR] = LENGTH(PARALLEL, "near", near, .aliases = NEAR_NAMES,
 	    .about = "distance of the near plane from the eye"),
-	MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
-	    .aliases = "zfar farplane farclipplane clipend yon zmax",
-	    .unit = "view units", .about = "distance of the far plane from the eye"),
-	LENGTH(PARALLEL, "far", far,
-	    .aliases = "zfar f farplane farclipplane clipend yon zmax",
+	[ROW_FAR] = MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
+	    .unit = "view units", .aliases = FAR_NAMES,
 	    .about = "distance of the far plane from the eye"),
-	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
-	    .aliases = "reversed reversedz", .fallback = "false",
+	[ROW_PARALLEL_FAR] = LENGTH(PARALLEL, "far", far, .aliases = FAR_NAMES,
+	    .about = "distance of the far plane from the eye"),
+	[ROW_REVERSE_Z] = MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
+	    .fallback = "false",
 	    .about = "make depth greater at the near than at the far plane"),
-	LENGTH(VOLUME, "z_near", volume.z_near, .aliases = "near nearplane",
-	    .hint = Z_HINT, .about = "z of the near plane in view space"),
-	LENGTH(VOLUME, "z_far", volume.z_far, .aliases = "far farplane", .hint = Z_HINT,
+	[ROW_Z_NEAR] = LENGTH(VOLUME, "z_near", volume.z_near,
+	    .about = "z of the near plane in view space"),
+	[ROW_Z_FAR] = LENGTH(VOLUME, "z_far", volume.z_far,
 	    .about = "z of the far plane in view space"),
-	LENGTH(VOLUME, "eye", volume.eye, .n = 3,
+	[ROW_EYE] = LENGTH(VOLUME, "eye", volume.eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
-	ANGLE(VOLUME, "view_angle", volume.view_angle, .range = &volume_angle_range,
-	    .aliases = "angle",
+	[ROW_VOLUME_VIEW_ANGLE] = ANGLE(VOLUME, "view_angle", volume.view_angle,
+	    .range = &volume_angle_range,
 	    .about = "angle across the smaller side; 0: parallel projection"),
-	NUMBER(VOLUME, "inverse_eye_z", volume.inverse_eye_z, .fallback = "0",
+	[ROW_INVERSE_EYE_Z] = NUMBER(VOLUME, "inverse_eye_z", volume.inverse_eye_z,
+	    .fallback = "0",
 	    .about = "1/z of the eye in view space; 0: parallel projection"),
-	NUMBER(VOLUME, "tan_skew", volume.tan_skew, .n = 2, .aliases = "skew",
+	[ROW_TAN_SKEW] = NUMBER(VOLUME, "tan_skew", volume.tan_skew, .n = 2,
 	    .fallback = "[0, 0]",
 	    .about = "x/z and y/z of the axis of the view volume"),
-	MEMBER(MATRIX, "matrix", type_matrix, matrix,
+	[ROW_MATRIX] = MEMBER(MATRIX, "matrix", type_matrix, matrix,
 	    .about = "matrix from view to clip space"),
-	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio, .range = &near_ratio_range,
-	    .fallback = "0.0005",
+	[ROW_NEAR_RATIO] = NUMBER(PERSP | VOLUME, "near_ratio", near_ratio,
+	    .range = &near_ratio_range, .fallback = "0.0005",
 	    .about = "least near that fit finds, as a fraction of far"),
-	SIZE(PERSP | VOLUME, "min_near", min_near,
+	[ROW_MIN_NEAR] = SIZE(PERSP | VOLUME, "min_near", min_near,
 	    .about = "least distance of near from the eye that fit finds"),
-	{ .name = NULL },
+	[PROJECTION_ROWS] = { .name = NULL },
 };
 
-#define RULE(types, ...) .ways = WAYS(__VA_ARGS__), .variants = types
+#define RULE(types, ...) WAYS(__VA_ARGS__), .variants = types
 #define TASK(name) (1u << TASK_##name)
+#define WITH_ASPECT(member, way) \
+	WAY(HAS(member) | HAS(ASPECT), .by_viewport = HAS(ASPECT), .value = way)
+#define EDGES (HAS(LEFT) | HAS(RIGHT) | HAS(BOTTOM) | HAS(TOP))
 
 /* The command fit computes the width and height of every parallel projection. Near and
  * far are needed neither with intrinsics nor for --plane, but a cross-section on the
  * near plane always needs near. fit refuses every matrix itself. */
 const struct rule projection_rules[] = {
-	{ RULE(PERSP, "fovy aspect|viewport", "fovx aspect|viewport",
-	      "view_angle aspect|viewport", "field aspect|viewport",
-	      "width height edges_at?", "width aspect|viewport edges_at?",
-	      "height aspect|viewport edges_at?", "left right bottom top edges_at?",
-	      "angles", "intrinsics"),
+	{ RULE(PERSP, WITH_ASPECT(FOVY, SECTION_FOVY), WITH_ASPECT(FOVX, SECTION_FOVX),
+	      WITH_ASPECT(VIEW_ANGLE, SECTION_VIEW_ANGLE),
+	      WITH_ASPECT(FIELD, SECTION_FIELD),
+	      WAY(HAS(WIDTH) | HAS(HEIGHT), .optional = HAS(EDGES_AT),
+		  .value = SECTION_SIZE),
+	      WAY(HAS(WIDTH) | HAS(ASPECT), .optional = HAS(EDGES_AT),
+		  .by_viewport = HAS(ASPECT), .value = SECTION_WIDTH),
+	      WAY(HAS(HEIGHT) | HAS(ASPECT), .optional = HAS(EDGES_AT),
+		  .by_viewport = HAS(ASPECT), .value = SECTION_HEIGHT),
+	      WAY(EDGES, .optional = HAS(EDGES_AT), .value = SECTION_EDGES),
+	      WAY(HAS(ANGLES), .value = SECTION_ANGLES),
+	      WAY(HAS(INTRINSICS), .value = SECTION_INTRINSICS)),
 	    .field = FIELD(projection, section.way),
 	    .rivals = "one way is enough: \"fovy\" and \"aspect\", \"fovx\" and "
 		      "\"aspect\", or \"width\" and \"height\" at \"edges_at\"; both "
 		      "angles are \"angles\", and pixels belong in \"viewport\"" },
-	{ RULE(PARALLEL, "width~ height~", "width~ aspect~|viewport",
-	      "height~ aspect~|viewport", "left right bottom top"),
-	    .field = FIELD(projection, section.way), .way_0 = SECTION_SIZE },
-	{ RULE(OBLIQUE, "kind", "angle"),
+	{ RULE(PARALLEL,
+	      WAY(HAS(WIDTH) | HAS(HEIGHT), .fitted = HAS(WIDTH) | HAS(HEIGHT),
+		  .value = SECTION_SIZE),
+	      WAY(HAS(WIDTH) | HAS(ASPECT), .fitted = HAS(WIDTH) | HAS(ASPECT),
+		  .by_viewport = HAS(ASPECT), .value = SECTION_WIDTH),
+	      WAY(HAS(HEIGHT) | HAS(ASPECT), .fitted = HAS(HEIGHT) | HAS(ASPECT),
+		  .by_viewport = HAS(ASPECT), .value = SECTION_HEIGHT),
+	      WAY(EDGES, .value = SECTION_EDGES)),
+	    .field = FIELD(projection, section.way) },
+	{ RULE(OBLIQUE, WAY(HAS(KIND)), WAY(HAS(ANGLE))),
 	    .hint = "give \"kind\", or \"angle\" of the projectors; lines along the "
 		    "gaze have the \"direction\" in the picture" },
-	{ RULE(PERSP, "near far"), .tasks = TASK(WHOLE), .with = "intrinsics!",
+	{ RULE(PERSP, WAY(HAS(NEAR) | HAS(FAR))), .tasks = TASK(WHOLE),
+	    .without = HAS(INTRINSICS),
 	    .hint = "give \"near\" and \"far\", which may be \"infinity\"" },
-	{ RULE(PARALLEL, "near far"), .tasks = TASK(WHOLE) },
-	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(WHOLE) | TASK(PLANE),
-	    .with = "intrinsics" },
-	{ RULE(PERSP, "near far? reverse_z?", ""), .tasks = TASK(PLANE),
-	    .with = "fovy fovx view_angle field angles edges_at" },
-	{ RULE(PERSP, "near"), .tasks = TASK(FIT) | TASK(PLANE),
-	    .with = "width height left edges_at!",
+	{ RULE(PARALLEL, WAY(HAS(PARALLEL_NEAR) | HAS(PARALLEL_FAR))),
+	    .tasks = TASK(WHOLE) },
+	{ RULE(PERSP, WAY(HAS(NEAR), .optional = HAS(FAR) | HAS(REVERSE_Z)), WAY(0)),
+	    .tasks = TASK(WHOLE) | TASK(PLANE), .with = HAS(INTRINSICS) },
+	{ RULE(PERSP, WAY(HAS(NEAR), .optional = HAS(FAR) | HAS(REVERSE_Z)), WAY(0)),
+	    .tasks = TASK(PLANE),
+	    .with = HAS(FOVY) | HAS(FOVX) | HAS(VIEW_ANGLE) | HAS(FIELD) | HAS(ANGLES) |
+		HAS(EDGES_AT) },
+	{ RULE(PERSP, WAY(HAS(NEAR))), .tasks = TASK(FIT) | TASK(PLANE),
+	    .with = HAS(WIDTH) | HAS(HEIGHT) | HAS(LEFT), .without = HAS(EDGES_AT),
 	    .hint =
 		"the section is on the near plane, unless \"edges_at\" says where" },
-	{ RULE(VOLUME, "half_width half_height", "size aspect|viewport") },
-	{ RULE(VOLUME, "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?"),
+	{ RULE(VOLUME, WAY(HAS(HALF_WIDTH) | HAS(HALF_HEIGHT)),
+	    WAY(HAS(SIZE) | HAS(ASPECT), .by_viewport = HAS(ASPECT))) },
+	{ RULE(VOLUME,
+	      WAY(0, .optional = HAS(INVERSE_EYE_Z) | HAS(TAN_SKEW),
+		  .value = EYE_BY_INVERSE_Z),
+	      WAY(HAS(EYE), .value = EYE_BY_POINT),
+	      WAY(HAS(VOLUME_VIEW_ANGLE), .optional = HAS(TAN_SKEW),
+		  .value = EYE_BY_ANGLE)),
 	    .field = FIELD(projection, volume.eye_given_by) },
-	{ RULE(VOLUME, "z_near~ z_far~") },
-	{ RULE(MATRIX, "matrix~") },
-	{ .ways = NULL },
+	{ RULE(VOLUME,
+	    WAY(HAS(Z_NEAR) | HAS(Z_FAR), .fitted = HAS(Z_NEAR) | HAS(Z_FAR))) },
+	{ RULE(MATRIX, WAY(HAS(MATRIX), .fitted = HAS(MATRIX))) },
+	{ .n = 0 },
 };
 
-static bool is_given(const struct projection *p, uint64_t given, const char *name)
+/* Finds the type of a projection, by which its other members are read: sets p->type, or
+ * refuses the projection if it has none. A type that differs from the implied one is
+ * refused, too. */
+static bool read_type(const struct value *v, struct projection *p)
 {
-	return (given & member_bits(projection_members, (int)p->type - 1, name)) != 0;
-}
-
-/* Returns the type that alone has all members of v, or PROJECTION_NONE. Writes the names
- * of such types to `all` as a list, or of all types if there are none. */
-static unsigned find_type(const struct value *v, char all[LIST_ROOM])
-{
-	unsigned last = PROJECTION_NONE;
-	const char *names[PROJECTION_TYPES];
-	int n = 0;
-
-	for (int i = 0; projection_type_names[i] != NULL; i++) {
-		struct value m = value_child(v);
-
-		while (m.item != NULL &&
-		    (*m.name == '_' ||
-			member_named(projection_members, i, m.name, true) != NULL))
-			value_next(&m);
-		if (m.item == NULL) {
-			names[n++] = projection_type_names[i];
-			last = PROJECTION_PERSP + (unsigned)i;
-		}
-	}
-	names[n] = NULL;
-	words_join(all, n > 0 ? names : projection_type_names, " or ", "\"");
-	return n == 1 ? last : PROJECTION_NONE;
-}
-
-/* Reads the type of the projection. If it is missing or wrong, the other members are
- * read as those of the type that has them. */
-static void read_type(const struct value *v, const struct member *row,
-    struct projection *p)
-{
-	unsigned implied = v->source->implied_type;
+	const struct member *row = &projection_members[ROW_TYPE];
+	const unsigned implied = v->source->implied_type;
 	char all[LIST_ROOM];
 	struct value m;
-	const bool given = value_member(v, "type", &m);
+	const bool given = object_member(v, row, &m);
+	const char *s = given ? value_string(&m) : NULL;
+	const int i = s != NULL ? word_index(s, row->words, row->word_aliases) : -1;
 
-	p->type = implied;
-	if (given ? value_find_word(&m, projection_type_names) < 0 :
-		    implied == PROJECTION_NONE) {
-		if (implied == PROJECTION_NONE)
-			p->type = find_type(v, all);
-		if (!given)
-			value_fault(VALUE_MISSING(v, "type"),
-			    "missing; add \"type\": %s", all);
-		if (p->type != PROJECTION_NONE)
-			return; /* object_read refuses a wrong "type" */
-		object_read(v, row, ANY_VARIANT, NULL);
-		if (!given)
-			value_give_up(v);
-	}
-	if (!given)
-		return;
-	type_word.read(&m, projection_members, &p->type);
-	if (implied != PROJECTION_NONE && p->type != implied)
-		value_fault(&m, "is \"%s\", not \"%s\"; project takes any type",
-		    projection_type_names[p->type - 1],
-		    projection_type_names[implied - 1]);
+	p->type = PROJECTION_NONE;
+	if (!given && implied == PROJECTION_NONE)
+		return value_refuse(VALUE_MISSING(v, "type"), "missing",
+		    text("add \"type\": %s",
+			words_join(all, projection_type_names, " or ", "\"")));
+	/* with an implied type object_read refuses what is no type */
+	if (i < 0 && implied == PROJECTION_NONE)
+		return row->type->read(&m, row, &p->type);
+	p->type = i < 0 ? implied : PROJECTION_PERSP + (unsigned)i;
+	if (implied == PROJECTION_NONE || p->type == implied)
+		return true;
+	return value_refuse(&m,
+	    text("is \"%s\", not \"%s\"", projection_type_names[p->type - 1],
+		projection_type_names[implied - 1]),
+	    "project takes any type");
 }
 
-static void read_projection(const struct value *v, const struct member *row, void *out)
+/* Completes what was read: `given` are the members of the projection. */
+static void complete_members(struct projection *p, uint64_t given, enum task task)
 {
-	struct projection *p = out;
-
-	if (value_is(v, JSON_ARRAY))
-		value_refuse_type(v, "{\"type\": \"matrix\", \"matrix\": [...]}");
-	if (!value_is(v, JSON_OBJECT))
-		value_refuse_type(v, "an object");
-	read_type(v, row, p);
-	/* an index in projection_type_names, which has no PROJECTION_NONE */
-	int variant = (int)p->type - 1;
-	const struct found found = object_read(v, row, variant, p);
-	const enum task task = v->source->task;
 	const enum projection_family family = projection_family(p);
+	const bool near = (given & (HAS(NEAR) | HAS(PARALLEL_NEAR))) != 0;
+	const bool far = (given & (HAS(FAR) | HAS(PARALLEL_FAR))) != 0;
 
-	p->unit = (enum angle_unit)v->source->unit;
 	/* the default direction, 45, is in degrees in every document */
-	if (is_given(p, found.given, "direction"))
+	if ((given & HAS(DIRECTION)) != 0)
 		p->shear.direction_unit = p->unit;
 	if (family == FAMILY_PERSP && task != TASK_FIT) {
-		p->reverse_z |= !is_given(p, found.given, "near");
-		if (!is_given(p, found.given, "far"))
+		p->reverse_z |= !near;
+		if (!far)
 			p->far = HUGE_VAL;
-	} else if (task == TASK_PLANE && p->far == p->near &&
-	    !(is_given(p, found.given, "near") && is_given(p, found.given, "far"))) {
+	} else if (task == TASK_PLANE && p->far == p->near && !(near && far)) {
 		p->far = 1; /* both were 0 */
 	}
-	if (!found.faulty && p->section.way == SECTION_ANGLES &&
-	    !(p->section.angles[0] < p->section.angles[1] &&
-		p->section.angles[2] < p->section.angles[3]))
-		value_refuse(VALUE_MISSING(v, "angles"),
-		    "not in order: left below right, bottom below top");
-	p->aspect[1] = p->aspect[0] > 0 || found.left != 0;
-	if (is_given(p, found.given, "size")) {
+	if ((given & HAS(SIZE)) != 0) {
 		p->volume.half_width /= 2;
 		p->volume.half_height = p->volume.half_width;
 	}
 }
 
+static bool read_projection(const struct value *v, const struct member *row, void *out)
+{
+	struct projection *p = out;
+	struct found found;
+
+	if (value_is(v, JSON_ARRAY))
+		return value_refuse_type(v,
+		    "{\"type\": \"matrix\", \"matrix\": [...]}");
+	if (!value_is(v, JSON_OBJECT))
+		return value_refuse_type(v, "an object");
+	bool is_right = read_type(v, p);
+
+	if (p->type == PROJECTION_NONE)
+		return false;
+	/* an index in projection_type_names, which has no PROJECTION_NONE */
+	is_right = object_read(v, row, (int)p->type - 1, p, &found) && is_right;
+	p->unit = (enum angle_unit)v->source->unit;
+	complete_members(p, found.given, v->source->task);
+	p->aspect[1] = p->aspect[0] > 0 || found.left != 0;
+	if (is_right && p->section.way == SECTION_ANGLES &&
+	    !(p->section.angles[0] < p->section.angles[1] &&
+		p->section.angles[2] < p->section.angles[3]))
+		return value_refuse(VALUE_MISSING(v, "angles"), "not in order",
+		    "left below right, bottom below top");
+	return is_right;
+}
+
 /* Sets the image size of intrinsics to the viewport's, whose scale must be fill. */
-static void set_image_size(const struct value *v, const struct viewport *viewport,
+static bool set_image_size(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
+	bool is_right = true;
 
 	if (viewport == NULL)
-		value_fault(given,
-		    "needs a \"viewport\", in whose units it is; write "
-		    "{\"projection\": {...}, \"viewport\": {...}}");
+		is_right = value_refuse(given,
+		    "needs a \"viewport\", in whose units it is",
+		    "write {\"projection\": {...}, \"viewport\": {...}}");
 	else if (viewport->scale != SCALE_FILL)
-		value_fault(given, "excludes the viewport's \"scale\"; omit that");
-	convention_require(v, "intrinsics");
+		is_right = value_refuse(given, "excludes the viewport's \"scale\"",
+		    "omit that");
 	p->section.width = viewport != NULL ? viewport->width : 0;
 	p->section.height = viewport != NULL ? viewport->height : 0;
+	return convention_require(v, "intrinsics") && is_right;
 }
 
-void projection_complete(const struct value *v, const struct viewport *viewport,
+bool projection_complete(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	/* fit widens a parallel projection to the viewport's aspect */
 	const bool widened = v->source->task == TASK_FIT && viewport != NULL &&
 	    projection_family(p) == FAMILY_PARALLEL;
+	bool is_right = true;
 
-	if (v->unused || p->type == PROJECTION_NONE)
-		return;
+	if (v->unused || projection_is_none(p))
+		return true;
 	if (projection_has_intrinsics(p))
-		set_image_size(v, viewport, p);
+		is_right = set_image_size(v, viewport, p);
 	if (p->aspect[0] > 0 || (p->aspect[1] == 0 && !widened))
-		return;
+		return is_right;
 	if (viewport == NULL)
-		value_fault(VALUE_MISSING(v, "aspect"),
-		    "missing; give it, or a \"viewport\"");
+		is_right = value_refuse(VALUE_MISSING(v, "aspect"), "missing",
+		    "give it, or a \"viewport\"");
 	p->aspect[0] = p->aspect[1] = 1;
 	if (viewport != NULL && viewport->scale != SCALE_UNIFORM) {
 		p->aspect[0] = viewport->width;
 		p->aspect[1] = viewport->height;
 	}
+	return is_right;
 }
 
 static void print_projection(struct printer *printer, const struct member *row,
     const void *at)
 {
 	struct projection p = *(const struct projection *)at;
-	int variant = (int)p.type - 1;
-	bool sized = p.aspect[1] != 0;
-	uint64_t bits = ALL_MEMBERS;
-	/* members that are not printed: an aspect from the viewport, the default
-	 * direction, and members that the document cannot have given */
-	const struct {
-		bool is_hidden;
-		const char *names;
-	} groups[] = {
-		{ p.aspect[1] != 1, "aspect" },
-		{ p.shear.direction == 45 && p.shear.direction_unit == ANGLE_DEGREES,
-		    "direction" },
-		{ projection_is_open(&p), "near far reverse_z" },
-		{ true, p.shear.kind == OBLIQUE_ANGLE ? "kind" : "angle" },
-		{ true, sized ? "half_width half_height" : "size" },
-	};
+	const bool sized = p.aspect[1] != 0;
+	/* members that are not printed, as the document cannot have given them */
+	uint64_t hidden = HAS(ANGLE) | HAS(SIZE);
 
-	for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
-		if (groups[i].is_hidden)
-			bits &= ~member_bits(row->members, variant, groups[i].names);
+	if (p.shear.kind == OBLIQUE_ANGLE)
+		hidden ^= HAS(ANGLE) | HAS(KIND);
+	if (sized)
+		hidden ^= HAS(SIZE) | HAS(HALF_WIDTH) | HAS(HALF_HEIGHT);
+	/* an aspect from the viewport */
+	if (p.aspect[1] != 1)
+		hidden |= HAS(ASPECT);
+	/* the default direction */
+	if (p.shear.direction == 45 && p.shear.direction_unit == ANGLE_DEGREES)
+		hidden |= HAS(DIRECTION);
+	if (projection_is_open(&p))
+		hidden |= HAS(NEAR) | HAS(FAR) | HAS(REVERSE_Z);
 	if (sized)
 		p.volume.half_width *= 2; /* "size" is twice half_width */
-	object_print(printer, row, variant, bits, &p);
+	object_print(printer, row, (int)p.type - 1, ~hidden, &p);
 }
 
 const struct member_type type_projection = { NULL, read_projection, print_projection,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The member "projection": the table of its members, which of them go together, and
  * what it takes from the rest of the scene. It is read to struct projection of
- * core/scene, which keeps nothing of the document. */
+ * core/projection, which keeps nothing of the document. */
 #pragma once
 
 #include "../../core/scene/scene.h"
@@ -16,7 +16,8 @@ extern const struct member_type type_projection;
 extern const char *const projection_type_names[];
 
 /* Completes a projection that was read from the value: takes a missing aspect and, for
- * intrinsics, the size of the image from the viewport, which may be NULL. Tells the fault
- * that it lacks them; leaves a projection whose type was refused as it is. */
-void projection_complete(const struct value *, const struct viewport *,
+ * intrinsics, the size of the image from the viewport, which may be NULL. Refuses a
+ * projection that lacks them, and returns whether it does not. Leaves a projection
+ * whose type was refused as it is. */
+bool projection_complete(const struct value *, const struct viewport *,
     struct projection *);

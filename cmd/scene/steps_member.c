@@ -8,52 +8,62 @@
 _Static_assert(offsetof(struct step, kind) == 0, "rows of objects begin at kind");
 
 /* A factor for all axes, or one for each; in the struct a double[3]. */
-static void read_factors(const struct value *v, const struct member *row, void *out)
+static bool read_factors(const struct value *v, const struct member *row, void *out)
 {
 	double *s = out;
 
 	(void)row;
 	if (value_is(v, JSON_ARRAY))
-		value_numbers(v, &range_any, 3, "", s);
-	else if (value_is(v, JSON_NUMBER))
-		s[0] = s[1] = s[2] = value_number(v, &range_any);
-	else
-		value_refuse_type(v, "a number or an array of 3 numbers");
+		return value_numbers(v, &range_any, 3, s);
+	if (!value_is(v, JSON_NUMBER))
+		return value_refuse_type(v, "a number or an array of 3 numbers");
+	if (!value_number(v, &range_any, s))
+		return false;
+	s[1] = s[2] = s[0];
+	return true;
 }
 
 static const struct member_type type_factors = { "number or 3 numbers", read_factors,
 	NULL, 0 };
 
+/* Rows of tables, and their bits. The operations have the index of their STEP_... */
+enum { ROTATE_AXIS, ROTATE_ANGLE };
+enum { NODE_TRANSLATION, NODE_ROTATION, NODE_SCALE };
+enum { STEP_VECTORS = STEP_INVERSE + 1, STEP_ROWS };
+
 static const struct member rotate_members[] = {
-	ROW(step, "axis", type_numbers, rotation, .n = 3,
+	[ROTATE_AXIS] = ROW(step, "axis", type_numbers, rotation, .n = 3,
 	    .about = "axis of the rotation, of any length but 0"),
-	ROW(step, "angle", type_numbers, angle, .unit = "degrees",
+	[ROTATE_ANGLE] = ROW(step, "angle", type_numbers, angle, .unit = "degrees",
 	    .about = "angle of the rotation, as that of rotate_x about x"),
 	{ .name = NULL },
 };
 
-static const struct rule rotate_rules[] = { { .ways = WAYS("axis angle") },
-	{ .ways = NULL } };
+static const struct rule rotate_rules[] = {
+	{ WAYS(WAY(MEMBER_BIT(ROTATE_AXIS) | MEMBER_BIT(ROTATE_ANGLE))) },
+	{ .n = 0 },
+};
 
 static const struct member node_members[] = {
-	ROW(step, "translation", type_numbers, translation, .n = 3,
-	    .aliases = "position localposition",
+	[NODE_TRANSLATION] = ROW(step, "translation", type_numbers, translation, .n = 3,
 	    .about = "vector added to the point, after the rotation"),
-	ROW(step, "rotation", type_numbers, rotation, .n = 4,
-	    .aliases = "quaternion localrotation orientation", .hint = " (x, y, z, w)",
+	[NODE_ROTATION] = ROW(step, "rotation", type_numbers, rotation, .n = 4,
 	    .about = "quaternion x, y, z, w of the rotation"),
-	ROW(step, "scale", type_factors, scale, .aliases = "localscale",
+	[NODE_SCALE] = ROW(step, "scale", type_factors, scale,
 	    .about = "factor of all axes or of each, before the rotation"),
 	{ .name = NULL },
 };
 
 /* A node has at least one member. */
 static const struct rule node_rules[] = {
-	{ .ways = WAYS("translation rotation? scale?", "rotation scale?", "scale") },
-	{ .ways = NULL },
+	{ WAYS(WAY(MEMBER_BIT(NODE_TRANSLATION),
+		   .optional = MEMBER_BIT(NODE_ROTATION) | MEMBER_BIT(NODE_SCALE)),
+	    WAY(MEMBER_BIT(NODE_ROTATION), .optional = MEMBER_BIT(NODE_SCALE)),
+	    WAY(MEMBER_BIT(NODE_SCALE))) },
+	{ .n = 0 },
 };
 
-static void read_inverse(const struct value *, const struct member *, void *);
+static bool read_inverse(const struct value *, const struct member *, void *);
 
 static const struct member_type type_inverse = { "steps", read_inverse, NULL, 0 };
 
@@ -61,51 +71,48 @@ static const struct member_type type_inverse = { "steps", read_inverse, NULL, 0 
 	ROW(step, "rotate_" axis, type_numbers, angle, .unit = "degrees", \
 	    .about = "angle of a rotation about the " axis " axis")
 
-/* The operations are in the order of the enum that is the type of step.kind. */
 const struct member step_members[] = {
-	ROW(step, "translate", type_numbers, translation, .n = 3,
+	[STEP_TRANSLATE] = ROW(step, "translate", type_numbers, translation, .n = 3,
 	    .about = "vector added to the point"),
-	ROW(step, "scale", type_factors, scale,
+	[STEP_SCALE] = ROW(step, "scale", type_factors, scale,
 	    .about = "factor of all axes or of each, not 0"),
-	ANGLE("x"),
-	ANGLE("y"),
-	ANGLE("z"),
-	ROW(step, "rotate", type_object, kind, .members = rotate_members,
-	    .rules = rotate_rules, .example = "{\"axis\": [0,0,1], \"angle\": 90}",
-	    .aliases = "axisangle angleaxis",
+	[STEP_ROTATE_X] = ANGLE("x"),
+	[STEP_ROTATE_Y] = ANGLE("y"),
+	[STEP_ROTATE_Z] = ANGLE("z"),
+	[STEP_ROTATE] = ROW(step, "rotate", type_object, kind,
+	    .members = rotate_members, .rules = rotate_rules,
+	    .example = "{\"axis\": [0,0,1], \"angle\": 90}",
 	    .about = "\"axis\" and \"angle\" of a rotation"),
-	ROW(step, "quaternion", type_numbers, rotation, .n = 4,
-	    .aliases = "quat q xyzw", .hint = " (x, y, z, w)",
+	[STEP_QUATERNION] = ROW(step, "quaternion", type_numbers, rotation, .n = 4,
 	    .about = "quaternion x, y, z, w of a rotation, of any length but 0"),
-	ROW(step, "quaternion_wxyz", type_numbers, rotation, .n = 4,
-	    .aliases = "wxyz qvec", .hint = " (w, x, y, z)",
+	[STEP_QUATERNION_WXYZ] = ROW(step, "quaternion_wxyz", type_numbers, rotation,
+	    .n = 4,
 	    .about = "quaternion w, x, y, z of a rotation, of any length but 0"),
-	ROW(step, "rvec", type_numbers, rotation, .n = 3, .unit = "radians",
-	    .aliases = "rotationvector rodrigues",
-	    .about = "rotation vector, whose length is the angle"),
-	ROW(step, "matrix", type_affine, matrix, .about = "affine matrix"),
-	ROW(step, "node", type_object, kind, .members = node_members,
+	[STEP_RVEC] = ROW(step, "rvec", type_numbers, rotation, .n = 3,
+	    .unit = "radians", .about = "rotation vector, whose length is the angle"),
+	[STEP_MATRIX] = ROW(step, "matrix", type_affine, matrix,
+	    .about = "affine matrix"),
+	[STEP_NODE] = ROW(step, "node", type_object, kind, .members = node_members,
 	    .rules = node_rules,
-	    .aliases = "translation rotation trs localposition "
-		       "localrotation localscale",
-	    .hint = ", an object with translation, rotation x, y, z, w and scale as in "
-		    "glTF; if w is first, as in nuScenes, \"quaternion_wxyz\" and then "
-		    "\"translate\"",
 	    .about = "\"scale\", \"rotation\" and \"translation\" of glTF"),
-	ROW(step, "inverse", type_inverse, inner,
+	[STEP_INVERSE] = ROW(step, "inverse", type_inverse, inner,
 	    .about = "list of steps, inverted as a whole"),
-	ROW(step, "vectors", type_flag, kind, .words = vector_names,
+	[STEP_VECTORS] = ROW(step, "vectors", type_flag, kind, .words = vector_names,
 	    .about = "vectors that the rows of \"matrix\" are for"),
-	{ .name = NULL },
+	[STEP_ROWS] = { .name = NULL },
 };
 
 const struct rule step_rules[] = {
-	{ .ways = WAYS("translate", "scale", "rotate_x", "rotate_y", "rotate_z",
-	      "rotate", "quaternion", "quaternion_wxyz", "rvec", "matrix vectors?",
-	      "node", "inverse"),
+	{ WAYS(WAY(MEMBER_BIT(STEP_TRANSLATE)), WAY(MEMBER_BIT(STEP_SCALE)),
+	      WAY(MEMBER_BIT(STEP_ROTATE_X)), WAY(MEMBER_BIT(STEP_ROTATE_Y)),
+	      WAY(MEMBER_BIT(STEP_ROTATE_Z)), WAY(MEMBER_BIT(STEP_ROTATE)),
+	      WAY(MEMBER_BIT(STEP_QUATERNION)), WAY(MEMBER_BIT(STEP_QUATERNION_WXYZ)),
+	      WAY(MEMBER_BIT(STEP_RVEC)),
+	      WAY(MEMBER_BIT(STEP_MATRIX), .optional = MEMBER_BIT(STEP_VECTORS)),
+	      WAY(MEMBER_BIT(STEP_NODE)), WAY(MEMBER_BIT(STEP_INVERSE))),
 	    .rivals =
 		"give each a step of its own: [{\"scale\": 2}, {\"rotate_z\": 90}]" },
-	{ .ways = NULL },
+	{ .n = 0 },
 };
 
 static const struct member step_row = { .members = step_members, .rules = step_rules };
@@ -118,57 +125,62 @@ static struct list {
 
 static struct value given_world;
 
-/* Reads the step v, an object with one operation, to the step at `out`. */
-static void read_step(const struct value *v, const struct member *row, void *out)
+/* Reads the step v, an object with one operation, to *s. */
+static bool read_step(const struct value *v, struct step *s)
 {
-	struct step *s = out;
+	struct found found;
 	struct value m;
-	const struct found found = object_read(v, row, 0, NULL);
+	const bool is_right = object_read(v, &step_row, 0, NULL, &found);
+	const uint64_t operations = found.given & ~MEMBER_BIT(STEP_VECTORS);
 
-	if (found.given == 0)
-		value_give_up(v);
-	s->kind = (unsigned)__builtin_ctzll(found.given);
+	if (operations == 0)
+		return false;
+	s->kind = (unsigned)__builtin_ctzll(operations);
 	const struct member *operation = &step_members[s->kind];
 
-	if (s->kind == STEP_MATRIX) {
-		type_affine.read(v, operation, s->matrix);
-		return;
-	}
-	value_member(v, operation->name, &m);
-	object_read_member(&m, operation, s);
+	/* reads the whole step, of which faults were told already */
+	if (s->kind == STEP_MATRIX)
+		return is_right && type_affine.read(v, operation, s->matrix);
+	return object_member(v, operation, &m) &&
+	    object_read_member(&m, operation, s) && is_right;
 }
 
-static void read_list(const struct value *v)
+static bool read_list(const struct value *v)
 {
 	struct value e = value_child(v);
+	bool is_right = true;
 
-	for (; e.item != NULL; value_next(&e)) {
-		if (!value_is(&e, JSON_OBJECT))
-			value_refuse_type(&e,
+	for (; e.item != NULL && reading->n <= STEPS_MAX; value_next(&e)) {
+		if (!value_is(&e, JSON_OBJECT)) {
+			is_right = value_refuse_type(&e,
 			    "a step, an object of one operation such as "
 			    "{\"translate\": [0, 0, 1]},");
+			continue;
+		}
+		/* one more than there is room for, so that this is told once */
 		if (reading->n++ == STEPS_MAX)
-			value_fault(&e,
-			    "is one too many; a list has at most 64 steps, with those "
-			    "inside of inverses");
-		if (reading->n > STEPS_MAX)
-			value_give_up(&e);
+			return value_refuse(&e, "is one too many",
+			    "a list has at most 64 steps, with those inside of "
+			    "inverses");
 		struct step *s = &reading->step[reading->n - 1];
 
 		*s = (struct step){ .rotation = { [3] = 1 }, .scale = { 1, 1, 1 } };
-		object_attempt(read_step, &e, &step_row, s);
+		is_right = read_step(&e, s) && is_right;
 	}
+	return is_right;
 }
 
-static void read_inverse(const struct value *v, const struct member *row, void *out)
+static bool read_inverse(const struct value *v, const struct member *row, void *out)
 {
 	int n = reading->n;
 
 	(void)row;
 	if (!value_is(v, JSON_ARRAY))
-		value_refuse_type(v, "an array of steps");
-	read_list(v);
+		return value_refuse_type(v, "an array of steps");
+	const bool is_right = read_list(v);
+
 	*(int *)out = reading->n - n;
+	return is_right;
 }
 
 /* Returns whether an array is a list of steps: it is empty, or an element is an object
@@ -186,63 +198,79 @@ static bool is_list(const struct value *v)
 	return is;
 }
 
-/* Refuses an object that is a step: only the list of it is a value. */
-static void check_lone_step(const struct value *v)
+/* Returns the row of the operation that an object has, or NULL; not of a matrix, as
+ * {"matrix": ...} is a value without a list around it. */
+static const struct member *find_lone_step(const struct value *v)
 {
 	struct value m = value_child(v);
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *row = member_named(step_members, 0, m.name, true);
+		const struct member *row = member_named(step_members, 0, m.name);
 
-		if (row != NULL && row->offset != offsetof(struct step, matrix) &&
-		    row->type != &type_flag)
-			value_refuse(v,
-			    "is no list; write a list of steps of one operation each, "
-			    "as they act on the point (of an object mostly scale, "
-			    "rotation, translation): [{\"%s\": ...}, ...]%s",
-			    row->name, row->hint != NULL ? row->hint : "");
+		if (row != NULL && row != &step_members[STEP_MATRIX] &&
+		    row != &step_members[STEP_VECTORS])
+			return row;
 	}
+	return NULL;
 }
 
-static void read_steps(const struct value *v, const struct member *row, void *out)
+static bool read_steps(const struct value *v, const struct member *row, void *out)
 {
 	const bool is_world = row->offset != offsetof(struct camera, steps);
+	const struct member *lone = value_is(v, JSON_OBJECT) ? find_lone_step(v) : NULL;
 	struct steps *steps = out;
 
 	steps->step = NULL;
-	if (value_is(v, JSON_OBJECT))
-		check_lone_step(v);
-	if (!value_is(v, JSON_ARRAY) || !is_list(v)) {
-		type_affine.read(v, row, steps->matrix);
-		return;
-	}
+	if (lone != NULL)
+		return value_refuse(v, "is no list",
+		    text("write a list of steps of one operation each, as they act on "
+			 "the point (of an object mostly scale, rotation, "
+			 "translation): [{\"%s\": ...}, ...]",
+			lone->name));
+	if (!value_is(v, JSON_ARRAY) || !is_list(v))
+		return type_affine.read(v, row, steps->matrix);
 	if (is_world)
 		given_world = *v;
 	reading = &lists[is_world];
 	reading->n = 0;
-	read_list(v);
+	const bool is_right = read_list(v);
+
 	*steps = (struct steps){ .step = reading->step,
 		.n = reading->n,
 		.unit = (enum angle_unit)v->source->unit };
+	return is_right;
 }
 
-/* Puts a value as it was given, but no members that the reader ignores. */
-static void put_step_value(struct printer *p, const struct value *v)
+/* Puts a value of steps as it was given, but with the names of the rows, and without
+ * members that the reader ignores. `table` has the members of the objects in it. */
+static void put_step_value(struct printer *p, const struct value *v,
+    const struct member *table)
 {
-	struct value e;
-	bool array = value_is(v, JSON_ARRAY);
+	const bool array = value_is(v, JSON_ARRAY);
+	double number;
 
-	if (value_is(v, JSON_NUMBER)) {
-		put_number(p, value_number(v, &range_any));
-	} else if (array || value_is(v, JSON_OBJECT)) {
-		put_open(p, array ? "[" : "{");
-		for (e = value_child(v); e.item != NULL; value_next(&e))
-			if (array || (*e.name != '_' && *e.name != '$'))
-				put_step_value(array ? p : put_name(p, e.name), &e);
-		put_close(p, array ? "]" : "}");
-	} else {
-		put_string(p, value_string(v));
+	if (value_string(v) != NULL) {
+		const int i = word_index(value_string(v), vector_names, NULL);
+
+		put_string(p, vector_names[i]);
+		return;
 	}
+	if (!array && !value_is(v, JSON_OBJECT)) {
+		if (value_number(v, &range_any, &number))
+			put_number(p, number);
+		return;
+	}
+	put_open(p, array ? "[" : "{");
+	for (struct value e = value_child(v); e.item != NULL; value_next(&e)) {
+		const struct member *m = array ? NULL : member_named(table, 0, e.name);
+
+		if (array)
+			put_step_value(p, &e, table);
+		else if (m != NULL)
+			put_step_value(put_name(p, m->name), &e,
+			    m->members != NULL ? m->members : table);
+	}
+	put_close(p, array ? "]" : "}");
 }
 
 static void print_steps(struct printer *p, const struct member *row, const void *at)
@@ -250,7 +278,7 @@ static void print_steps(struct printer *p, const struct member *row, const void 
 	const struct steps *steps = at;
 
 	if (steps->step != NULL)
-		put_step_value(p, &given_world);
+		put_step_value(p, &given_world, step_members);
 	else
 		type_affine.print(p, row, steps->matrix);
 }

@@ -8,21 +8,26 @@
 
 const char *const angle_unit_names[] = { "degrees", "radians", NULL };
 
-static void read_numbers(const struct value *v, const struct member *row, void *out)
+static bool read_numbers(const struct value *v, const struct member *row, void *out)
+{
+	const struct value_range *range = row->range != NULL ? row->range : &range_any;
+
+	return row->n == 0 ? value_number(v, range, out) :
+			     value_numbers(v, range, row->n, out);
+}
+
+static bool read_far(const struct value *v, const struct member *row, void *out)
 {
 	static const char *const words[] = { "infinity", NULL };
-	const struct value_range *range = row->range != NULL ? row->range : &range_any;
-	const bool is_far = row->type == &type_far;
+	unsigned index;
 
-	if (is_far && value_is(v, JSON_NULL))
-		value_refuse_type(v, "a number or \"infinity\"");
-	if (is_far && value_string(v) != NULL && value_word(v, words) == 0)
+	if (value_string(v) != NULL) {
 		*(double *)out = HUGE_VAL;
-	else if (row->n == 0)
-		*(double *)out = value_number(v, range);
-	else
-		value_numbers(v, range, row->n, row->hint != NULL ? row->hint : "",
-		    out);
+		return value_word(v, words, NULL, &index);
+	}
+	if (!value_is(v, JSON_NUMBER))
+		return value_refuse_type(v, "a number or \"infinity\"");
+	return value_number(v, row->range, out);
 }
 
 static void print_numbers(struct printer *p, const struct member *row, const void *at)
@@ -35,16 +40,19 @@ static void print_numbers(struct printer *p, const struct member *row, const voi
 
 const struct member_type type_numbers = { NULL, read_numbers, print_numbers,
 	sizeof(double) };
-const struct member_type type_far = { "size or \"infinity\"", read_numbers,
-	print_numbers, sizeof(double) };
+const struct member_type type_far = { "size or \"infinity\"", read_far, print_numbers,
+	sizeof(double) };
 
-static void read_flag(const struct value *v, const struct member *row, void *out)
+static bool read_flag(const struct value *v, const struct member *row, void *out)
 {
-	const bool flag = value_is(v, JSON_TRUE);
+	unsigned index = value_is(v, JSON_TRUE);
 
-	if (row->words == NULL && !flag && !value_is(v, JSON_FALSE))
-		value_refuse_type(v, "true or false");
-	*(bool *)out = row->words != NULL ? value_word(v, row->words) == 1 : flag;
+	if (row->words != NULL ? !value_word(v, row->words, row->word_aliases, &index) :
+				 index == 0 && !value_is(v, JSON_FALSE) &&
+		    !value_refuse_type(v, "true or false"))
+		return false;
+	*(bool *)out = index == 1;
+	return true;
 }
 
 static void print_flag(struct printer *p, const struct member *row, const void *at)
@@ -59,9 +67,14 @@ static void print_flag(struct printer *p, const struct member *row, const void *
 
 const struct member_type type_flag = { NULL, read_flag, print_flag, sizeof(bool) };
 
-static void read_word(const struct value *v, const struct member *row, void *out)
+static bool read_word(const struct value *v, const struct member *row, void *out)
 {
-	*(unsigned *)out = row->word_0 + (unsigned)value_word(v, row->words);
+	unsigned index;
+	const bool good = value_word(v, row->words, row->word_aliases, &index);
+
+	if (good)
+		*(unsigned *)out = row->word_0 + index;
+	return good;
 }
 
 static void print_word(struct printer *p, const struct member *row, const void *at)
@@ -83,97 +96,142 @@ static const struct member matrix_members[] = { { .name = "matrix" },
 #define AFFINE_FORMS "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
 static const struct rule matrix_rules[] = {
-	{ .ways = WAYS("matrix vectors?") },
-	{ .ways = NULL },
+	{ WAYS(WAY(1, .optional = 2)) },
+	{ .n = 0 },
 };
 static const struct member matrix_row = { .members = matrix_members,
 	.rules = matrix_rules };
 
-/* Returns whether rows of a matrix are for column vectors: by the member "vectors" of
- * v, else by the shape or, if it is square, by the document. */
-static bool is_for_columns(const struct value *v, size_t rows, size_t columns)
+/* The forms of a matrix: an array of rows or, with no rows, of all numbers. */
+static const struct form {
+	size_t rows, columns;
+	enum { BY_DOCUMENT, FOR_ROWS, FOR_COLUMNS } vectors; /* that the rows are for */
+	bool affine_only;
+} forms[] = {
+	{ 4, 3, FOR_ROWS, true },
+	{ 4, 4, BY_DOCUMENT, false },
+	{ 3, 4, FOR_COLUMNS, true },
+	{ 0, 16, BY_DOCUMENT, false },
+};
+
+/* Returns the form of the array v, or NULL after a refusal. */
+static const struct form *find_form(const struct value *v, bool affine)
 {
-	bool column = rows < columns, square = rows == columns;
-	struct value vectors;
+	const struct value first = value_child(v);
+	const size_t n = value_count(v), columns = value_count(&first);
 
-	if (!value_is(v, JSON_OBJECT) || !value_member(v, "vectors", &vectors))
-		return square ? v->source->column_vectors : column;
-	bool given = value_word(&vectors, vector_names) == 1;
+	for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+		const struct form *f = &forms[i];
 
-	if (!square && given != column)
-		value_refuse(&vectors, "is \"%s\"; %zu rows of %zu are for %s vectors",
-		    vector_names[given], rows, columns, vector_names[column]);
-	return given;
+		if ((affine || !f->affine_only) &&
+		    n == (f->rows > 0 ? f->rows : f->columns) &&
+		    (f->columns != 3 || columns == 3))
+			return f;
+	}
+	value_refuse(v, text("has %zu element%s", n, n == 1 ? "" : "s"),
+	    text("%s are wanted%s", affine ? AFFINE_FORMS : MATRIX_FORMS,
+		affine ? "" : "; K and P are \"intrinsics\" of type \"persp\""));
+	return NULL;
 }
 
-/* `column` says which vectors the rows of the matrix were read for. */
-static void check_transposed(const struct value *v, const double m[4][4], bool column)
+/* Sets *columns to whether the rows of a matrix of the form are for column vectors: by
+ * the member "vectors" of v, else by the form or by the document. */
+static bool read_vectors(const struct value *v, const struct form *f, bool *columns)
+{
+	struct value given;
+	unsigned index;
+
+	*columns = f->vectors == BY_DOCUMENT ? v->source->column_vectors :
+					       f->vectors == FOR_COLUMNS;
+	if (!value_is(v, JSON_OBJECT) || !object_member(v, &matrix_members[1], &given))
+		return true;
+	if (!value_word(&given, vector_names, NULL, &index))
+		return false;
+	if (f->vectors != BY_DOCUMENT && (index == 1) != *columns)
+		return value_refuse(&given, text("is \"%s\"", vector_names[index]),
+		    text("%zu rows of %zu are for %s vectors", f->rows, f->columns,
+			vector_names[*columns]));
+	*columns = index == 1;
+	return true;
+}
+
+/* `columns` says which vectors the rows of the matrix were read for. */
+static bool check_transposed(const struct value *v, const double m[4][4], bool columns)
 {
 	/* with faults the convention may be the wrong one */
-	if (json_faults.n == 0 && m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
-	    m[3][3] == 1 && (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
-		value_refuse(v,
-		    column ?
-			"its rows are for row vectors; write it as {\"matrix\": [...], "
-			"\"vectors\": \"row\"}" :
-			"its rows are for column vectors; write it as {\"matrix\": "
-			"[...], \"vectors\": \"column\"}, or name the \"convention\" "
-			"that it is from, such as \"opencv\" or \"webgpu\"");
+	if (v->source->faults->n > 0 || m[3][0] != 0 || m[3][1] != 0 || m[3][2] != 0 ||
+	    m[3][3] != 1 || (m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0))
+		return true;
+	return columns ?
+	    value_refuse(v, "its rows are for row vectors",
+		"write it as {\"matrix\": [...], \"vectors\": \"row\"}") :
+	    value_refuse(v, "its rows are for column vectors",
+		"write it as {\"matrix\": [...], \"vectors\": \"column\"}, or name the "
+		"\"convention\" that it is from, such as \"opencv\" or \"webgpu\"");
 }
 
 /* Reads an array of rows of numbers, or an array of the numbers row after row. */
-static void read_rows(const struct value *v, size_t rows, size_t columns, double *out)
+static bool read_rows(const struct value *v, size_t rows, size_t columns, double *out)
 {
-	struct value row = value_child(v);
+	bool good = true;
 
 	if (value_count(v) != rows)
-		value_numbers(v, &range_any, rows * columns, "", out);
-	else
-		for (; row.item != NULL; value_next(&row), out += columns)
-			value_numbers(&row, &range_any, columns, "", out);
+		return value_numbers(v, &range_any, rows * columns, out);
+	for (struct value row = value_child(v); row.item != NULL;
+	     value_next(&row), out += columns)
+		good &= value_numbers(&row, &range_any, columns, out);
+	return good;
 }
 
-/* Rows for column vectors are transposed. A list of 16 numbers is not: it lists rows
- * for row vectors, but columns for column vectors. */
-static void read_matrix(const struct value *v, const struct member *row, void *out)
+/* Sets m from the elements e of a matrix of the form. Rows for column vectors are
+ * transposed. A list of 16 numbers is not: it lists rows for row vectors, but columns
+ * for column vectors. */
+static void set_matrix(const struct form *f, bool columns, const double e[16],
+    double m[4][4])
 {
-	const bool affine = row->type != &type_matrix;
-	double(*m)[4] = out;
-	struct value all = *v;
+	const size_t width = f->rows > 0 ? f->columns : 4,
+		     height = f->rows > 0 ? f->rows : 4;
+	const bool swap = columns && f->rows > 0;
 
-	if (value_is(v, JSON_OBJECT)) {
-		object_read(v, &matrix_row, 0, NULL);
-		if (!value_member(v, "matrix", &all))
-			value_give_up(v);
-	}
-	if (!value_is(&all, JSON_ARRAY))
-		value_refuse_type(&all,
-		    affine ? "an array of " AFFINE_FORMS : "an array of " MATRIX_FORMS);
-	const struct value first = value_child(&all);
-	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
-	bool narrow = affine && n == rows && value_count(&first) == 3;
-	size_t columns = narrow ? 3 : 4;
-	bool column = is_for_columns(v, rows, columns), swap = column && n == rows;
-	double e[16];
-
-	if (narrow && n == 3)
-		value_refuse(&all,
-		    "is 3x3; append t to its rows: [R|t]; t is -R C of an eye C");
-	if (n != rows && n != 16)
-		value_refuse(&all, "has %zu element%s; %s are wanted%s", n,
-		    n == 1 ? "" : "s", affine ? AFFINE_FORMS : MATRIX_FORMS,
-		    affine ? "" : "; K and P are \"intrinsics\" of type \"persp\"");
-	read_rows(&all, rows, columns, e);
 	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)
-			m[swap ? j : i][swap ? i : j] = i < rows && j < columns ?
-			    e[i * columns + j] :
+			m[swap ? j : i][swap ? i : j] = i < height && j < width ?
+			    e[i * width + j] :
 			    i == j;
+}
+
+static bool read_matrix(const struct value *v, const struct member *row, void *out)
+{
+	const bool affine = row->type != &type_matrix;
+	double(*m)[4] = out, e[16] = { 0 };
+	struct value all = *v;
+	bool columns;
+
+	if (value_is(v, JSON_OBJECT) &&
+	    (!object_read(v, &matrix_row, 0, NULL, NULL) ||
+		!object_member(v, &matrix_members[0], &all)))
+		return false;
+	if (!value_is(&all, JSON_ARRAY))
+		return value_refuse_type(&all,
+		    affine ? "an array of " AFFINE_FORMS : "an array of " MATRIX_FORMS);
+	if (affine && value_count(&all) == 3) {
+		const struct value first = value_child(&all);
+
+		if (value_count(&first) == 3)
+			return value_refuse(&all, "is 3x3",
+			    "append t to its rows: [R|t]; t is -R C of an eye C");
+	}
+	const struct form *f = find_form(&all, affine);
+
+	if (f == NULL || !read_vectors(v, f, &columns) ||
+	    !read_rows(&all, f->rows > 0 ? f->rows : 4, f->rows > 0 ? f->columns : 4,
+		e))
+		return false;
+	set_matrix(f, columns, e, m);
 	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
 	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
 		m[3][3] = 1;
-	if (affine && n == rows)
-		check_transposed(v, m, column);
+	return !affine || f->rows == 0 || check_transposed(v, m, columns);
 }
 
 static void print_affine(struct printer *p, const struct member *row, const void *at)
@@ -199,56 +257,73 @@ const struct member_type type_affine = { "matrix", read_matrix, print_affine, 0 
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-static void check_k(const struct value *v, const double k[3][4])
+static bool check_k(const struct value *v, const double k[3][4])
 {
-	if (k[1][0] != 0 || k[2][0] != 0 || k[2][1] != 0 || k[2][2] != 1 ||
-	    !scene_is_size(k[0][0]) || !scene_is_size(k[1][1]))
-		value_refuse(v,
-		    "is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], fx and fy "
-		    "positive; is it a camera's K, and not transposed?");
+	if (k[1][0] == 0 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 1 &&
+	    scene_is_size(k[0][0]) && scene_is_size(k[1][1]))
+		return true;
+	return value_refuse(v,
+	    "is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], fx and fy positive",
+	    "is it a camera's K, and not transposed?");
 }
 
-static void read_intrinsics(const struct value *v, const struct member *row, void *out)
+/* `e` has the elements of P, row by row, which may have been given by columns. */
+static bool check_p(const struct value *v, bool listed, const double e[12])
+{
+	if (listed && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 && e[5] == 0 &&
+	    e[8] == 1)
+		return value_refuse(v, "looks like a P by columns",
+		    "write 3 rows of 4");
+	if (e[8] == 0 && e[9] == 0 && e[10] == 0)
+		return value_refuse(v, "the last row of P begins 0, 0, 0",
+		    "a perspective divides by more than one number");
+	return true;
+}
+
+/* Reads fx, fy, cx, cy. */
+static bool read_four(const struct value *v, double k[3][4])
+{
+	struct value element = value_child(v);
+	double e[4];
+	bool good = value_numbers(v, &range_any, 4, e);
+
+	for (int i = 0; i < 2; i++, value_next(&element)) {
+		double size;
+
+		good &= !value_is(&element, JSON_NUMBER) ||
+		    value_number(&element, &range_positive, &size);
+		k[i][i] = e[i];
+		k[i][2] = e[2 + i];
+	}
+	k[2][2] = 1;
+	return good;
+}
+
+static bool read_intrinsics(const struct value *v, const struct member *row, void *out)
 {
 	double(*k)[4] = out, e[12];
-	struct value first = value_child(v);
-	bool nested = value_is(&first, JSON_ARRAY);
 
 	(void)row;
 	if (!value_is(v, JSON_ARRAY))
-		value_refuse_type(v, INTRINSICS_FORMS ",");
-	size_t n = value_count(v), columns = n / 3;
+		return value_refuse_type(v, INTRINSICS_FORMS ",");
+	const struct value first = value_child(v);
+	const bool nested = value_is(&first, JSON_ARRAY);
+	const size_t n = value_count(v);
+	const size_t columns = !nested ? n / 3 : value_count(&first) == 4 ? 4 : 3;
 
-	if (nested)
-		columns = value_count(&first) == 4 ? 4 : 3;
-	if (n == 4 && !nested) {
-		value_numbers(v, &range_any, 4, "", e);
-		for (int i = 0; i < 2; i++, value_next(&first)) {
-			value_number(&first, &range_positive);
-			k[i][i] = e[i];
-			k[i][2] = e[2 + i];
-		}
-		k[2][2] = 1;
-		return;
-	}
+	if (n == 4 && !nested)
+		return read_four(v, k);
 	if (nested ? n != 3 : n != 9 && n != 12)
-		value_refuse(v, "is none of " INTRINSICS_FORMS "; %s",
+		return value_refuse(v, "is none of " INTRINSICS_FORMS,
 		    n == 16 || nested || n < 5 ?
 			"a 4x4 from view to clip is of type \"matrix\"" :
 			"what follows fx, fy, cx, cy bends a lens: 'Points through a "
 			"lens' in 'man projcalc-scene'");
-	read_rows(v, 3, columns, e);
-	if (n == 12 && e[0] > 0 && e[1] == 0 && e[2] == 0 && e[4] > 0 && e[5] == 0 &&
-	    e[8] == 1 && !v->unused)
-		value_refuse(v, "looks like a P by columns; write 3 rows of 4");
+	if (!read_rows(v, 3, columns, e))
+		return false;
 	for (size_t i = 0; i < 3; i++)
 		memcpy(k[i], e + i * columns, columns * sizeof *e);
-	if (columns == 3 && !v->unused)
-		check_k(v, k);
-	if (columns == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 && !v->unused)
-		value_refuse(v,
-		    "the last row of P begins 0, 0, 0; a perspective divides by more "
-		    "than one number");
+	return v->unused || (columns == 3 ? check_k(v, k) : check_p(v, !nested, e));
 }
 
 /* Prints the 3x4 matrix P by the fewest numbers: as fx, fy, cx, cy, as K, or as P. */
