@@ -38,7 +38,7 @@ static void fit_collect_chunk(const struct job *j, const struct chunk *c)
 		extremes_merge(&fit->extremes, &fit->directions, (const void *)c->out);
 }
 
-static void fit_read_points(const struct options *o, struct document *d, struct job *j)
+static bool fit_read_points(const struct options *o, struct document *d, struct job *j)
 {
 	const enum space space = d->flat ? FLAT_NDC : SPACE_MODEL;
 	static struct fit fit;
@@ -51,51 +51,56 @@ static void fit_read_points(const struct options *o, struct document *d, struct 
 	transform_init(&j->transform, space, space, false);
 	if (d->flat)
 		fit_window_directions(&fit.directions);
-	else
-		document_refuse_if(d,
-		    fit_directions(&d->scene, d->has_eye, &fit.directions));
-	operands_run_job(o, d, space, space, j);
-	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
-		document_refuse(d, "/bounds: missing, and there are no points");
+	else if (!fit_directions(&d->scene, d->has_eye, &fit.directions,
+		     d->source.faults))
+		return false;
+	if (!operands_run_job(o, d, space, space, j))
+		return false;
+	return extremes_bounds(&fit.extremes, &fit.directions, &d->bounds) ||
+	    document_refuse(d, "/bounds", "missing, and there are no points", NULL);
 }
 
-/* If the reason is about /bounds, and these are those of points, names the points. */
-static _Noreturn void refuse_fit(const struct options *o, const struct document *d,
-    const char *reason)
+/* A refusal of /bounds that are those of points names the points. */
+static void name_points(const struct options *o, struct document *d)
 {
-	const char bounds[] = "/bounds: ";
-	const size_t n = strlen(bounds);
-	struct place place = json_source_place(&d->source, "/points");
+	struct refusal *r = &d->source.faults->list[0];
 
-	if (d->has_bounds || strncmp(reason, bounds, n) != 0)
-		document_refuse(d, reason);
+	if (d->has_bounds || strcmp(r->where, "/bounds") != 0)
+		return;
+	strcpy(r->where, o->n_points > 0 ? "" : "/points");
+	if (o->n_points > 0)
+		d->source.text = NULL; /* it is not that of the points */
 	if (o->n_points == 1 && input_first_char(o->points[0]) != '[')
-		place = (struct place){ .file = o->points[0] };
+		d->source.name = o->points[0];
 	else if (o->n_points > 0)
-		place = (struct place){ .file = "POINTS" };
-	place.of_scene = true;
-	die_at(EXIT_INPUT, &place, "%s", reason + n);
+		d->source.name = "POINTS";
 }
 
-void run_fit(const struct options *o, struct document *d, struct job *j)
+bool run_fit(const struct options *o, struct document *d, struct job *j)
 {
-	const bool points = operands_have_points(o, d);
+	struct refusals *const faults = d->source.faults;
+	bool points;
 
+	if (!operands_have_points(o, d, &points))
+		return false;
 	if (d->scene.answer != NULL)
-		document_refuse(d, "/convention: fit prints the scene's; leave -c out");
+		return document_refuse(d, "/convention", "fit prints the scene's",
+		    "leave -c out");
 	if (d->has_bounds && o->n_points > 0)
-		document_refuse(d, "/bounds: not together with POINTS; give one");
+		return document_refuse(d, "/bounds", "not together with POINTS",
+		    "give one");
 	if (!d->has_bounds && !points)
-		document_refuse(d,
-		    "/bounds: missing; add it ('projcalc help bounds'), POINTS or -");
+		return document_refuse(d, "/bounds", "missing",
+		    "add it ('projcalc help bounds'), POINTS or -");
 	if (!d->flat)
 		notes_say(d, notes_of_document(d, 0));
-	if (!d->has_bounds)
-		fit_read_points(o, d, j);
-	const char *why = d->flat ? fit_window(&d->scene, &d->bounds) :
-				    fit_scene(&d->scene, d->has_eye, &d->bounds);
-
-	if (why != NULL)
-		refuse_fit(o, d, why);
+	if (!d->has_bounds && !fit_read_points(o, d, j))
+		return false;
+	if (!(d->flat ? fit_window(&d->scene, &d->bounds, faults) :
+			fit_scene(&d->scene, d->has_eye, &d->bounds, faults))) {
+		name_points(o, d);
+		return false;
+	}
 	document_print(d, o->out == FORMAT_JSON);
+	return true;
 }

@@ -37,6 +37,8 @@ static void print_member(const struct member *row, const char *const *types)
 		    (int)strlen(row->fallback) - 2, row->fallback + 1);
 	else if (row->fallback != NULL)
 		output_printf("; default %s", row->fallback);
+	if (row->aliases != NULL)
+		output_printf(" [%s]", row->aliases);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
 		if (row->variants >> i & 1) {
 			output_printf("%s%s", before, types[i]);
@@ -226,6 +228,22 @@ static void put_option(struct printer *p, const struct option_row *r,
 	put_close(p, "}");
 }
 
+/* Puts the aliases of a member, which have blanks between them. */
+static void put_aliases(struct printer *p, const char *aliases)
+{
+	char name[64];
+
+	put_open(put_name(p, "aliases"), "[");
+	while (aliases != NULL && *aliases != '\0') {
+		const size_t n = strcspn(aliases, " ");
+
+		snprintf(name, sizeof name, "%.*s", (int)n, aliases);
+		put_string(p, name);
+		aliases += n + (aliases[n] == ' ');
+	}
+	put_close(p, "]");
+}
+
 /* Puts the row of a member of `object`, which has these types, or of the scene. A range
  * has the names of JSON Schema. */
 static void put_member(struct printer *p, const struct member *row, const char *object,
@@ -236,6 +254,7 @@ static void put_member(struct printer *p, const struct member *row, const char *
 
 	open_object(p);
 	put_string(put_name(p, "name"), row->name);
+	put_aliases(p, row->aliases);
 	put_string(put_name(p, "in"), object);
 	put_string(put_name(p, "type"), member_type_name(row, type));
 	put_string(put_name(p, "unit"), row->unit);
@@ -255,18 +274,47 @@ static void put_member(struct printer *p, const struct member *row, const char *
 	put_close(p, "}");
 }
 
-static void put_rule(struct printer *p, const char *object, const struct rule *r,
-    const char *const *types)
+/* Puts the names of those rows whose bit is set, as a member; but none if none is,
+ * unless `always` is set. */
+static void put_names(struct printer *p, const char *name, const struct member *table,
+    uint64_t bits, bool always)
 {
+	if (bits == 0 && !always)
+		return;
+	put_open(put_name(p, name), "[");
+	for (int i = 0; table[i].name != NULL; i++)
+		if (bits >> i & 1)
+			put_string(p, table[i].name);
+	put_close(p, "]");
+}
+
+static void put_way(struct printer *p, const struct member *table, const struct way *w)
+{
+	put_open(p, "{");
+	put_names(p, "has", table, w->has, true);
+	put_names(p, "optional", table, w->optional, false);
+	put_names(p, "fitted", table, w->fitted, false);
+	put_names(p, "by_viewport", table, w->by_viewport, false);
+	put_close(p, "}");
+}
+
+static void put_rule(struct printer *p, const char *object, const struct rule *r,
+    const struct member *table)
+{
+	static const char *const tasks[] = { "whole", "fit", "plane", NULL };
+
 	open_object(p);
 	put_string(put_name(p, "in"), object);
-	put_words(p, "ways", r->ways, ~0u);
-	if (r->with != NULL)
-		put_string(put_name(p, "with"), r->with);
+	put_open(put_name(p, "ways"), "[");
+	for (size_t i = 0; i < r->n; i++)
+		put_way(p, table, &r->ways[i]);
+	put_close(p, "]");
+	put_names(p, "with", table, r->with, false);
+	put_names(p, "without", table, r->without, false);
 	if (r->tasks != 0)
-		put_words(p, "tasks", WAYS("whole", "fit", "plane"), r->tasks);
+		put_words(p, "tasks", tasks, r->tasks);
 	if (r->variants != 0)
-		put_words(p, "types", types, r->variants);
+		put_words(p, "types", table->words, r->variants);
 	put_close(p, "}");
 }
 
@@ -283,8 +331,8 @@ static void put_members(struct printer *p, const struct member *table,
 static void put_rules(struct printer *p, const struct member *table)
 {
 	for (const struct member *m = table; m != NULL && m->name != NULL; m++) {
-		for (const struct rule *r = m->rules; r != NULL && r->ways != NULL; r++)
-			put_rule(p, m->name, r, m->members->words);
+		for (const struct rule *r = m->rules; r != NULL && r->n > 0; r++)
+			put_rule(p, m->name, r, m->members);
 		put_rules(p, m->members);
 	}
 }

@@ -73,11 +73,10 @@ static void put_picture(struct printer *p, const struct picture *r)
 }
 
 /* Refuses a distance of --distances that is not between near and far. */
-static void check_distances(const struct document *d, const struct options *o,
+static bool check_distances(const struct document *d, const struct options *o,
     const struct depth *z)
 {
 	double near = depth_distance(z, false), far = depth_distance(z, true);
-	char why[160];
 
 	if (isnan(far)) /* the far plane is behind the eye: no limit */
 		far = HUGE_VAL;
@@ -86,12 +85,12 @@ static void check_distances(const struct document *d, const struct options *o,
 
 		if ((at >= near && at <= far) || (at >= far && at <= near))
 			continue;
-		snprintf(why, sizeof why,
-		    "/projection: --distances: %.16g is not from near, %.16g, to far, "
-		    "%.16g",
-		    at, near, far);
-		document_refuse(d, why);
+		return document_refuse(d, "/projection",
+		    text("--distances: %.16g is not from near, %.16g, to far, %.16g",
+			at, near, far),
+		    NULL);
 	}
+	return true;
 }
 
 /* Puts the depth steps at the near plane, at the far plane and at o->distances. */
@@ -128,15 +127,16 @@ static void put_error_bounds(struct printer *p, const double bound[3], double to
 }
 
 /* Puts the member bounds, if the document has bounds. */
-static void put_bounds(struct printer *p, const struct document *d)
+static bool put_bounds(struct printer *p, const struct document *d)
 {
 	static struct flag_words words;
 	static struct box r;
 	const struct scene *s = &d->scene;
 
 	if (!d->has_bounds)
-		return;
-	document_refuse_if(d, box_of(s, &d->bounds, d->flat, &r));
+		return true;
+	if (!box_of(s, &d->bounds, d->flat, &r, d->source.faults))
+		return false;
 	put_open(put_name(p, "bounds"), "{");
 	if (!d->flat)
 		put_numbers(put_name(p, "distance"), r.distance, 2);
@@ -154,14 +154,16 @@ static void put_bounds(struct printer *p, const struct document *d)
 		r.out ? "out" :
 			flags_word(&words, r.outside)->s);
 	put_close(p, "}");
+	return true;
 }
 
-static void put_window(struct printer *p, const struct document *d)
+static bool put_window(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;
 	struct window_extent w;
 
-	document_refuse_if(d, scene_window_extent(s, &w));
+	if (!scene_window_extent(s, &w, d->source.faults))
+		return false;
 	put_object(p, "window", sides, 4, w.edge, 0);
 	put_name(p, "device");
 	if (s->has_device)
@@ -169,61 +171,79 @@ static void put_window(struct printer *p, const struct document *d)
 	else
 		put_literal(p, "null");
 	put_numbers(put_name(p, "scale"), w.scale, 2);
-	put_bounds(p, d);
+	return put_bounds(p, d);
+}
+
+/* Puts the picture's scene, or null. */
+static void put_found_scene(struct printer *p, const struct picture *r)
+{
+	put_name(p, "scene");
+	if (r->has_scene)
+		put_scene(p, &r->scene);
+	else
+		put_literal(p, "null");
+}
+
+static void put_notes(struct printer *p, unsigned notes, bool needs_planes)
+{
+	put_open(put_name(p, "notes"), "[");
+	for (unsigned i = 0; i < NOTES; i++)
+		if (notes >> i & 1)
+			put_string(p,
+			    text("%s; %s", note_rows[i].what, note_rows[i].remedy));
+	if (needs_planes)
+		put_string(p,
+		    "depth_step and textbook_error need \"near\" and \"far\"");
+	put_close(p, "]");
 }
 
 /* Puts what inspect prints of a document with a projection. */
-static void put_projection(struct printer *p, const struct document *d,
+static bool put_projection(struct printer *p, const struct document *d,
     const struct options *o)
 {
 	static const char *const types[] = { "float", "double" };
 	static struct picture r;
 	double error[2];
 
-	document_refuse_if(d, picture_of(&d->scene, &r));
-	check_distances(d, o, &r.depth);
+	if (!picture_of(&d->scene, &r, d->source.faults) ||
+	    !check_distances(d, o, &r.depth))
+		return false;
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
 	put_error_bounds(p, r.error_bound, o->tolerance.n > 0 ? *o->tolerance.v : 0.5);
 	if (o->textbook) {
-		document_refuse_if(d, textbook_errors(&d->scene, error));
+		if (!textbook_errors(&d->scene, error, d->source.faults))
+			return false;
 		put_object(p, "textbook_error", types, 2, error, 0);
 	}
-	put_bounds(p, d);
-	put_name(p, "scene");
-	if (r.has_scene)
-		put_scene(p, &r.scene);
-	else
-		put_literal(p, "null");
-	put_open(put_name(p, "notes"), "[");
-	for (unsigned i = 0, all = notes_of_document(d, r.notes); i < NOTES; i++)
-		if (all >> i & 1)
-			put_string(p, note_rows[i].text);
-	if ((o->textbook || o->distances.n > 0) &&
-	    projection_is_open(&d->scene.projection))
-		put_string(p,
-		    "depth_step and textbook_error need \"near\" and \"far\"");
-	put_close(p, "]");
+	if (!put_bounds(p, d))
+		return false;
+	put_found_scene(p, &r);
+	put_notes(p, notes_of_document(d, r.notes),
+	    (o->textbook || o->distances.n > 0) &&
+		projection_is_open(&d->scene.projection));
+	return true;
 }
 
-void run_inspect(const struct options *o, struct document *d, struct job *j)
+bool run_inspect(const struct options *o, struct document *d, struct job *j)
 {
-	static char text[(320 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
-	struct printer p = { .at = text,
+	static char out[(320 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
+	struct printer p = { .at = out,
 		.style = options_matrix_style(o),
 		.compact = o->out == FORMAT_JSON };
 
 	(void)j;
 	if (d->flat && (o->tolerance.n > 0 || o->distances.n > 0 || o->textbook))
-		document_refuse(d,
-		    "/projection: missing; -t, --distances and --textbook are about "
-		    "the errors and the depth of a projection, not of a window");
+		return document_refuse(d, "/projection", "missing",
+		    "-t, --distances and --textbook are about the errors and the depth "
+		    "of "
+		    "a projection, not of a window");
 	put_open(&p, "{");
-	if (d->flat)
-		put_window(&p, d);
-	else
-		put_projection(&p, d, o);
+	if (!(d->flat ? put_window(&p, d) : put_projection(&p, d, o)))
+		return false;
 	put_close(&p, "}\n");
-	document_refuse_if(d, ex_has_overflowed() ? SCENE_TOO_WIDE : NULL);
-	output_write(text, (size_t)(p.at - text));
+	if (ex_has_overflowed())
+		return document_refuse(d, NULL, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
+	output_write(out, (size_t)(p.at - out));
+	return true;
 }

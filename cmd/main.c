@@ -40,43 +40,56 @@
 	.from = FLAT_##a, .to = FLAT_##b
 
 static const struct command commands[] = {
-	{ "lookat", "print the matrix from world to view", COMMAND_MATRIX_3D, run_matrix,
+	{ "lookat", "print the matrix from world to view",
+	    COMMAND_MATRIX_3D, run_matrix,
 	    .wants = { NEEDS_ONE(CAMERA, 0) },
 	    .from = SPACE_WORLD, .to = SPACE_VIEW,
 	    .example = "'{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
 	{ "persp", "print the matrix from view to clip of a perspective",
 	    VIEW_TO_CLIP(PROJECTION_PERSP),
-	    .example = "-c gl '{\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}'" },
+	    .example = "-c gl '{\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, "
+	    "\"far\": 10}'" },
 	{ "ortho", "print the matrix from view to clip of an orthographic projection",
 	    VIEW_TO_CLIP(PROJECTION_ORTHO),
 	    .example = "'{\"height\": 2, \"aspect\": 1.5, \"near\": 0, \"far\": 10}'" },
 	{ "oblique", "print the matrix from view to clip of an oblique projection",
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
-	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, \"near\": 0, \"far\": 10}'" },
+	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, "
+	    "\"near\": 0, \"far\": 10}'" },
 	{ "w2n", "take 2D points from the window to ndc, or print the matrix",
-	    FLAT_MAP(WINDOW, NDC, WINDOW), .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
+	    FLAT_MAP(WINDOW, NDC, WINDOW),
+	    .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
 	{ "n2w", "take 2D points from ndc to the window, or print the matrix",
-	    FLAT_MAP(NDC, WINDOW, WINDOW), .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
+	    FLAT_MAP(NDC, WINDOW, WINDOW),
+	    .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
 	{ "n2d", "take 2D points from ndc to the device, or print the matrix",
-	    FLAT_MAP(NDC, DEVICE, DEVICE), .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
+	    FLAT_MAP(NDC, DEVICE, DEVICE),
+	    .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
 	{ "d2n", "take 2D points from the device to ndc, or print the matrix",
-	    FLAT_MAP(DEVICE, NDC, DEVICE), .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
+	    FLAT_MAP(DEVICE, NDC, DEVICE),
+	    .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
 	{ "w2d", "take 2D points from the window to the device, or print the matrix",
-	    FLAT_MAP(WINDOW, DEVICE, WINDOW_AND_DEVICE), .example = FLAT_EXAMPLE " '[22,32]'" },
+	    FLAT_MAP(WINDOW, DEVICE, WINDOW_AND_DEVICE),
+	    .example = FLAT_EXAMPLE " '[22,32]'" },
 	{ "d2w", "take 2D points from the device to the window, or print the matrix",
-	    FLAT_MAP(DEVICE, WINDOW, WINDOW_AND_DEVICE), .example = FLAT_EXAMPLE " '[210,210]'" },
-	{ "volume", "print the matrix from view to clip of a view volume of seven numbers",
+	    FLAT_MAP(DEVICE, WINDOW, WINDOW_AND_DEVICE),
+	    .example = FLAT_EXAMPLE " '[210,210]'" },
+	{ "volume",
+	    "print the matrix from view to clip of a view volume of seven numbers",
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
-	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, \"z_near\": 1, \"z_far\": 10}'" },
+	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, "
+	    "\"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "take points from any space to any other: to pixels, or back",
 	    COMMAND_PROJECT, run_project, check_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
-	{ "trace", "print points in every space, and the planes that they are outside of",
+	{ "trace",
+	    "print points in every space, and the planes that they are outside of",
 	    COMMAND_TRACE, run_trace,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "'" SCENE_EXAMPLE "' '[1,1,1]'" },
-	{ "pick", "print the points within a radius of a device position, nearest first",
+	{ "pick",
+	    "print the points within a radius of a device position, nearest first",
 	    COMMAND_PICK, run_pick, check_pick,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
@@ -109,8 +122,9 @@ static void run_help(const struct options *o)
 
 	if (o->n_points > 0 || (o->json && !input_is_stdin(what)))
 		die(EXIT_USAGE,
-		    "help: '%s' is one word too many; give one command or member",
-		    o->n_points > 0 ? o->points[0] : what);
+		    text("help: '%s' is one word too many",
+			o->n_points > 0 ? o->points[0] : what),
+		    "give one command or member");
 	if (o->json)
 		help_json(commands, VERSION);
 	else if (input_is_stdin(what))
@@ -121,32 +135,50 @@ static void run_help(const struct options *o)
 		unknown_refuse_command(commands, true, what);
 }
 
-static void run_scenes(const struct options *o)
+/* Answers one document, and returns false if it is refused, which *answered may
+ * precede. */
+static bool run_scene(const struct options *o, struct document *d, struct job *j,
+    struct refusals *faults, bool *answered)
 {
+	faults->n = 0;
+	ex_has_overflowed(); /* forgets what a refused scene has left */
+	*answered = params_read_document(o, d, faults) && o->command->run(o, d, j);
+	if (!*answered)
+		return false;
+	return !ex_has_overflowed() ||
+	    document_refuse(d, NULL, "what is printed is not exact: " SCENE_TOO_WIDE,
+		SCENE_TOO_WIDE_REMEDY);
+}
+
+/* Returns EXIT_OK, or the exit status of a refusal that ends the run. */
+static int run_scenes(const struct options *o)
+{
+	static struct refusals faults;
 	static struct job j;
 	struct document d;
-	jmp_buf refused;
-	volatile bool answered = false;
+	bool answered;
+	const enum format out = options_out_format(o);
+	const bool skips = o->scenes && o->keep_going && !format_is_binary(out);
 
-	if (o->scenes && o->keep_going && !format_is_binary(options_out_format(o)))
-		message_state.on_refusal = &refused;
-	if (setjmp(refused) != 0)
-		answer_refused_scene(!answered && options_out_format(o) == FORMAT_JSON);
+	if (o->scenes)
+		output_gather();
 	while (params_next_document(o)) {
-		answered = false;
-		ex_has_overflowed(); /* forgets what a refused scene has left */
-		params_read_document(o, &d);
-		o->command->run(o, &d, &j);
-		answered = true;
-		if (ex_has_overflowed())
-			die_at(EXIT_INPUT, &(struct place){ .of_scene = true },
-			    "what is printed is not exact: " SCENE_TOO_WIDE);
+		if (run_scene(o, &d, &j, &faults, &answered))
+			continue;
+		const int status = d.is_usage && !skips ? EXIT_USAGE : EXIT_INPUT;
+
+		document_tell(&d.source, status);
+		if (!skips || d.ends_run)
+			return status;
+		answer_refused_scene(!answered && out == FORMAT_JSON);
 	}
+	return EXIT_OK;
 }
 
 int main(int argc, char **argv)
 {
 	struct options o = { .params = "-", .separator = ',' };
+	int status = EXIT_OK;
 
 	/* undoes the startup code of -ffast-math, which flushes subnormals */
 	fesetenv(FE_DFL_ENV);
@@ -177,7 +209,7 @@ int main(int argc, char **argv)
 		if (c->check != NULL)
 			c->check(&o);
 		operands_check(&o);
-		run_scenes(&o);
+		status = run_scenes(&o);
 	}
-	return answer_end();
+	return answer_end(status);
 }

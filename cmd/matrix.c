@@ -35,52 +35,53 @@ void matrix_check_unit_w(const struct options *o, bool is_printed, enum space fr
 {
 	if (o->unit_w && (!is_printed || from > SPACE_VIEW || to < SPACE_CLIP))
 		die(EXIT_USAGE,
-		    "--unit-w: is for a printed matrix from model, world or "
-		    "view to clip, ndc or device, as with project -m");
+		    "--unit-w: is for a printed matrix from model, world or view to "
+		    "clip, ndc or device, as with project -m",
+		    NULL);
 }
 
 /* Divides the map by the magnitude of the element that takes z to w. */
-static void divide_by_w(const struct document *d, struct map *m)
+static bool divide_by_w(const struct document *d, struct map *m)
 {
 	m->divisor = sum_abs(m->m[2][3]);
-	if (sum_sign(m->divisor) == 0 || !map_is_finite(m))
-		document_refuse(d,
-		    "--unit-w: the element that takes z to w is 0, as in a "
-		    "parallel projection, or too small; leave --unit-w out");
+	return (sum_sign(m->divisor) != 0 && map_is_finite(m)) ||
+	    document_refuse(d, NULL,
+		"--unit-w: the element that takes z to w is 0, as in a parallel "
+		"projection, or too small",
+		"leave --unit-w out");
 }
 
-/* Returns the element in row i and column j of the matrix of t for row vectors, rounded
- * to double or, if `floats` is true, to float. Refuses one out of range. In 2D the map's
- * row or column of z is left out. */
-static double element_of(const struct document *d, const struct transform *t, int i,
-    int j, bool floats)
+/* Sets *out to the element in row i and column j of the matrix of t for row vectors,
+ * rounded to double or, if `floats` is true, to float. Refuses one out of range. In 2D
+ * the map's row or column of z is left out. */
+static bool find_element(const struct document *d, const struct transform *t, int i,
+    int j, bool floats, double *out)
 {
 	static const int axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
-	const double v = map_element_nearest(&t->map, axes[t->in != 2][i],
-	    axes[t->out != 2][j], floats);
 
-	if (floats && !isfinite((float)v))
-		document_refuse(d,
-		    "the matrix is beyond floats, of -p single or -o f32");
-	return v;
+	*out = map_element_nearest(&t->map, axes[t->in != 2][i], axes[t->out != 2][j],
+	    floats);
+	return !floats || isfinite((float)*out) ||
+	    document_refuse(d, NULL,
+		"the matrix is beyond floats, of -p single or -o f32", NULL);
 }
 
-void matrix_print(const struct options *o, const struct document *d,
+bool matrix_print(const struct options *o, const struct document *d,
     struct transform *t)
 {
-	static char text[16 * (NUMBER_MAX + 2) + 64];
+	static char out[16 * (NUMBER_MAX + 2) + 64];
 	const bool single = o->precision == PRECISION_SINGLE;
 	const bool floats = single || o->out == FORMAT_F32;
 	const bool column_vectors = scene_answer_convention(&d->scene)->column_vectors;
 	const bool column = column_vectors && !format_is_binary(o->out);
 	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
-	struct printer p = { .at = text,
+	struct printer p = { .at = out,
 		.style = options_matrix_style(o),
 		.floats = single,
 		.compact = true };
 
-	if (o->unit_w)
-		divide_by_w(d, &t->map);
+	if (o->unit_w && !divide_by_w(d, &t->map))
+		return false;
 	if (o->out == FORMAT_JSON) {
 		put_open(&p, "{");
 		put_open(put_name(&p, "matrix"), "[");
@@ -89,8 +90,9 @@ void matrix_print(const struct options *o, const struct document *d,
 		double row[4];
 
 		for (int j = 0; j < n[!column]; j++)
-			row[j] = element_of(d, t, column ? j : i, column ? i : j,
-			    floats);
+			if (!find_element(d, t, column ? j : i, column ? i : j, floats,
+				&row[j]))
+				return false;
 		put_row(&p, row, n[!column], dialect_of(o->out, o->separator));
 	}
 	if (o->out == FORMAT_JSON) {
@@ -98,34 +100,37 @@ void matrix_print(const struct options *o, const struct document *d,
 		put_string(put_name(&p, "vectors"), vector_names[column]);
 		put_close(&p, "}\n");
 	}
-	output_write(text, (size_t)(p.at - text));
+	output_write(out, (size_t)(p.at - out));
+	return true;
 }
 
 /* Names of the flat spaces in the order of enum space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
-void run_matrix(const struct options *o, struct document *d, struct job *j)
+bool run_matrix(const struct options *o, struct document *d, struct job *j)
 {
 	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
-	const bool points = !o->matrix && operands_have_points(o, d);
+	struct refusals *const faults = d->source.faults;
 	const bool flat = c->kind == COMMAND_MATRIX_2D, planes = o->flags || o->visible;
+	bool points = false;
+
+	if (!o->matrix && !operands_have_points(o, d, &points))
+		return false;
 	const enum space from = c->from,
 			 to = points && c->to == SPACE_CLIP ? SPACE_NDC : c->to;
 
 	matrix_check_unit_w(o, !points, from, c->to);
-	document_refuse_if(d,
-	    points ? transform_of_scene(s, from, to, false, &j->transform) :
-		     transform_of_matrix(s, from, to, &j->transform));
-	if (planes)
-		document_refuse_if(d, frustum_of(s, from, false, &j->frustum));
+	if (!(points ? transform_of_scene(s, from, to, false, &j->transform, faults) :
+		       transform_of_matrix(s, from, to, &j->transform, faults)))
+		return false;
+	if (planes && !frustum_of(s, from, false, &j->frustum, faults))
+		return false;
 	if (!flat)
 		notes_say_of_spaces(d, from, c->to);
-	if (!points) {
-		matrix_print(o, d, &j->transform);
-		return;
-	}
+	if (!points)
+		return matrix_print(o, d, &j->transform);
 	j->count_imageless = !planes;
 	j->space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
-	operands_run_job(o, d, from, to, j);
+	return operands_run_job(o, d, from, to, j);
 }

@@ -12,5 +12,5 @@ void matrix_check_unit_w(const struct options *, bool is_printed, enum space fro
 /* Prints the matrix of a transform in the format and precision of the options, for row
  * or column vectors as the convention of the answer says. For a space whose points have
  * two coordinates, the matrix lacks the row or column of z. For --unit-w divides the
- * map. */
-void matrix_print(const struct options *, const struct document *, struct transform *);
+ * map. Returns false if the document is refused. */
+bool matrix_print(const struct options *, const struct document *, struct transform *);

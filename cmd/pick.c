@@ -202,22 +202,22 @@ static void print_hits(const struct job *j)
 	free(out);
 }
 
-static void hits_set_circle(const struct document *d, const struct options *o,
+static bool hits_set_circle(const struct document *d, const struct options *o,
     struct hits *h)
 {
 	const struct pick *p = &d->pick;
 
 	if (o->pick_at.n == 0 && !p->has_at)
-		document_refuse(d,
-		    "/pick/at: missing; give --at X,Y and --radius R, or in the scene "
+		return document_refuse(d, "/pick/at", "missing",
+		    "give --at X,Y and --radius R, or in the scene "
 		    "\"pick\": " PICK_EXAMPLE);
 	if (o->radius.n == 0 && !(p->radius > 0))
-		document_refuse(d,
-		    "/pick/radius: missing; give --radius R, or in the scene "
-		    "\"pick\": " PICK_EXAMPLE);
+		return document_refuse(d, "/pick/radius", "missing",
+		    "give --radius R, or in the scene \"pick\": " PICK_EXAMPLE);
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius.n > 0 ? *o->radius.v : p->radius;
+	return true;
 }
 
 void check_pick(const struct options *o)
@@ -225,13 +225,15 @@ void check_pick(const struct options *o)
 	options_matrix_style(o);
 	if (o->has_out && o->out != FORMAT_JSON &&
 	    (o->out != o->in || o->out_record != o->in_record))
-		die(EXIT_USAGE,
-		    "pick prints the lines that it read; leave -o out, or say -o json");
+		die(EXIT_USAGE, "pick prints the lines that it read",
+		    "leave -o out, or say -o json");
 }
 
-void run_pick(const struct options *o, struct document *d, struct job *j)
+bool run_pick(const struct options *o, struct document *d, struct job *j)
 {
 	static struct hits hits;
+	const struct scene *s = &d->scene;
+	struct refusals *const faults = d->source.faults;
 
 	j->take_block = hits_take_block;
 	j->collect_chunk = hits_collect_chunk;
@@ -241,13 +243,13 @@ void run_pick(const struct options *o, struct document *d, struct job *j)
 	hits.json = o->has_out && o->out == FORMAT_JSON;
 	hits.style = options_matrix_style(o);
 	hits.n = hits.size = 0;
-	hits_set_circle(d, o, &hits);
-	document_refuse_if(d,
-	    transform_of_scene(&d->scene, SPACE_MODEL, SPACE_DEVICE, false,
-		&j->transform));
-	document_refuse_if(d, frustum_of(&d->scene, SPACE_MODEL, false, &j->frustum));
-	document_refuse_if(d, picker_of(&d->scene, &j->transform, &hits.picker));
+	if (!hits_set_circle(d, o, &hits) ||
+	    !transform_of_scene(s, SPACE_MODEL, SPACE_DEVICE, false, &j->transform,
+		faults) ||
+	    !frustum_of(s, SPACE_MODEL, false, &j->frustum, faults) ||
+	    !picker_of(s, &j->transform, &hits.picker, faults))
+		return false;
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	notes_say_of_spaces(d, SPACE_MODEL, SPACE_DEVICE);
-	operands_run_job(o, d, SPACE_MODEL, SPACE_DEVICE, j);
+	return operands_run_job(o, d, SPACE_MODEL, SPACE_DEVICE, j);
 }

@@ -109,7 +109,7 @@ static void trace_take_block(const struct job *j, struct chunk *c)
 	struct images *m = aligned_alloc(_Alignof(struct images), sizeof *m);
 
 	if (m == NULL)
-		die(EXIT_SYSTEM, "out of memory");
+		die(EXIT_SYSTEM, "out of memory", NULL);
 	else /* vector loops read beyond the last point */
 		memset(m->v, 0, sizeof m->v);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -139,9 +139,10 @@ static void trace_collect_chunk(const struct job *j, const struct chunk *c)
 	trace->printed = true;
 }
 
-void run_trace(const struct options *o, struct document *d, struct job *j)
+bool run_trace(const struct options *o, struct document *d, struct job *j)
 {
 	static struct trace trace;
+	struct refusals *const faults = d->source.faults;
 
 	j->take_block = trace_take_block;
 	j->collect_chunk = trace_collect_chunk;
@@ -150,15 +151,16 @@ void run_trace(const struct options *o, struct document *d, struct job *j)
 	trace.printed = false;
 	trace.n_spaces = SPACES - (!d->scene.has_viewport && o->from != SPACE_DEVICE);
 	for (int s = 0; s < trace.n_spaces; s++)
-		document_refuse_if(d,
-		    distance_transform(&d->scene, o->from, (enum space)s,
-			&trace.to[s]));
-	document_refuse_if(d, frustum_of(&d->scene, o->from, false, &j->frustum));
+		if (!distance_transform(&d->scene, o->from, (enum space)s, &trace.to[s],
+			faults))
+			return false;
+	if (!frustum_of(&d->scene, o->from, false, &j->frustum, faults))
+		return false;
 	j->transform = trace.to[SPACE_CLIP];
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],
 		    o->out == FORMAT_JSON ? "\"%s\":" : "%-8s", space_names[s]);
 	notes_say_of_spaces(d, SPACE_MODEL,
 	    d->scene.has_viewport ? SPACE_DEVICE : SPACE_NDC);
-	operands_run_job(o, d, o->from, SPACE_NDC, j);
+	return operands_run_job(o, d, o->from, SPACE_NDC, j);
 }

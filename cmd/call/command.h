@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A command is a row of the table in main.c, and its functions run_ and check_, or help_ of
- * the command help, are in the file of its name. They are declared here, as only main.c
- * calls them. */
+/* A command is a row of the table in main.c, and its functions run_ and check_, or
+ * help_ of the command help, are in the file of its name. They are declared here, as
+ * only main.c calls them. */
 #pragma once
 
 #include <string.h>
@@ -29,25 +29,27 @@ struct command {
 	const char *name;
 	const char *about; /* one line of help */
 	enum command_kind kind;
-	/* Prints the answer for a document; the job is zero at the first call. Does not
-	 * return after an error. */
-	void (*run)(const struct options *, struct document *, struct job *);
-	/* Refuses options that do not go together, before documents are read; or NULL. */
+	/* Prints the answer for a document; the job is zero at the first call. Returns
+	 * false if the document is refused. */
+	bool (*run)(const struct options *, struct document *, struct job *);
+	/* Refuses options that do not go together, before documents are read; or
+	 * NULL. */
 	void (*check)(const struct options *);
 	/* params_read_document adds to a copy what the options need. */
 	struct document_wants wants;
-	/* The spaces of the matrix. COMMAND_MATRIX_3D prints points in ndc, not clip. */
+	/* The spaces of the matrix. COMMAND_MATRIX_3D prints points
+	 * in ndc, not clip. */
 	enum space from, to;
 	/* Arguments for an example of a call, as typed in a shell. */
 	const char *example;
 };
 
-void run_matrix(const struct options *, struct document *, struct job *);
-void run_project(const struct options *, struct document *, struct job *);
-void run_trace(const struct options *, struct document *, struct job *);
-void run_pick(const struct options *, struct document *, struct job *);
-void run_fit(const struct options *, struct document *, struct job *);
-void run_inspect(const struct options *, struct document *, struct job *);
+bool run_matrix(const struct options *, struct document *, struct job *);
+bool run_project(const struct options *, struct document *, struct job *);
+bool run_trace(const struct options *, struct document *, struct job *);
+bool run_pick(const struct options *, struct document *, struct job *);
+bool run_fit(const struct options *, struct document *, struct job *);
+bool run_inspect(const struct options *, struct document *, struct job *);
 void check_project(const struct options *);
 void check_pick(const struct options *);
 

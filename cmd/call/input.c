@@ -44,10 +44,11 @@ bool input_check(const char *name)
 				   stat(name, &in) != 0 || access(name, R_OK) != 0)
 		return false;
 	if (S_ISDIR(in.st_mode))
-		die_at(EXIT_USAGE, &place, "is a directory");
+		die_at(EXIT_USAGE, &place, "is a directory", NULL);
 	if (S_ISREG(in.st_mode) && fstat(STDOUT_FILENO, &out) == 0 &&
 	    out.st_dev == in.st_dev && out.st_ino == in.st_ino)
-		die_at(EXIT_USAGE, &place, "is also the output; write to another file");
+		die_at(EXIT_USAGE, &place, "is also the output",
+		    "write to another file");
 	return true;
 }
 
@@ -56,8 +57,8 @@ int input_open(const char *name)
 	int fd = input_is_stdin(name) ? STDIN_FILENO : open_file(name);
 
 	if (fd < 0 || !input_check(name))
-		die_at(EXIT_USAGE, &(struct place){ .file = name }, "%s",
-		    strerror(errno));
+		die_at(EXIT_USAGE, &(struct place){ .file = name }, strerror(errno),
+		    NULL);
 	return fd;
 }
 
@@ -76,12 +77,13 @@ bool input_append(struct input_text *t, int fd, const char *name)
 	size_t left = t->room - t->size;
 
 	/* some systems refuse to read more than INT_MAX bytes at once */
+	output_flush();
 	do
 		n = read(fd, t->s + t->size, left < INT_MAX ? left : INT_MAX);
 	while (n < 0 && io_retry(fd, POLLIN));
 	if (n < 0)
-		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, "%s",
-		    strerror(errno));
+		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, strerror(errno),
+		    NULL);
 	t->size += (size_t)n;
 	return n > 0;
 }

@@ -22,7 +22,8 @@ char input_first_char(const char *);
  * with status 2, a directory, and the file to which standard output goes. */
 bool input_check(const char *name);
 
-/* Returns a descriptor of a file, or of standard input for "-"; refuses with status 2. */
+/* Returns a descriptor of a file, or of standard input for "-";
+ * refuses with status 2. */
 int input_open(const char *name);
 
 /* Appends the next bytes of fd to the text. Returns false at the end of the file. */

@@ -8,83 +8,95 @@
 #include "../message/message.h"
 #include "command.h"
 
-/* A note's member, and its text: what is guessed or wrong, and what to try. */
+/* A note's member, what is guessed or wrong, and what to try. */
 const struct note_row note_rows[NOTES] = {
 	[NOTE_MIRRORED] = { "/projection",
-	    "mirrored: the picture is a mirror image, as the determinant says; negate "
-	    "x or y in the matrix, or try another \"convention\"" },
+	    "mirrored: the picture is a mirror image, as the determinant says",
+	    "negate x or y in the matrix, or try another \"convention\"" },
 	[NOTE_OTHER_HANDED] = { "/projection",
 	    "the projection is of the other handedness: it looks against the "
-	    "convention's gaze, and mirrors; try the \"convention\" that it is from, "
-	    "or negate the third row, of column vectors the third column" },
+	    "convention's gaze, and mirrors",
+	    "try the \"convention\" that it is from, or negate the third row, "
+	    "of column vectors the third column" },
 	[NOTE_LOOKS_AWAY] = { "/projection",
-	    "the projection looks away: w grows against the convention's gaze, and the "
-	    "picture is of what is behind the camera; turn the camera, or negate the "
-	    "first and third rows, of column vectors the first and third columns" },
+	    "the projection looks away: w grows against the convention's gaze, "
+	    "and the picture is of what is behind the camera",
+	    "turn the camera, or negate the first and third rows, of column "
+	    "vectors the first and third columns" },
 	[NOTE_TRANSPOSED] = { "/projection",
-	    "the projection's matrix is transposed in all likelihood, as its last row "
-	    "and its last column have changed places; transpose it, or try another "
-	    "\"vectors\" in \"convention\"" },
+	    "the projection's matrix is transposed in all likelihood, as its "
+	    "last row and its last column have changed places",
+	    "transpose it, or try another \"vectors\" in \"convention\"" },
 	[NOTE_NEAR_BEYOND] = { "/projection",
-	    "near is beyond far: the eye or the gaze is on the other side; swap them, "
-	    "leave out minus signs, or for reversed depth say \"reverse_z\": true" },
+	    "near is beyond far: the eye or the gaze is on the other side",
+	    "swap them, leave out minus signs, or for reversed depth say "
+	    "\"reverse_z\": true" },
 	[NOTE_DEPTH_FALLS] = { "/projection",
 	    "depth falls along the convention's gaze: it is reversed, or the "
-	    "projection is of the other handedness; if reversed depth is not meant, "
-	    "try another \"convention\"" },
+	    "projection is of the other handedness",
+	    "if reversed depth is not meant, try another \"convention\"" },
 	[NOTE_RADIANS] = { "",
-	    "an angle may be in radians, as it is a part of pi or an angle of view "
-	    "below 3.2; say \"angle_unit\": \"radians\", or \"degrees\"" },
+	    "an angle may be in radians, as it is a part of pi or an angle of "
+	    "view below 3.2",
+	    "say \"angle_unit\": \"radians\", or \"degrees\"" },
 	[NOTE_OFF_CENTER] = { "/projection/intrinsics",
-	    "the principal point is at the edge of the viewport or outside; intrinsics "
-	    "are fx, fy, cx and cy, in pixels of the viewport" },
+	    "the principal point is at the edge of the viewport or outside",
+	    "intrinsics are fx, fy, cx and cy, in pixels of the viewport" },
 	[NOTE_VIEW_AXES] = { "/camera",
-	    "no convention is named, and the rotation is read for d3d, whose view "
-	    "space has x right, y up, z forward; say \"convention\": \"webgpu\" for z "
-	    "backward (\"gl\" if pixels count from the bottom), \"opencv\" for y "
-	    "down, or \"d3d\"" },
+	    "no convention is named, and the rotation is read for d3d, whose "
+	    "view space has x right, y up, z forward",
+	    "say \"convention\": \"webgpu\" for z backward (\"gl\" if pixels "
+	    "count from the bottom), \"opencv\" for y down, or \"d3d\"" },
 	[NOTE_UP_Z] = { "/camera/up",
-	    "no convention is named, and z is up: d3d is left-handed, and mirrors a "
-	    "right-handed world; say \"convention\": \"webgpu\" (\"gl\" if pixels "
-	    "count from the bottom), or \"d3d\" if the world is left-handed" },
+	    "no convention is named, and z is up: d3d is left-handed, and "
+	    "mirrors a right-handed world",
+	    "say \"convention\": \"webgpu\" (\"gl\" if pixels count from the "
+	    "bottom), or \"d3d\" if the world is left-handed" },
 	[NOTE_BEHIND] = { "/convention",
-	    "none is named, and no point has an image, but points would have one if "
-	    "the camera looked along -z of view space; say \"convention\": \"webgpu\" "
-	    "(\"gl\" if pixels count from the bottom), or \"d3d\"" },
+	    "none is named, and no point has an image, but points would have "
+	    "one if the camera looked along -z of view space",
+	    "say \"convention\": \"webgpu\" (\"gl\" if pixels count from the "
+	    "bottom), or \"d3d\"" },
 	[NOTE_MATRIX_RADIANS] = { "/projection/matrix",
-	    "the matrix is that of an angle of view whose degrees were taken for "
-	    "radians; make it of angle * pi / 180" },
+	    "the matrix is that of an angle of view whose degrees were taken "
+	    "for radians",
+	    "make it of angle * pi / 180" },
 	[NOTE_ASPECT] = { "/projection/aspect",
-	    "the aspect differs from the viewport's width / height by more than 1 %, "
-	    "which stretches the picture; leave \"aspect\" or a sensor's \"height\" "
-	    "out, or give the viewport a \"scale\"" },
+	    "the aspect differs from the viewport's width / height by more "
+	    "than 1 %, which stretches the picture",
+	    "leave \"aspect\" or a sensor's \"height\" out, or give the "
+	    "viewport a \"scale\"" },
 	[NOTE_COLMAP] = { "/projection/intrinsics",
-	    "the intrinsics look like f, cx, cy, k of COLMAP; fx, fy, cx, cy are "
-	    "wanted: give f twice, and undistort points first" },
+	    "the intrinsics look like f, cx, cy, k of COLMAP",
+	    "fx, fy, cx, cy are wanted: give f twice, and undistort points "
+	    "first" },
 	[NOTE_NO_PROJECTION] = { "/projection",
-	    "there is none, so that points of view space are printed as ndc; add one, "
-	    "or say --to view or --to world" },
+	    "there is none, so that points of view space are printed as ndc",
+	    "add one, or say --to view or --to world" },
 	[NOTE_NO_ROTATION] = { "",
-	    "scene is null, as the camera's matrix is not a rotation to 2^-20: it "
-	    "scales, shears or mirrors; take the scale out of it, try "
-	    "\"orthonormalize\": true where the determinant is positive, or the "
-	    "\"convention\" that the matrix is from where it is negative" },
+	    "scene is null, as the camera's matrix is not a rotation to 2^-20: "
+	    "it scales, shears or mirrors",
+	    "take the scale out of it, try \"orthonormalize\": true where the "
+	    "determinant is positive, or the \"convention\" that the matrix is "
+	    "from where it is negative" },
 	[NOTE_TILTED] = { "",
-	    "near, far and scene are null, as the planes of equal depth are tilted "
-	    "against the picture by more than 2^-40; give the matrix with all 17 "
-	    "digits, not as floats, and if it is a product, check that its factors "
-	    "stand in the order for its \"vectors\"" },
-	[NOTE_MINUS_W] = { "",
-	    "scene is null, as w is negative between near and far; negate every "
-	    "element of the matrix" },
+	    "near, far and scene are null, as the planes of equal depth are "
+	    "tilted against the picture by more than 2^-40",
+	    "give the matrix with all 17 digits, not as floats, and if it is a "
+	    "product, check that its factors stand in the order for its "
+	    "\"vectors\"" },
+	[NOTE_MINUS_W] = { "", "scene is null, as w is negative between near and far",
+	    "negate every element of the matrix" },
 	[NOTE_NO_INTRINSICS] = { "",
-	    "scene is null, as x depends on y or there are no near and far planes: "
-	    "only \"intrinsics\" can say that, of a perspective that does not mirror "
-	    "and fills the viewport; add a viewport, or give near and far, or a matrix "
-	    "with all 17 digits" },
+	    "scene is null, as x depends on y or there are no near and far "
+	    "planes: only \"intrinsics\" can say that, of a perspective that "
+	    "does not mirror and fills the viewport",
+	    "add a viewport, or give near and far, or a matrix with all 17 "
+	    "digits" },
 	[NOTE_OUT_OF_RANGE] = { "",
-	    "scene is null, as a plane lies behind the eye or a number is out of "
-	    "range; look at near, far and eye" },
+	    "scene is null, as a plane lies behind the eye or a number is out "
+	    "of range",
+	    "look at near, far and eye" },
 };
 
 unsigned notes_of_document(const struct document *d, unsigned of_picture)
@@ -101,9 +113,10 @@ unsigned notes_of_document(const struct document *d, unsigned of_picture)
 
 void notes_say(const struct document *d, unsigned notes)
 {
-	for (unsigned i = 0; i < NOTES_SAID; i++)
+	for (unsigned i = 0; i < NOTES_PRINTED; i++)
 		if ((notes >> i & 1) != 0 && note_is_new(i))
-			document_note(d, note_rows[i].pointer, note_rows[i].text);
+			document_note(d, note_rows[i].pointer, note_rows[i].what,
+			    note_rows[i].remedy);
 }
 
 void notes_say_of_spaces(const struct document *d, enum space from, enum space to)
@@ -131,7 +144,7 @@ void notes_watch(const struct document *d, enum space from, enum space to,
 
 	j->behind.n = 0;
 	j->behind.watched = !d->written.convention && from <= SPACE_VIEW &&
-	    to >= SPACE_NDC && s->projection.type != PROJECTION_NONE &&
+	    to >= SPACE_NDC && !projection_is_none(&s->projection) &&
 	    projection_family(&s->projection) != FAMILY_VOLUME &&
 	    (!s->has_camera || s->camera.way == CAMERA_MATRIX);
 }
@@ -147,8 +160,8 @@ void notes_say_behind(const struct document *d, enum space from, struct job *j)
 	struct sum minus = sum_of_double(-1);
 
 	if (!b->watched || b->n == 0 ||
-	    scene_map(&d->scene, from, SPACE_VIEW, &t.map) != NULL ||
-	    scene_map(&d->scene, SPACE_VIEW, SPACE_NDC, &rest) != NULL)
+	    !scene_map(&d->scene, from, SPACE_VIEW, &t.map, d->source.faults) ||
+	    !scene_map(&d->scene, SPACE_VIEW, SPACE_NDC, &rest, d->source.faults))
 		return;
 	for (int i = 0; i < 5; i++)
 		t.map.m[i][2] = sum_mul(t.map.m[i][2], minus);

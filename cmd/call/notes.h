@@ -6,7 +6,7 @@
 #include "../stream/job.h"
 
 extern const struct note_row {
-	const char *pointer, *text; /* text: what is wrong; what to try */
+	const char *pointer, *what, *remedy;
 } note_rows[NOTES];
 
 /* Returns the notes on a document, of which `of_picture` are those on its picture. */

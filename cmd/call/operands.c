@@ -43,29 +43,17 @@ static bool join_numbers(const struct options *o, char *const *words, int n_word
 	return left == 0;
 }
 
-/* Refuses PARAMS that are an array or numbers, and no file: they are points, or a scene
- * that is to be an object. */
+/* Refuses PARAMS that are an array or numbers, and no file: they are points. */
 static void check_is_scene(const struct options *o)
 {
-	const struct command *c = o->command;
 	const struct place place = { .file = o->params };
 	char list[7 * NUMBER_MAX], *words[] = { (char *)o->params };
-	const char *scene = o->n_points > 0 ? o->points[0] : "scene.json";
 	const bool array = input_first_char(o->params) == '[';
-	const bool object = input_first_char(scene) == '{';
 
-	if (!array && !join_numbers(o, words, 1, list))
-		return;
-	if (command_reads_points(c) &&
-	    (o->n_points == 0 ? o->ray || o->plane.n > 0 :
-				object || access(scene, R_OK) == 0))
-		die_at(EXIT_USAGE, &place,
-		    "points come after PARAMS: projcalc %s%s %s '%.200s'", c->name,
-		    o->ray ? " --ray" : "", object ? "'{...}'" : scene,
-		    array ? o->params : list);
-	die_at(EXIT_USAGE, &place, "PARAMS is an object%s, as in: projcalc %s %s",
-	    command_reads_points(c) ? ", and points come after it" : "", c->name,
-	    c->example);
+	if (array || join_numbers(o, words, 1, list))
+		die_at(EXIT_USAGE, &place, "holds points",
+		    params_points_remedy(o,
+			text("'%.200s'", array ? o->params : list)));
 }
 
 static void check_params(const struct options *o)
@@ -76,18 +64,14 @@ static void check_params(const struct options *o)
 	/* the shell splits an object without quotes: the first operand lacks } */
 	if (input_first_char(o->params) == '{') {
 		if (o->n_points > 0 && strchr(o->params, '}') == NULL)
-			die_at(EXIT_USAGE, &place, "has no }; " PARAMS_HINT, c->name);
+			die_at(EXIT_USAGE, &place, "has no }",
+			    text(PARAMS_HINT, c->name));
 		return;
 	}
 	if (o->columns.n != 1)
 		check_is_scene(o);
 	if (!input_check(o->params))
-		die_at(EXIT_USAGE, &place, "%s; " PARAMS_HINT "%s", strerror(errno),
-		    c->name,
-		    command_reads_points(c) &&
-			    strchr("+-.0123456789", *o->params) != NULL ?
-			"; points come after it, in brackets" :
-			"");
+		die_at(EXIT_USAGE, &place, strerror(errno), text(PARAMS_HINT, c->name));
 }
 
 void operands_check(const struct options *o)
@@ -97,37 +81,39 @@ void operands_check(const struct options *o)
 
 	check_params(o);
 	if (o->n_points > 0 && !command_reads_points(o->command))
-		die(EXIT_USAGE, "%s reads no points; leave them out", o->command->name);
+		die(EXIT_USAGE, text("%s reads no points", o->command->name),
+		    "leave them out");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const struct place place = { .file = o->points[i] };
 
 		if (input_is_stdin(place.file) && from_stdin)
-			die(EXIT_USAGE, "standard input is named twice; name a file");
+			die(EXIT_USAGE, "standard input is named twice", "name a file");
 		from_stdin |= input_is_stdin(place.file);
 		if (join_numbers(o, o->points + i, o->n_points - i, list))
 			die_at(EXIT_USAGE, &place,
-			    "numbers of POINTS are in brackets: '%s'", list);
+			    text("numbers of POINTS are in brackets: '%s'", list),
+			    NULL);
 		if (input_first_char(place.file) != '[' && !input_check(place.file) &&
 		    !input_is_stdin(place.file))
-			die_at(EXIT_USAGE, &place,
-			    "%s; POINTS are a file, - or '[%.*s]'%s", strerror(errno),
-			    2 * options_coordinates(o) + 1, "1.5,2,3,4",
-			    o->columns.n == 1 ?
-				"; --columns takes a list such as 1,2,3" :
-				o->command->kind == COMMAND_PICK ? POSITION_HINT :
-								   "");
+			die_at(EXIT_USAGE, &place, strerror(errno),
+			    text("POINTS are a file, - or '[%.*s]'%s",
+				2 * options_coordinates(o) + 1, "1.5,2,3,4",
+				o->columns.n == 1 ?
+				    "; --columns takes a list such as 1,2,3" :
+				    o->command->kind == COMMAND_PICK ? POSITION_HINT :
+								       ""));
 	}
 }
 
-bool operands_have_points(const struct options *o, const struct document *d)
+bool operands_have_points(const struct options *o, struct document *d, bool *have)
 {
-	bool none = o->n_points == 0 && d->points == NULL;
-
-	if (none && o->points_only_option != NULL)
-		die_at(EXIT_USAGE, &(struct place){ .of_scene = true },
-		    "%s: --%s is for points, and there are none; add POINTS or -",
-		    o->command->name, o->points_only_option);
-	return !none;
+	*have = o->n_points > 0 || d->points != NULL;
+	if (*have || o->points_only_option == NULL)
+		return true;
+	d->is_usage = true;
+	return document_refuse(d, NULL,
+	    text("--%s is for points, and there are none", o->points_only_option),
+	    "add POINTS or -");
 }
 
 /* Returns whether `path`, or its first token, is a name that the output adds. */
@@ -152,27 +138,30 @@ static void check_columns(const struct options *o, const struct layout *l)
 		const char *name = o->columns.name[i];
 
 		if (name != NULL && !json && (!csv || o->no_header))
-			die(EXIT_USAGE,
-			    "--columns: '%s' is a name; names are for json and "
-			    "for csv with a header, else numbers: 2,3,4",
-			    name);
+			die(EXIT_USAGE, text("--columns: '%s' is a name", name),
+			    "names are for json and for csv with a header, else "
+			    "numbers: "
+			    "2,3,4");
 		if (name != NULL && json && is_added_member(l, name))
-			die(EXIT_USAGE, "--columns: the output adds '%s', too", name);
+			die(EXIT_USAGE,
+			    text("--columns: the output adds '%s', too", name), NULL);
 		if (json && (name == NULL) != (o->columns.name[0] == NULL))
-			die(EXIT_USAGE, "--columns: in json all are numbers or names");
+			die(EXIT_USAGE, "--columns: in json all are numbers or names",
+			    NULL);
 		if (l->record > 0 && o->columns.field[i] >= l->record)
-			die(EXIT_USAGE, "--columns: no field %d in records of %d",
-			    o->columns.field[i] + 1, l->record);
+			die(EXIT_USAGE,
+			    text("--columns: no field %d in records of %d",
+				o->columns.field[i] + 1, l->record),
+			    NULL);
 	}
 	if (n == 1 && json && o->columns.name[0] != NULL)
-		die(EXIT_USAGE,
-		    "--columns: one member; of an array say --columns "
-		    "/%1$s/0,/%1$s/1%2$s",
-		    o->columns.name[0] + (*o->columns.name[0] == '/'),
-		    l->reads > 2 ? " and so on" : "");
+		die(EXIT_USAGE, "--columns: one member",
+		    text("of an array say --columns /%1$s/0,/%1$s/1%2$s",
+			o->columns.name[0] + (*o->columns.name[0] == '/'),
+			l->reads > 2 ? " and so on" : ""));
 	if (n > 0 && n != l->reads && !(format_is_binary(o->in) && l->record == 0))
-		die(EXIT_USAGE, "--columns: %d field%s; %d coordinates are read here",
-		    n, n == 1 ? "" : "s", l->reads);
+		die(EXIT_USAGE, text("--columns: %d field%s", n, n == 1 ? "" : "s"),
+		    text("%d coordinates are read here", l->reads));
 }
 
 /* If the command prints images of points, records keep their number of coordinates. */
@@ -181,40 +170,44 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 	const bool record = l->record > 0, binary = format_is_binary(l->out.format);
 	const struct {
 		bool refused;
-		const char *message;
+		const char *what, *remedy;
 	} rows[] = {
 		{ (o->header || o->no_header) && l->in.format != FORMAT_CSV,
-		    "--header and --no-header are for csv; use -i csv or -i tsv" },
+		    "--header and --no-header are for csv", "use -i csv or -i tsv" },
 		{ o->header && o->no_header,
-		    "--header and --no-header exclude each other" },
+		    "--header and --no-header exclude each other", NULL },
 		{ l->output.append &&
 			(format_is_binary(o->in) || (o->has_out && o->out != o->in)),
-		    "--append keeps the lines that it read; leave -o out, and read no "
-		    "binary points" },
+		    "--append keeps the lines that it read",
+		    "leave -o out, and read no binary points" },
 		{ o->flags && (binary || (printed && record)),
-		    "--flags: binary points and records have no room for "
-		    "words; use -o text, and convert records before" },
+		    "--flags: binary points and records have no room for words",
+		    "use -o text, and convert records before" },
 		{ o->columns.n > 0 && format_is_binary(o->in) && !record,
-		    "--columns: binary points have no other fields; use -i "
-		    "f32x4 or f64x4 for records of four numbers" },
+		    "--columns: binary points have no other fields",
+		    "use -i f32x4 or f64x4 for records of four numbers" },
 		{ record && l->record < l->reads,
-		    "--input: the records have fewer numbers than a point" },
+		    "--input: the records have fewer numbers than a point", NULL },
 		{ l->output.keeps && printed && l->reads != l->writes,
-		    "--input: records keep the number of coordinates, and "
-		    "here it changes; use -o text, csv or json" },
+		    "--input: records keep the number of coordinates, and here it "
+		    "changes",
+		    "use -o text, csv or json" },
 	};
 
 	check_columns(o, l);
 	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
 		if (rows[i].refused)
-			die(EXIT_USAGE, "%s", rows[i].message);
+			die(EXIT_USAGE, rows[i].what, rows[i].remedy);
 	if (o->decimals.n + o->digits.n > l->writes)
-		die(EXIT_USAGE, "--decimals or --digits: %d numbers for %d coordinates",
-		    o->decimals.n + o->digits.n, l->writes);
+		die(EXIT_USAGE,
+		    text("--decimals or --digits: %d numbers for %d coordinates",
+			o->decimals.n + o->digits.n, l->writes),
+		    NULL);
 }
 
 /* Tests choose the kernels by PROJCALC_CPU; else they are the processor's fastest. All
- * scenes of --scenes have the same, as to ask the processor takes longer than a scene. */
+ * scenes of --scenes have the same, as to ask the processor takes
+ * longer than a scene. */
 static void choose_kernels(void)
 {
 	static bool is_done;
@@ -222,9 +215,10 @@ static void choose_kernels(void)
 
 	if (!is_done && !kernels_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
 		die(EXIT_USAGE,
-		    "PROJCALC_CPU=%s: is none of avx512, avx2, neon and baseline that "
-		    "runs here",
-		    cpu);
+		    text("PROJCALC_CPU=%s: is none of avx512, avx2, neon and baseline "
+			 "that runs here",
+			cpu),
+		    NULL);
 	is_done = true;
 }
 
@@ -281,37 +275,54 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* `text` has the lines that document_read_points or document_read made. */
+/* `lines` are those that document_read_points or document_read made. */
 static void run_json_points(const struct options *o, struct job *j, const char *name,
-    const char *text, size_t size)
+    const char *lines, size_t size)
 {
 	struct layout files_layout = j->layout;
 
 	if (o->in_record > 0 || o->columns.n > 0)
-		die(EXIT_USAGE, "--%s is for points in a file",
-		    o->in_record > 0 ? "input" : "columns");
+		die(EXIT_USAGE,
+		    text("--%s is for points in a file",
+			o->in_record > 0 ? "input" : "columns"),
+		    NULL);
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
-	stream_points(j, source_of_text(name, text, size));
+	stream_points(j, source_of_text(name, lines, size));
 	j->layout = files_layout;
 }
 
+/* Does the job on an operand that is typed. Returns false if it is refused: the
+ * refusals are then about its text, and it is wrong for every scene. */
+static bool run_typed(const struct options *o, struct document *d, struct job *j,
+    const char *operand)
+{
+	struct input_text t = input_of_operand(operand);
+	struct json_source source = { .name = "POINTS",
+		.two_numbers_hint = j->layout.z_hint,
+		.faults = d->source.faults };
+	struct span lines;
+	d->ends_run = !document_read_points(&source, t.s, t.size, j->layout.reads,
+	    &lines);
+	if (d->ends_run)
+		d->source = source;
+	else
+		run_json_points(o, j, "POINTS", lines.s, (size_t)(lines.end - lines.s));
+	input_free(&t);
+	return !d->ends_run;
+}
+
 /* With --scenes, the text of a file is kept for the next scenes. */
-static void run_operand(const struct options *o, struct job *j, int i)
+static bool run_operand(const struct options *o, struct document *d, struct job *j,
+    int i)
 {
 	static struct input_text *kept;
 	const char *operand = i < o->n_points ? o->points[i] : "-";
 	const size_t kept_size = ((size_t)o->n_points + 1) * sizeof *kept;
 
-	if (input_first_char(operand) == '[') {
-		size_t size;
-		struct input_text t = input_of_operand(operand);
-		const char *points = document_read_points("POINTS", t.s, t.size,
-		    j->layout.reads, j->layout.z_hint, &size);
-
-		run_json_points(o, j, "POINTS", points, size);
-		input_free(&t);
-	} else if (o->scenes) {
+	if (input_first_char(operand) == '[')
+		return run_typed(o, d, j, operand);
+	if (o->scenes) {
 		if (kept == NULL)
 			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
@@ -323,25 +334,28 @@ static void run_operand(const struct options *o, struct job *j, int i)
 		stream_points(j, source_of_file(operand, fd));
 		close(fd);
 	}
+	return true;
 }
 
-void operands_run_job(const struct options *o, const struct document *d,
-    enum space from, enum space to, struct job *j)
+bool operands_run_job(const struct options *o, struct document *d, enum space from,
+    enum space to, struct job *j)
 {
 	prepare_job(j, o);
 	notes_watch(d, from, to, j);
 	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {
-		const struct place p = json_source_place(&d->source, "/points");
-
-		die_at(EXIT_USAGE, &p, "missing, and standard input is PARAMS already");
+		d->is_usage = true;
+		return document_refuse(d, "/points",
+		    "missing, and standard input is PARAMS already", NULL);
 	}
 	j->layout.z_hint = d->source.two_numbers_hint;
 	if (o->n_points == 0 && d->points != NULL)
 		run_json_points(o, j, d->source.name, d->points, d->points_size);
 	else
 		for (int i = 0; i == 0 || i < o->n_points; i++)
-			run_operand(o, j, i);
+			if (!run_operand(o, d, j, i))
+				return false;
 	if (j->flush != NULL)
 		j->flush(j);
 	notes_say_behind(d, from, j);
+	return true;
 }

@@ -11,13 +11,14 @@
 /* Refuses wrong operands and files that can't be opened, before anything is printed. */
 void operands_check(const struct options *);
 
-/* Returns whether there are points, as operands or in the document. If there are none,
- * refuses options that are only for points. */
-bool operands_have_points(const struct options *, const struct document *);
+/* Sets *have to whether there are points, as operands or in the document. If there are
+ * none, refuses options that are only for points. */
+bool operands_have_points(const struct options *, struct document *, bool *have);
 
 /* Completes the job by the options, and does it on the points of the operands; without
  * operands, on those of the document or, if it has none, of standard input. The caller
  * has set job.transform, or job.rays and job.ray. --scenes reads operands only once. A
- * note is due if points of `from` without image in `to` are behind the camera. */
-void operands_run_job(const struct options *, const struct document *, enum space from,
+ * note is due if points of `from` without image in `to` are behind the camera. Returns
+ * false if the scene or an operand that is typed is refused. */
+bool operands_run_job(const struct options *, struct document *, enum space from,
     enum space to, struct job *);

@@ -15,22 +15,20 @@ const char *const precision_names[] = { "exact", "double", "single", NULL };
 
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc", "device",
 	NULL };
+const char *const space_aliases[] = { "object object_space model_space", "world_space",
+	"eye eye_space view_space", "clip_space", "ndc_space", "device_space" };
 
 /* Sets *r->global, or the option's member, to the index of `word` in r->words. */
 static void option_read_word(struct options *o, const struct option_row *r, char *word)
 {
 	unsigned *at = r->global != NULL ? r->global : (void *)((char *)o + r->offset);
-	struct word_guess g = { .word = word };
-	char all[LIST_ROOM];
+	const int found = word_index(word, r->words, r->word_aliases);
+	char remedy[LIST_ROOM];
 
-	for (unsigned i = 0; r->words[i] != NULL; i++)
-		if (strcmp(r->words[i], word) == 0) {
-			*at = i;
-			return;
-		}
-	word_offer_list(&g, r->words, "did you mean %s?");
-	word_offer(&g, WORD_ELSE, "use %s", words_join(all, r->words, " or ", ""));
-	die(EXIT_USAGE, "--%s: unknown word '%s'; %s", r->name, word, g.remedy);
+	if (found < 0)
+		die(EXIT_USAGE, text("--%s: unknown word '%s'", r->name, word),
+		    word_remedy(remedy, word, WORD_VALUE, r->words, ""));
+	*at = (unsigned)found;
 }
 
 static int whole_number(const struct option_row *r, const char *word, int min, int max)
@@ -39,8 +37,10 @@ static int whole_number(const struct option_row *r, const char *word, int min, i
 	long n = strtol(word, &end, 10);
 
 	if (end == word || *end != '\0' || n < min || n > max)
-		die(EXIT_USAGE, "--%s: '%s' is not a whole number from %d to %d",
-		    r->name, word, min, max);
+		die(EXIT_USAGE,
+		    text("--%s: '%s' is not a whole number from %d to %d", r->name,
+			word, min, max),
+		    NULL);
 	return (int)n;
 }
 
@@ -51,7 +51,7 @@ static void option_read_format(struct options *o, const struct option_row *r,
 	int *record = r->letter == 'o' ? &o->out_record : &o->in_record;
 
 	if (strpbrk(word, "./") != NULL)
-		die(EXIT_USAGE, "--%s: '%s' is not a format; %s", r->name, word,
+		die(EXIT_USAGE, text("--%s: '%s' is not a format", r->name, word),
 		    r->letter == 'o' ? "> writes a file" : "give files after PARAMS");
 	*record = 0;
 	if (strncmp(word, "f32x", 4) == 0 || strncmp(word, "f64x", 4) == 0) {
@@ -80,7 +80,7 @@ static void option_read_numbers(struct options *o, const struct option_row *r,
 		if (*at != ',')
 			break;
 	}
-	die(EXIT_USAGE, "--%s: '%s' is not %s", r->name, word, r->wanted);
+	die(EXIT_USAGE, text("--%s: '%s' is not %s", r->name, word, r->wanted), NULL);
 }
 
 /* Reads the word tab, or a character that can't be part of a number or a name. */
@@ -90,12 +90,15 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
 		o->separator = '\t';
 	else if (strcmp(word, " ") == 0)
-		die(EXIT_USAGE, "--%s: fields with blanks between them are -i text",
-		    r->name);
+		die(EXIT_USAGE,
+		    text("--%s: fields with blanks between them are -i text", r->name),
+		    NULL);
 	else if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
 	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
-		die(EXIT_USAGE, "--%s: '%s' can't separate fields, as ;, | or tab can",
-		    r->name, word);
+		die(EXIT_USAGE,
+		    text("--%s: '%s' can't separate fields, as ;, | or tab can",
+			r->name, word),
+		    NULL);
 	else
 		o->separator = *word;
 }
@@ -114,7 +117,8 @@ static void option_read_columns(struct options *o, const struct option_row *r,
 		if (list != NULL)
 			*list++ = '\0';
 		if (c->n == 4)
-			die(EXIT_USAGE, "--%s: more than four fields", r->name);
+			die(EXIT_USAGE, text("--%s: more than four fields", r->name),
+			    NULL);
 		if (strspn(word, "0123456789") == strlen(word))
 			c->field[c->n] = whole_number(r, word, 1, fields_max) - 1;
 		else
@@ -123,8 +127,9 @@ static void option_read_columns(struct options *o, const struct option_row *r,
 			if (c->field[i] == c->field[c->n] &&
 			    strcmp(c->name[i] != NULL ? c->name[i] : "",
 				c->name[c->n] != NULL ? word : "") == 0)
-				die(EXIT_USAGE, "--%s: '%s' is there twice", r->name,
-				    word);
+				die(EXIT_USAGE,
+				    text("--%s: '%s' is there twice", r->name, word),
+				    NULL);
 	}
 }
 
@@ -151,22 +156,27 @@ enum {
 	.min = 1, .max = 1, .least = SCENE_SIZE_MIN, .most = SCENE_MAGNITUDE_MAX, \
 	.wanted = "a number from 1e-150 to 1e150"
 #define NUMBERS(a, b, name, example) \
-	.min = a, .max = b, .least = -SCENE_MAGNITUDE_MAX, .most = SCENE_MAGNITUDE_MAX, \
+	.min = a, .max = b, .least = -SCENE_MAGNITUDE_MAX, \
+	.most = SCENE_MAGNITUDE_MAX, \
 	.wanted = name ", numbers up to 1e150 as in " example
 
 const struct option_row option_rows[] = {
 	{ "convention", 'c', ALL_BUT_HELP,
 	    "answer in this convention: d3d, gl, vulkan, webgpu or opencv",
 	    "NAME", option_read_word, OFFSET(convention), .words = convention_names,
+	    .word_aliases = convention_aliases,
 	    FLAG(has_convention) },
 	{ "input", 'i', READ_POINTS,
-	    "read points as text, csv, tsv, json, f64, f32 or f32x4; default by the name, else text",
+	    "read points as text, csv, tsv, json, f64, f32 or f32x4; default by the "
+	    "name, else text",
 	    "FORMAT", option_read_format, OFFSET(in), .words = format_names,
 	    FLAG(has_in), .points_only = true },
 	{ "output", 'o', ALL_BUT_HELP,
 	    "print in this format; the default for points is the format of the input",
-	    "FORMAT", option_read_format, OFFSET(out), .words = format_names, FLAG(has_out) },
-	{ "separator", 0, READ_POINTS, "separate fields of csv by this character, or by tab",
+	    "FORMAT", option_read_format, OFFSET(out), .words = format_names,
+	    FLAG(has_out) },
+	{ "separator", 0, READ_POINTS,
+	    "separate fields of csv by this character, or by tab",
 	    "C", .read = option_read_separator },
 	{ "header", 0, READ_POINTS, "take the first line of csv for a header",
 	    FLAG(header), .points_only = true },
@@ -175,7 +185,8 @@ const struct option_row option_rows[] = {
 	{ "columns", 0, READ_POINTS,
 	    "find coordinates in these fields: 2,3,4, or names in csv and JSON",
 	    "LIST", .read = option_read_columns, .points_only = true },
-	{ "decimals", 'd', PRINT_NUMBERS, "print N decimals; for points a list may have one N for each coordinate",
+	{ "decimals", 'd', PRINT_NUMBERS,
+	    "print N decimals; for points a list may have one N for each coordinate",
 	    "N,...", option_read_numbers, OFFSET(decimals), WHOLE(6, 0, 100),
 	    .wanted = "a whole number from 0 to 100, or a list of up to six" },
 	{ "digits", 0, PRINT_NUMBERS,
@@ -197,10 +208,12 @@ const struct option_row option_rows[] = {
 	    FLAG(textbook) },
 	{ "from", 0, COMMAND_PROJECT | COMMAND_TRACE,
 	    "read points in this space: model, world, view, clip, ndc or device",
-	    "SPACE", option_read_word, OFFSET(from), .words = space_names, FLAG(has_from) },
+	    "SPACE", option_read_word, OFFSET(from), .words = space_names,
+	    .word_aliases = space_aliases, FLAG(has_from) },
 	{ "to", 0, COMMAND_PROJECT,
 	    "print points in this space; default device, or ndc without a viewport",
-	    "SPACE", option_read_word, OFFSET(to), .words = space_names, FLAG(has_to) },
+	    "SPACE", option_read_word, OFFSET(to), .words = space_names,
+	    .word_aliases = space_aliases, FLAG(has_to) },
 	{ "homogeneous", 'H', COMMAND_PROJECT, "print x y z w without division",
 	    FLAG(homogeneous) },
 	{ "matrix", 'm', COMMAND_MATRIX_3D | COMMAND_PROJECT | COMMAND_MATRIX_2D,
@@ -219,14 +232,16 @@ const struct option_row option_rows[] = {
 	{ "plane", 0, COMMAND_PROJECT,
 	    "read x y; print where the ray meets a x + b y + c z + d = 0",
 	    "A,B,C,D", option_read_numbers, OFFSET(plane),
-	    NUMBERS(4, 4, "A,B,C,D of a x + b y + c z + d = 0", "--plane 0,1,0,0 for y = 0") },
+	    NUMBERS(4, 4, "A,B,C,D of a x + b y + c z + d = 0",
+	    "--plane 0,1,0,0 for y = 0") },
 	{ "append", 0, COMMAND_MATRIX_3D | COMMAND_PROJECT | COMMAND_MATRIX_2D,
 	    "keep each line whole and add the image behind it",
 	    FLAG(append), .points_only = true },
 	{ "flags", 0, TAKE_FLAGS,
 	    "add a word: in, or the planes that the point is outside of",
 	    FLAG(flags), .points_only = true },
-	{ "visible", 0, TAKE_FLAGS, "print only points inside the view volume or window",
+	{ "visible", 0, TAKE_FLAGS,
+	    "print only points inside the view volume or window",
 	    FLAG(visible), .points_only = true },
 	{ "keep-going", 0, ALL_BUT_HELP,
 	    "go on after a wrong scene or a bad line; print nan for the line",
@@ -234,18 +249,21 @@ const struct option_row option_rows[] = {
 	{ "jobs", 'j', READ_POINTS, "use N threads; default one for each processor",
 	    "N", option_read_numbers, OFFSET(jobs), WHOLE(1, 1, 256),
 	    .wanted = "a whole number from 1 to 256" },
-	{ "progress", 0, READ_POINTS, "report on standard error how many lines are done",
+	{ "progress", 0, READ_POINTS,
+	    "report on standard error how many lines are done",
 	    FLAG(progress) },
 	{ "quiet", 'q', ALL_BUT_HELP,
 	    "leave out notes, and how many points have no image", FLAG(quiet) },
-	{ "scenes", 0, ALL_BUT_HELP, "read any number of scenes from PARAMS, one after another",
+	{ "scenes", 0, ALL_BUT_HELP,
+	    "read any number of scenes from PARAMS, one after another",
 	    FLAG(scenes) },
 	{ "json", 0, COMMAND_HELP, "print all that the program knows of itself as JSON",
 	    FLAG(json) },
 	{ "errors", 0, COMMAND_ALL, "print messages as text (default) or json",
 	    "FORM", option_read_word, .words = message_forms,
 	    .global = &message_state.json },
-	{ "color", 0, COMMAND_ALL, "colour messages and help: auto (default), always or never",
+	{ "color", 0, COMMAND_ALL,
+	    "colour messages and help: auto (default), always or never",
 	    "WHEN", option_read_word, .words = color_names,
 	    .global = &message_state.color },
 	{ "help", 'h', COMMAND_ALL, "print the help of the command", FLAG(help) },

@@ -7,6 +7,7 @@
 
 /* Names in the order of enum precision and of enum space; NULL ends each array. */
 extern const char *const precision_names[], *const space_names[];
+extern const char *const space_aliases[]; /* of each space: see struct member */
 
 struct option_row {
 	const char *name;
@@ -18,7 +19,9 @@ struct option_row {
 	size_t offset;            /* in struct options, of what `read` sets */
 	unsigned *global;         /* a variable to set instead of the member; or NULL */
 	const char *const *words; /* possible arguments; NULL ends them */
-	/* of a list of numbers: its length, their range, and what is wanted, in words */
+	const char *const *word_aliases; /* of each word; or NULL: see struct member */
+	/* of a list of numbers: its length, their range, and what is wanted, in
+	 * words */
 	int min, max;
 	double least, most;
 	bool whole;

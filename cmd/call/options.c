@@ -32,8 +32,8 @@ static const struct option_row *find_long_option(const struct command *c,
 	if (n == 0 || count == 0 || option_find(name) != NULL)
 		unknown_check_option(c, word, name, true);
 	if (count > 1)
-		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name, word,
-		    words_join(list, names, " or ", ""));
+		die(EXIT_USAGE, text("%s: %s is ambiguous", c->name, word),
+		    text("it may be %s", words_join(list, names, " or ", "")));
 	return found;
 }
 
@@ -55,11 +55,14 @@ static void set_option(struct options *o, const struct option_row *r, char *valu
     char ***next)
 {
 	if (r->argument == NULL && value != NULL)
-		die(EXIT_USAGE, "%s: --%s takes no argument", o->command->name,
-		    r->name);
+		die(EXIT_USAGE,
+		    text("%s: --%s takes no argument", o->command->name, r->name),
+		    NULL);
 	if (r->argument != NULL && value == NULL && **next == NULL)
-		die(EXIT_USAGE, "%s: --%s needs an argument: %s", o->command->name,
-		    r->name, r->argument);
+		die(EXIT_USAGE,
+		    text("%s: --%s needs an argument: %s", o->command->name, r->name,
+			r->argument),
+		    NULL);
 	if (r->argument != NULL)
 		r->read(o, r, value != NULL ? value : *(*next)++);
 	if (r->points_only)
@@ -119,8 +122,9 @@ static void choose_input(struct options *o)
 			f--;
 		if (first != NULL && f != o->in && o->columns.n != 1)
 			die(EXIT_USAGE,
-			    "%s and %s have different formats by their names; say -i",
-			    first, name);
+			    text("%s and %s have different formats by their names",
+				first, name),
+			    "say -i");
 		o->in = f;
 		first = name;
 	}
@@ -135,8 +139,8 @@ static void choose_output(struct options *o)
 		    FORMAT_TEXT;
 	o->has_out = true;
 	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
-		die(EXIT_USAGE, "%s prints text or json; use -o text or -o json",
-		    o->command->name);
+		die(EXIT_USAGE, text("%s prints text or json", o->command->name),
+		    "use -o text or -o json");
 }
 
 /* Moves the operands to the beginning of `words`. Options may stand between operands,
@@ -168,15 +172,13 @@ void options_read(struct options *o, char **words)
 	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
 		choose_output(o);
 	if (o->decimals.n > 0 && o->digits.n > 0)
-		die(EXIT_USAGE, "--decimals and --digits exclude each other");
+		die(EXIT_USAGE, "--decimals and --digits exclude each other", NULL);
 	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
-		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
+		die(EXIT_USAGE, "--separator is for csv", "use -i csv or -o csv");
 	if (o->out_record > 0 &&
 	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
-		die(EXIT_USAGE,
-		    "--output: records are for points and as in --input; "
-		    "use -o %s for coordinates alone",
-		    format_names[o->out]);
+		die(EXIT_USAGE, "--output: records are for points and as in --input",
+		    text("use -o %s for coordinates alone", format_names[o->out]));
 }
 
 void options_read_first(char **words)
@@ -224,6 +226,8 @@ struct number_style options_matrix_style(const struct options *o)
 
 	if (n > 1)
 		die(EXIT_USAGE,
-		    "--decimals or --digits: one number is wanted here, not %d", n);
+		    text("--decimals or --digits: one number is wanted here, not %d",
+			n),
+		    NULL);
 	return options_style(o, 0);
 }

@@ -5,7 +5,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../json/check.h"
 #include "../json/text.h"
 #include "../message/message.h"
 #include "../message/words.h"
@@ -55,7 +54,7 @@ static bool params_more(void)
 	}
 	if (t->size > DOCUMENT_MAX)
 		die_at(EXIT_INPUT, &(struct place){ .file = params.name },
-		    "longer than 256 MiB; give points in a file of their own");
+		    "longer than 256 MiB", "give points in a file of their own");
 	if (input_append(t, params.fd, params.name))
 		return true;
 	close(params.fd);
@@ -79,8 +78,8 @@ static bool params_skip_blanks(void)
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
-/* Moves params.end to the document's end. Returns false if the text ends before it. Goes
- * on where it stopped, as a string may take many reads. */
+/* Moves params.end to the document's end. Returns false if the text ends before it.
+ * Goes on where it stopped, as a string may take many reads. */
 static bool params_find_end(void)
 {
 	if (params.end == params.begin && !params_skip_blanks())
@@ -134,31 +133,61 @@ bool params_next_document(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses PARAMS if it is a list of objects, or if it looks like points: a number, after
- * blank lines and comments. If POINTS are given, so does [ and, if they are binary, any
- * byte but {. */
-static void check_not_points(const struct options *o)
+const char *params_points_remedy(const struct options *o, const char *points)
 {
-	const struct place place = { .file = params.name, .of_scene = o->scenes };
-	const int status = o->scenes ? EXIT_INPUT : EXIT_USAGE;
-	const char *s = params.text.s + params.begin;
+	const struct command *c = o->command;
 
-	while (*(s += strspn(s, " \t\r\n")) == '#')
-		s += strcspn(s, "\n");
-	if (*s == '[' && s[1 + strspn(s + 1, " \t\r\n")] == '{')
-		die_at(EXIT_INPUT, &place,
-		    "is a list of objects; jq -c '.[]' makes lines of scenes for "
-		    "--scenes");
-	if (!isdigit((unsigned char)s[strspn(s, "+-.(")]) &&
-	    !(o->n_points > 0 && params.begin < params.end &&
-		(*s == '[' || (format_is_binary(o->in) && *s != '{'))))
-		return;
-	if (strstr(params.text.s + params.begin, "CAMERA_ID") != NULL)
-		die_at(status, &place, "is a table, no scene; %s",
-		    strchr(word_hint("colmap", WORD_VALUE, ':'), '\''));
-	die_at(status, &place, "holds points; a scene is wanted%s%s",
-	    command_reads_points(o->command) ? " first, as in: scene.json " : "",
-	    command_reads_points(o->command) ? params.name : "");
+	return command_reads_points(c) ?
+	    text("a scene comes first, as in: projcalc %s scene.json %.200s", c->name,
+		points) :
+	    text("a scene is wanted, as in: projcalc %s %.1000s", c->name, c->example);
+}
+
+/* Returns whether the line at s begins like one of points: with a number, which may be
+ * in brackets, or with v, as in OBJ. */
+static bool begins_point(const char *s)
+{
+	s += strspn(s, " \t");
+	if (*s == '[' || (*s == 'v' && (s[1] == ' ' || s[1] == '\t')))
+		return true;
+	return isdigit((unsigned char)s[strspn(s, "+-.(\"")]);
+}
+
+/* Returns whether the text at s holds points in place of a scene: it is no object, and
+ * one of its first lines begins like a point, or the first has fields with
+ * separators. */
+static bool holds_points(const char *s)
+{
+	enum { LINES = 4 };
+
+	for (int i = 0; i < LINES && *s != '\0'; s += strcspn(s, "\n")) {
+		const char *const line = s += strspn(s, " \t\r\n");
+		const size_t n = strcspn(line, "\n"), field = strcspn(line, ",\t;");
+
+		if (*line == '#')
+			continue;
+		if (i == 0 && (*line == '{' || strchr("%<-", *line) != NULL) &&
+		    !begins_point(line))
+			return false;
+		if (begins_point(line) ||
+		    (i == 0 && field < n && memchr(line, ':', n) == NULL))
+			return true;
+		i++;
+	}
+	return false;
+}
+
+/* Refuses PARAMS that hold points, in any format. */
+static bool check_not_points(const struct options *o, struct document *d)
+{
+	const char *s = params.text.s + params.begin;
+	const bool binary = o->n_points > 0 && format_is_binary(o->in) && *s != '{';
+
+	if (params.begin == params.end || (!binary && !holds_points(s)))
+		return true;
+	d->is_usage = true;
+	return document_refuse(d, NULL, "holds points",
+	    params_points_remedy(o, params.name));
 }
 
 /* Returns a hint for points of two numbers, which may be positions; or NULL. */
@@ -172,7 +201,8 @@ static const char *find_two_numbers_hint(const struct options *o)
 	return "; for x y, --ray prints rays, and --plane A,B,C,D where they meet it";
 }
 
-void params_read_document(const struct options *o, struct document *d)
+bool params_read_document(const struct options *o, struct document *d,
+    struct refusals *faults)
 {
 	struct document_wants wants = o->command->wants;
 
@@ -183,13 +213,16 @@ void params_read_document(const struct options *o, struct document *d)
 		params.end = params.text.size;
 	}
 	params.text.s[params.text.size] = '\0';
-	if (params.number == 1)
-		check_not_points(o);
+	wants.source.faults = faults;
 	wants.source.lines_before = (long)params.line - 1;
 	wants.source.bytes_before = params.column - 1;
 	if (o->scenes)
 		json_count_lines(params.text.s + params.begin,
 		    params.text.s + params.end, &params.line, &params.column);
+	*d = (struct document){ .source = wants.source };
+	d->source.name = params.name;
+	if (params.number == 1 && !check_not_points(o, d))
+		return false;
 	wants.source.two_numbers_hint = find_two_numbers_hint(o);
 	if (o->plane.n > 0)
 		wants.source.task = TASK_PLANE;
@@ -198,8 +231,10 @@ void params_read_document(const struct options *o, struct document *d)
 	/* the document's points are not read if operands replace them */
 	if (command_reads_points(o->command) && !o->matrix && o->n_points == 0)
 		wants.coordinates = options_coordinates(o);
-	document_read(d, params.name, params.text.s + params.begin,
+	const bool good = document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &wants);
+
 	if (!o->scenes && d->points == NULL)
 		input_free(&params.text);
+	return good;
 }

@@ -12,6 +12,11 @@
  * PARAMS may have several, and messages begin with the number of the document. */
 bool params_next_document(const struct options *);
 
-/* Reads from the current document what the command and the options need. The points in
- * struct document stay valid until the next call of params_next_document. */
-void params_read_document(const struct options *, struct document *);
+/* Reads from the current document what the command and the options need. Returns false
+ * after refusals, which are in `faults`. The points in struct document stay valid until
+ * the next call of params_next_document. */
+bool params_read_document(const struct options *, struct document *,
+    struct refusals *faults);
+
+/* Returns the remedy for `points`, as they were typed, where a scene is wanted. */
+const char *params_points_remedy(const struct options *, const char *points);

@@ -7,9 +7,10 @@
 
 struct member;
 
-/* Returns the member called `name` of a scene or of one of its objects; else a member
- * with the alias `name`; else NULL. Searches from the last object to the first. Sets
- * *object to the member of the scene that is the result or contains it. */
+/* Returns the member called `name` of a scene; else of one of its objects, that of the
+ * first type first; else a member with the alias `name`; else NULL. Searches from the
+ * last object to the first. Sets *object to the member of the scene that is the result
+ * or contains it. */
 const struct member *unknown_find_member(const char *name,
     const struct member **object);
 

@@ -6,6 +6,7 @@
 
 #include "../json/check.h"
 #include "../json/text.h"
+#include "../message/escape.h"
 #include "../number/number.h"
 #include "put.h"
 
@@ -50,10 +51,21 @@ bool format_has_only_cr(struct dialect d, struct span line, char reason[REASON_M
 	return true;
 }
 
+/* Returns the size of the word or number at s, or else 1. */
+static size_t token_size(const char *s, const char *end)
+{
+	const char *p = s;
+
+	while (p < end && (unsigned char)*p > ' ' && strchr(",:[]{}\"", *p) == NULL)
+		p++;
+	return p > s ? (size_t)(p - s) : 1;
+}
+
 static bool json_line_check(struct dialect d, struct span line, char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	struct json_check c = { .is_line = true, .text = line.s, .end = line.end };
+	char shown[ESCAPED_MAX];
+	struct json_check c = { .s = line.s, .end = line.end };
 
 	if (*s != '[' && *s != '{')
 		strcpy(reason,
@@ -69,7 +81,8 @@ static bool json_line_check(struct dialect d, struct span line, char reason[REAS
 		    "a line: jq -c %s, for -i json",
 		    *s == '{' ? "." : "'.[]'");
 	else
-		snprintf(reason, REASON_MAX, "is no JSON: %s", c.reason);
+		snprintf(reason, REASON_MAX, "is no JSON: expected %s, not '%s'",
+		    c.wanted, escape_short(shown, c.at, token_size(c.at, line.end)));
 	return false;
 }
 

@@ -11,6 +11,23 @@
 #include "../message/escape.h"
 #include "../message/words.h"
 
+void reason_refuse(struct refusal *r, const char *reason)
+{
+	char what[REASON_MAX];
+	char quote = '\0', *s = what;
+
+	snprintf(what, sizeof what, "%s", reason);
+	for (; *s != '\0' && (quote != '\0' || strncmp(s, "; ", 2) != 0); s++)
+		if (quote != '\0')
+			quote = *s == quote ? '\0' : quote;
+		else if (strchr("'\"", *s) && (s == what || s[-1] == ' '))
+			quote = *s;
+	const char *remedy = *s != '\0' ? s + 2 : "";
+
+	*s = '\0';
+	refusal_set(r, NULL, what, remedy);
+}
+
 static void __attribute__((format(printf, 2, 3)))
 say_more(char reason[REASON_MAX], const char *format, ...)
 {
@@ -129,8 +146,8 @@ static bool say_remedy(const struct layout *l, struct span f, char reason[REASON
 	else if (find_byte(f, '=') != NULL)
 		say_more(reason, "; leave out names: sed 's/[A-Za-z]*=//g'");
 	else if (begins_with(f, "v vn vt o g mtllib usemtl"))
-		say_more(reason, "; is it OBJ? %s",
-		    word_hint("obj", WORD_VALUE, ':') + 2);
+		say_more(reason,
+		    "; is it OBJ? grep '^v ' keeps its vertices, for --columns 2,3,4");
 	else if (after != NULL && !field_is_name(f))
 		say_more(reason,
 		    "; a number is wanted, and nothing else in the field; --columns "
@@ -329,7 +346,6 @@ static bool say_guess(const struct names *names, int reads, uint32_t *numbers,
 static void say_near(const struct lookup *found, const struct names *names,
     const char *typed, char reason[REASON_MAX])
 {
-	struct word_guess g = { .word = typed };
 	const size_t head = strcspn(typed, ".[");
 	char shown[ESCAPED_MAX];
 
@@ -341,12 +357,14 @@ static void say_near(const struct lookup *found, const struct names *names,
 		say_more(reason,
 		    "; if there is no header, say --columns by number, such as 3,4,5");
 	} else {
+		const char *list[NAMES_MAX + 1] = { NULL }, *near;
+
 		for (int i = 0; i < names->n; i++)
-			word_offer(&g, word_closeness(typed, names->name[i]),
-			    "; did you mean '%s'?",
-			    escape_short(shown, names->name[i],
-				strlen(names->name[i])));
-		say_more(reason, "%s", g.remedy);
+			list[i] = names->name[i];
+		near = word_nearest(typed, list);
+		if (near != NULL)
+			say_more(reason, "; did you mean '%s'?",
+			    escape_short(shown, near, strlen(near)));
 	}
 }
 
@@ -382,7 +400,9 @@ static void say_names(const struct lookup *found, const char *typed,
 	    (find_name(&names, "", 0, "features") >= 0 ||
 		find_name(&names, "", 0, "geometry") >= 0 ||
 		find_name(&names, "", 0, "coordinates") >= 0)) {
-		say_more(reason, "; %s", word_hint("geometry", WORD_MEMBER, ':') + 2);
+		say_more(reason,
+		    "; is it GeoJSON? jq -c '..|.coordinates?|arrays|..|arrays|"
+		    "select(.[0]|numbers)' makes lines of points for -i json");
 		return;
 	}
 	if (c.members && say_list(&names, reason))

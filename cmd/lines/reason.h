@@ -2,7 +2,11 @@
 /* Writes why a line is refused, and how to mend it. The message names the place. */
 #pragma once
 
+#include "../../core/refusal/refusal.h"
 #include "lookup.h"
+
+/* Sets a refusal from a reason, whose remedy is behind the first "; " out of quotes. */
+void reason_refuse(struct refusal *, const char *reason);
 
 /* Writes why the field can't be read as coordinate i, and how to mend it. */
 void reason_field(const struct layout *, int i, const struct field *,

@@ -162,8 +162,8 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 	w->done = at.end;
 }
 
-/* Copies a line's fields or (not outer) those of an array or object that has coordinates
- * in it, which stay by --append. Leaves those not due out. */
+/* Copies a line's fields or (not outer) those of an array or object that has
+ * coordinates in it, which stay by --append. Leaves those not due out. */
 static void splice_fields(struct splice *w, struct cursor *c, bool outer)
 {
 	struct field f;

@@ -6,7 +6,8 @@
 #include "line.h"
 #include "put.h"
 
-/* Returns the room for `lines` lines of `bytes` bytes in all, also as binary records. */
+/* Returns the room for `lines` lines of `bytes` bytes in all, also
+ * as binary records. */
 size_t splice_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers and, by --flags, their word in the place of its

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "../../core/scene/scene.h"
-#include "../json/check.h"
 #include "walker.h"
 
 static struct byte_set stretch_stops(struct dialect d)
@@ -92,7 +91,8 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Sets the place of number k of line i, which is unknown, to a byte that may be read. */
+/* Sets the place of number k of line i, which is unknown, to a byte
+ * that may be read. */
 static void set_dummy_number(int k, size_t i, struct plain_places places[4])
 {
 	static const char none[PLAIN_READABLE + 1] = "";

@@ -6,8 +6,8 @@
 #include "../number/vector/loops.h"
 #include "line.h"
 
-/* A stretch is text with an index of its stops, which are the bytes that can end a field
- * or make a line not simple. The text is the caller's. A stretch stays in the
+/* A stretch is text with an index of its stops, which are the bytes that can end a
+ * field or make a line not simple. The text is the caller's. A stretch stays in the
  * first-level cache, and the place of a stop fits into 16 bits. */
 enum { STRETCH_MAX = 1 << 14 };
 
@@ -20,9 +20,9 @@ struct stretch {
 	uint16_t stop[STRETCH_MAX + 128]; /* the places of the stops */
 };
 
-/* The paths from a JSON value to coordinates, by names and indexes with / between. path[i]
- * leads to coordinate i. Its first name or index has size[i] bytes; SIZE_MAX: coordinate
- * i is elsewhere. */
+/* The paths from a JSON value to coordinates, by names and indexes with / between.
+ * path[i] leads to coordinate i. Its first name or index has size[i] bytes; SIZE_MAX:
+ * coordinate i is elsewhere. */
 struct walk_paths {
 	const char *path[4];
 	size_t size[4];

@@ -33,7 +33,8 @@ INLINE void pass_stop(struct walker *p)
 }
 
 /* Passes blanks. Spaces that follow two others may be no stops. Counts up to seven at a
- * time without a branch, as their number varies where columns are aligned; of JSON one. */
+ * time without a branch, as their number varies where columns are
+ * aligned; of JSON one. */
 INLINE void pass_blanks(struct walker *p, struct dialect d)
 {
 	const uint64_t spaces = 0x2020202020202020, end = 1ull << 63;

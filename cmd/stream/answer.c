@@ -72,17 +72,17 @@ static void clear_progress(void)
 static void show_progress(double time)
 {
 	double rate = (double)progress.lines / (time - progress.start_time);
-	char text[96], share[16] = "";
+	char line[96], share[16] = "";
 
 	if (progress.size > 0)
 		snprintf(share, sizeof share, ", %.0f %%",
 		    100 * (double)progress.bytes / (double)progress.size);
-	snprintf(text, sizeof text, "%lld lines, %.3g a second%s", progress.lines, rate,
+	snprintf(line, sizeof line, "%lld lines, %.3g a second%s", progress.lines, rate,
 	    share);
 	if (progress.to_terminal)
-		fprintf(stderr, "\r\033[Kprojcalc: %s", text);
+		fprintf(stderr, "\r\033[Kprojcalc: %s", line);
 	else
-		say_at(EXIT_OK, NULL, "%s", text);
+		say_at(EXIT_OK, NULL, line, NULL);
 	progress.on_screen = progress.to_terminal;
 	progress.last_time = time;
 }
@@ -115,9 +115,10 @@ void answer_refused_scene(bool prints_null)
 	output_write("null\n", 5);
 }
 
-/* Prints the output of a chunk. Holds what stands before the first row until that row has
- * been judged, as what is printed must not depend on how input arrives: if the row is
- * refused, nothing of the source is printed. More than HELD_MAX bytes are not held. */
+/* Prints the output of a chunk. Holds what stands before the first row until that
+ * row has been judged, as what is printed must not depend on how input arrives:
+ * if the row is refused, nothing of the source is printed. More than HELD_MAX
+ * bytes are not held. */
 static void print_chunk(const struct job *j, const struct chunk *c)
 {
 	const bool waits = c->first != FIRST_NONE && c->piece.state < PIECE_LAST &&
@@ -158,8 +159,8 @@ static void report_imageless(void)
 
 	p->before_place = n == 1 ? ": " : ", the first in ";
 	if (n > 0 && !message_state.quiet)
-		say_at(EXIT_OK, p, "%zu point%s no image", n,
-		    n == 1 ? " has" : "s have");
+		say_at(EXIT_OK, p,
+		    text("%zu point%s no image", n, n == 1 ? " has" : "s have"), NULL);
 }
 
 /* Ends the program after an error, or a bad line if the job does not keep going. */
@@ -176,7 +177,8 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 		struct place p = line_place(c, c->complaint[i].line);
 
 		if (answer.bad_lines + i < COMPLAINTS_MAX || refused)
-			say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
+			say_at(EXIT_INPUT, &p, c->complaint[i].fault.what,
+			    c->complaint[i].fault.remedy);
 	}
 	answer.bad_lines += c->n_complaints;
 	if (!ends)
@@ -184,12 +186,12 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 	report_imageless();
 	if (refused) {
 		output_close();
-		quit(EXIT_INPUT, false);
+		end_program(EXIT_INPUT);
 	}
 	if (c->piece.state == PIECE_TOO_LONG)
-		die_at(EXIT_INPUT, &end, "a line of more than 64 MiB");
+		die_at(EXIT_INPUT, &end, "a line of more than 64 MiB", NULL);
 	end.line = 0;
-	die_at(EXIT_SYSTEM, &end, "%s", strerror(c->piece.error));
+	die_at(EXIT_SYSTEM, &end, strerror(c->piece.error), NULL);
 }
 
 /* Says that a comment may name the columns. */
@@ -199,7 +201,7 @@ static void note_comment(struct job *j, struct place p)
 	j->layout.seen.note = false;
 	if (note_is_new(NOTE_COMMENT))
 		say_at(SAY_NOTE, &p,
-		    "this comment may name the columns, and the first ones are read; "
+		    "this comment may name the columns, and the first ones are read",
 		    "leave out its # or say --columns by number, or --no-header");
 }
 
@@ -237,8 +239,12 @@ void answer_chunk(struct job *j, struct chunk *c)
 	add_progress(c);
 }
 
-int answer_end(void)
+int answer_end(int status)
 {
+	if (status != EXIT_OK) {
+		output_close();
+		return status;
+	}
 	if (progress.asked)
 		show_progress(seconds_now());
 	if (progress.asked && progress.on_screen)
@@ -247,9 +253,11 @@ int answer_end(void)
 		clear_progress();
 	report_imageless();
 	if (answer.bad_lines > 0)
-		say_at(EXIT_INPUT, NULL, "%zu bad %s%s", answer.bad_lines,
-		    answer.next_line.of_points ? "point" : "line",
-		    answer.bad_lines == 1 ? "" : "s");
+		say_at(EXIT_INPUT, NULL,
+		    text("%zu bad %s%s", answer.bad_lines,
+			answer.next_line.of_points ? "point" : "line",
+			answer.bad_lines == 1 ? "" : "s"),
+		    NULL);
 	output_close();
 	return answer.bad_lines > 0 || answer.bad_scene ? EXIT_INPUT : EXIT_OK;
 }

@@ -17,5 +17,6 @@ void answer_chunk(struct job *, struct chunk *);
 /* Counts a scene that was refused, and prints null for it if `prints_null` is set. */
 void answer_refused_scene(bool prints_null);
 
-/* Reports the totals, closes standard output, and returns the exit status. */
-int answer_end(void);
+/* Reports the totals, closes standard output, and returns the exit status. After an
+ * error that has told its own, whose status is given, only closes. */
+int answer_end(int status);

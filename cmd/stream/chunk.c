@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../lines/reason.h"
 #include "job.h"
 
 struct chunk *chunk_new(void)
@@ -14,7 +15,7 @@ struct chunk *chunk_new(void)
 	char *memory = calloc(1, sizeof(struct chunk) + alignment);
 
 	if (memory == NULL)
-		die(EXIT_SYSTEM, "out of memory");
+		die(EXIT_SYSTEM, "out of memory", NULL);
 	struct chunk *c = (void *)(memory + alignment - (uintptr_t)memory % alignment);
 
 	piece_resize(&c->piece, PIECE_ROOM);
@@ -42,7 +43,7 @@ bool chunk_complain(const struct job *j, struct chunk *c, const char *reason)
 		struct complaint *to = &c->complaint[c->n_complaints];
 
 		to->line = c->n_lines + c->block_lines;
-		snprintf(to->reason, sizeof to->reason, "%s", reason);
+		reason_refuse(&to->fault, reason);
 	}
 	c->n_complaints++;
 	if (!goes_on)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A chunk is a piece of a source and its output. Chunks are independent, so that several
- * threads work on them at the same time; at any time one thread owns a chunk. */
+/* A chunk is a piece of a source and its output. Chunks are independent, so
+ * that several threads work on them at the same time; at any time one
+ * thread owns a chunk. */
 #pragma once
 
 #include "../../core/points/transform.h"
@@ -15,8 +16,8 @@ struct job;
 enum { COMPLAINTS_MAX = 10 };
 
 struct complaint {
-	size_t line;             /* its index in the chunk, from 0 */
-	char reason[REASON_MAX]; /* what is wrong with the line */
+	size_t line; /* its index in the chunk, from 0 */
+	struct refusal fault;
 };
 
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */

@@ -20,8 +20,9 @@ enum { PIECE_MARGIN = LINE_MARGIN };
 #define NPY_MAGIC "\x93NUMPY"
 enum { NPY_HEADER = 12 };
 
-/* EARLY: not full, as the next read would wait. LAST: the source ends with this piece, as
- * it does after the errors TOO_LONG, a line of more than 64 MiB, and FAILED, of a read. */
+/* EARLY: not full, as the next read would wait. LAST: the source ends with this
+ * piece, as it does after the errors TOO_LONG, a line of more than 64 MiB, and
+ * FAILED, of a read. */
 enum piece_state { PIECE_FULL, PIECE_EARLY, PIECE_LAST, PIECE_TOO_LONG, PIECE_FAILED };
 
 struct piece {

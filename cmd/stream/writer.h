@@ -5,6 +5,6 @@
 
 #include "job.h"
 
-/* Appends the lines of a block; in a bad line each coordinate becomes nan. `outside` has
- * the planes that point p is outside of, for --flags and --visible. */
+/* Appends the lines of a block; in a bad line each coordinate becomes nan. `outside`
+ * has the planes that point p is outside of, for --flags and --visible. */
 void writer_put_block(const struct job *, struct chunk *, const unsigned char *outside);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 // Reads and writes numbers by hand: reads eight digits at a time in a word of 64 bits,
-// finds the shortest digits of a double by one product, as Schubfach's heirs yy and zmij
-// do, and writes 16 digits at a time, with SSE4.1 where the processor has it.
+// finds the shortest digits of a double by one product, as Schubfach's heirs yy and
+// zmij do, and writes 16 digits at a time, with SSE4.1 where the processor has it.
 #pragma once
 
 #include <charconv>
@@ -133,11 +133,11 @@ static inline hand_decimal hand_shortest(float value)
 	return hand_dragonbox(value);
 }
 
-// The double is c 2^q. With k = floor(log10(2^q)), doubles next to each other are from 1
-// to 10 apart in units of 10^k. So some whole number of these units is read as the
-// double, and at most one multiple of ten is, which is then the shortest. One product of
-// 64 and 128 bits finds c 2^q / 10^k within 2^-60; what is nearer than that to a decision
-// is left to dragonbox, as are powers of two, below which doubles are nearer.
+// The double is c 2^q. With k = floor(log10(2^q)), doubles next to each other are from
+// 1 to 10 apart in units of 10^k. So some whole number of these units is read as the
+// double, and at most one multiple of ten is, which is then the shortest. One product
+// of 64 and 128 bits finds c 2^q / 10^k within 2^-60; what is nearer than that to a
+// decision is left to dragonbox, as are powers of two, below which doubles are nearer.
 static inline hand_decimal hand_shortest(double value)
 {
 	using cache =

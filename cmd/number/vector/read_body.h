@@ -200,7 +200,8 @@ static uint64_t read_stripped(const struct plain_places *at, uint64_t bad, bool 
 	return bad;
 }
 
-/* Looks for exponents at once if the first number has one, as others then have one, too. */
+/* Looks for exponents at once if the first number has one, as others
+ * then have one, too. */
 static uint64_t loops_read(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them,
- * whose turns the processor overlaps. write_find.h and write_shortest.h find the digits.
- * They have a fixed place; number_text_put copies them with a point between them.
+ * whose turns the processor overlaps. write_find.h and write_shortest.h
+ * find the digits. They have a fixed place; number_text_put copies them
+ * with a point between them.
  *
  * A file that includes this file has the vectors of doubles that
  * core/points/kernel/copy.h describes, and defines:
@@ -67,10 +68,10 @@ INLINE quarters split_2(quarters x)
 }
 
 /* Writes the WHOLE_DIGITS digits of f->whole < 10^16 at place `at` or, if `halves` is
- * set, those of f->whole and f->lower. FLOOR gives the right quotient by 10^8: The double
- * 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 2.1e-9 too large.
- * Rounding adds at most 7.5e-9, half a unit in the last place below 2^27. Only an error
- * of 1e-8 could reach the next whole number. */
+ * set, those of f->whole and f->lower. FLOOR gives the right quotient by 10^8: The
+ * double 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 2.1e-9 too
+ * large. Rounding adds at most 7.5e-9, half a unit in the last place below 2^27. Only
+ * an error of 1e-8 could reach the next whole number. */
 INLINE void write_digits(struct number_text *t, size_t at, uint16_t *nonzero,
     const struct batch_digits *f, bool halves)
 {

@@ -27,9 +27,9 @@ enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 enum { LEAST_PARTS = 13 };
 
 /* The digits of a batch of numbers. whole has WHOLE_DIGITS digits, or the upper half of
- * them if `lower` has the others; the point stands `scale` digits before their end. digit
- * is the 17th, which is not written if it is 0. sign is -1, 1 for no minus, and 0 if
- * number_write has to make the text. */
+ * them if `lower` has the others; the point stands `scale` digits before their end.
+ * digit is the 17th, which is not written if it is 0. sign is -1, 1 for no minus, and 0
+ * if number_write has to make the text. */
 struct batch_digits {
 	double whole[NUMBER_BATCH], lower[NUMBER_BATCH];
 	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
@@ -109,10 +109,11 @@ INLINE void find_decimals(struct batch_digits *f, size_t i, int n, V v)
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Returns floor(log10 a) where in_range, which is from 1e-6 to below 1e15. FLOOR(78913 /
- * 2^18 floor(log2 a)) is that or one less; a comparison of a with the next power of ten
- * corrects this. A power below 1 is rounded, but a number equal to this double gives the
- * same text with either log10: its n <= MOST_DIGITS digits round to a one and zeros. */
+/* Returns floor(log10 a) where in_range, which is from 1e-6 to below 1e15.
+ * FLOOR(78913 / 2^18 floor(log2 a)) is that or one less; a comparison of a with the
+ * next power of ten corrects this. A power below 1 is rounded, but a number equal to
+ * this double gives the same text with either log10: its n <= MOST_DIGITS digits
+ * round to a one and zeros. */
 INLINE V floor_log10(V a, M in_range)
 {
 	V top = power_of_two_up_to(SELECT(in_range, a, ALL(1))), hi, lo;
@@ -144,19 +145,21 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	store_lanes(f, i, v, d, scale);
 }
 
-/* A comparison in find_parts is right in spite of roundings if its sides differ by more. */
+/* A comparison in find_parts is right in spite of roundings if its
+ * sides differ by more. */
 #define PARTS_MARGIN 0x1p-27
 
 /* Finds the integers of numbers below 1e15, and the first WHOLE_DIGITS decimals in two
- * halves. Of these `scale` are rounded, and zeros follow: n decimals if `decimals` is set,
- * else as many as make n significant digits. So numbers from 1/10 on can have 17 decimals;
- * rest->digit is the last. The double nearest to 1/10 is above it, so that floor_log10 is
- * right there, too.
+ * halves. Of these `scale` are rounded, and zeros follow: n decimals if `decimals` is
+ * set, else as many as make n significant digits. So numbers from 1/10 on can have 17
+ * decimals; rest->digit is the last. The double nearest to 1/10 is above it, so that
+ * floor_log10 is right there, too.
  *
- * The fraction times 10^upper has a whole part, which makes the upper digits, and leaves
- * r for the lower ones. As these are one or more, their parity breaks ties. A number from
- * 1/10 on is a multiple of 2^-56, and r one of 2^-48: both products are exact. The r of a
- * smaller number has an error of up to 2^-54, and r times 10^8 one below PARTS_MARGIN. */
+ * The fraction times 10^upper has a whole part, which makes the upper digits, and
+ * leaves r for the lower ones. As these are one or more, their parity breaks ties. A
+ * number from 1/10 on is a multiple of 2^-56, and r one of 2^-48: both products are
+ * exact. The r of a smaller number has an error of up to 2^-54, and r times 10^8 one
+ * below PARTS_MARGIN. */
 INLINE void find_parts(struct batch_digits *whole, struct batch_digits *rest, size_t i,
     int n, bool decimals, V v)
 {
@@ -185,7 +188,8 @@ INLINE void find_parts(struct batch_digits *whole, struct batch_digits *rest, si
 	high = ONLY(~carry, high);
 	top = top + ONLY(carry, one);
 	M minus = LESS(v, ALL(0)) & ~EQUAL(top + high + low, ALL(0));
-	/* the ninth lower digit; 0.1 is too large by less than 2^-56, so FLOOR is right */
+	/* the ninth lower digit; 0.1 is too large by less than 2^-56,
+	 * so FLOOR is right */
 	M nine = LESS(eight, lower), few = LESS(upper, eight);
 	V tens = FLOOR(low * ALL(0.1));
 

@@ -23,11 +23,12 @@
  * multiples of 2^-51 below 1, and tenths is a multiple of 2^-48 below 10: all are
  * doubles. If two digits are equally near, at 1/4 or 3/4, NEAREST takes the even one.
  *
- * If scale < 0, the errors are at most, in units of 2^-53: 1 of hi + lo (powers.h) times
- * a, POWER_ERROR x; 1 of e < 2, 2 of p - i + e < 4, and 1 of its fraction, rounded. So
- * rest has 5; to_next has 1 more, and up has 1/2; tenths < 10 has 58: 10 times 5, and 8
- * as it is rounded. A comparison is right if its sides differ by WRITE_MARGIN, 512
- * units; if not, as in exact ties, which are frequent, number_write makes the text. */
+ * If scale < 0, the errors are at most, in units of 2^-53: 1 of hi + lo (powers.h)
+ * times a, POWER_ERROR x; 1 of e < 2, 2 of p - i + e < 4, and 1 of its fraction,
+ * rounded. So rest has 5; to_next has 1 more, and up has 1/2; tenths < 10 has 58: 10
+ * times 5, and 8 as it is rounded. A comparison is right if its sides differ by
+ * WRITE_MARGIN, 512 units; if not, as in exact ties, which are frequent,
+ * number_write makes the text. */
 INLINE struct digits shortest_digits(V a, V top, V scale, V hi, struct product x,
     bool single, bool whole_powers)
 {
