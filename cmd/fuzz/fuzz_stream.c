@@ -104,17 +104,17 @@ void output_close(void)
 	abort();
 }
 
-void say_at(int status, const struct place *place, const char *format, ...)
+void output_flush(void)
 {
-	char text[512];
-	int n = sprintf(text, "%lld: ", place != NULL ? place->line : 0);
-	va_list args;
+}
+
+void say_at(int status, const struct place *place, const char *what, const char *remedy)
+{
+	const char *const line = text("%lld: %s; %s", place != NULL ? place->line : 0,
+	    what, remedy != NULL ? remedy : "");
 
 	(void)status;
-	va_start(args, format);
-	vsnprintf(text + n, sizeof text - (size_t)n, format, args);
-	va_end(args);
-	add(&said, text, strlen(text) + 1);
+	add(&said, line, strlen(line) + 1);
 }
 
 bool note_is_new(unsigned kind)
@@ -124,22 +124,20 @@ bool note_is_new(unsigned kind)
 
 struct message_state message_state;
 
-void die_at(int status, const struct place *place, const char *format, ...)
+void die_at(int status, const struct place *place, const char *what, const char *remedy)
 {
-	(void)status;
-	(void)place;
-	(void)format;
+	(void)status, (void)place, (void)what, (void)remedy;
 	abort();
 }
 
-void vsay_at(int status, const struct place *place, const char *format, va_list args)
+void die(int status, const char *what, const char *remedy)
 {
-	(void)status, (void)place, (void)format, (void)args;
+	die_at(status, NULL, what, remedy);
 }
 
-void quit(int status, bool of_scene)
+void end_program(int status)
 {
-	(void)status, (void)of_scene;
+	(void)status;
 	abort();
 }
 
@@ -150,16 +148,17 @@ void *xrealloc(void *old, size_t size)
 
 static struct scene scene(void)
 {
-	static char text[] =
+	static struct refusals none;
+	static char camera[] =
 	    "{\"camera\":{\"eye\":[1,2,-5],\"at\":[0,0,0]},"
 	    "\"projection\":{\"type\":\"persp\",\"fovy\":60,\"near\":1,"
 	    "\"far\":10},\"viewport\":{\"width\":640,\"height\":480},"
 	    "\"window\":{\"center\":[1,2],\"width\":3,\"height\":4},"
 	    "\"device\":{\"width\":5,\"height\":6}}";
-	struct document_wants wants = { .used = ~0u };
+	struct document_wants wants = { .used = ~0u, .source.faults = &none };
 	struct document d;
 
-	document_read(&d, "s", text, sizeof text - 1, &wants);
+	document_read(&d, "s", camera, sizeof camera - 1, &wants);
 	return d.scene;
 }
 
@@ -192,10 +191,12 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	    j->layout.writes == 4 ? SPACE_CLIP :
 				    SPACE_DEVICE;
 
+	static struct refusals none;
+
 	j->rays = j->layout.writes == 6;
-	transform_of_scene(s, from, to, false, &j->transform);
-	ray_maker_of(s, &j->ray);
-	frustum_of(s, from, false, &j->frustum);
+	transform_of_scene(s, from, to, false, &j->transform, &none);
+	ray_maker_of(s, &j->ray, &none);
+	frustum_of(s, from, false, &j->frustum, &none);
 	if (b & 64)
 		set_more(&j->layout);
 	if (j->rays)
@@ -237,7 +238,8 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 		struct place p = { .line = 1 + (long)c->complaint[i].line,
 			.of_points = format_is_binary(j->layout.in.format) };
 
-		say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
+		say_at(EXIT_INPUT, &p, c->complaint[i].fault.what,
+		    c->complaint[i].fault.remedy);
 	}
 	if (!refused)
 		bad += c->n_complaints;

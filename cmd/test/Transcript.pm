@@ -27,7 +27,7 @@
 #	   without \n at its end the line has no newline
 #
 # Everything else is output. An empty line is output too, but for the one above
-# the next comment or command.
+# the next comment or command. A command without this line or a name above is an error.
 package Transcript;
 use strict;
 use warnings;
@@ -83,6 +83,9 @@ sub transcript {
 		    && ($2 ne '' || $1 ne '' && $3 eq '') or
 		    die "$file:$line: neither a comment nor a command\n";
 		my ($comment, $command, $said) = ($1, $2, $3);
+		die $file, ':', $line + ("$comment$command$`" =~ tr/\n//),
+		    ": a command needs an empty line or its name above\n"
+		    if $said =~ /^\$ /m;
 		my %part = (file => $file, line => $line, dir => 'testdata',
 		    comment => $comment, command => $command =~ s/^[\$>] ?//mgr,
 		    name => $comment =~ /([^\n]*)\n\z/ ? $1 =~ s/^# //r : '',

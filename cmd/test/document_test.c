@@ -2,69 +2,7 @@
 #include "read_text.h"
 #include "../scene/convention_member.h"
 
-static const struct document_wants w2d = { .needed = SCENE_WINDOW | SCENE_DEVICE,
-	.used = ~0u,
-	.coordinates = 2 };
-static const struct document_wants project = { WANTS };
 static const struct document_wants no_points = { .used = ~0u };
-
-#define FIFTY "00000000000000000000000000000000000000000000000000"
-
-static const struct refusal scenes[] = {
-	{ &project, "{\"points\":[[1,2,3],[0,1" FIFTY FIFTY FIFTY "0,0]]}",
-	    "/points/1/1: 1e+151 is out of range; numbers go up to 1e150" },
-	{ &project, "{\"points\":[[1,2,3],[]]}",
-	    "/points/1: has 0 elements; 3 coordinates are wanted" },
-	{ &project, "{\"points\":[1,2,[3]]}",
-	    "/points/2: is an array; a number is wanted" },
-	{ &project, "{\"points\":[[1,2,3]],\"p\\u006fints\":[[1,2,3]]}",
-	    "/points: repeated; give it once" },
-	{ &project, "{\"convention\":\"vulcan\"}",
-	    "/convention: is \"vulcan\"; did you mean \"vulkan\"?" },
-	{ &project, "{\"convention\":\"opengl\"}",
-	    "/convention: is \"opengl\"; did you mean \"gl\"?" },
-	{ &project, "{\"convention\":null}",
-	    "/convention: is null; \"d3d\", \"gl\", \"vulkan\", \"webgpu\" "
-	    "or \"opencv\" "
-	    "is wanted" },
-	{ &project, "{\"convention\":{\"handedness\":\"rechts\"}}",
-	    "/convention/handedness: is \"rechts\"; \"left\" or \"right\" is "
-	    "wanted" },
-	{ &w2d, "{\"window\":{}}",
-	    "/device: missing; add \"device\": {\"width\": 640, \"height\": "
-	    "480}" },
-	{ &project, "{\"bounds\":1}",
-	    "/bounds: is a number; an object such as {\"min\": [-1,-1,-1], \"max\": "
-	    "[1,1,1]} is wanted" },
-	{ &project, "{\"pick\":[]}",
-	    "/pick: is an array; an object such as {\"at\": [320,240], \"radius\": 3} "
-	    "is wanted" },
-	{ &project, "{\"points\":{}}",
-	    "/points: is an object; an array of points is wanted" },
-	{ &project, "{\"points\":[[0,0,0],[0,0]]}",
-	    "/points/1: has 2 elements; 3 coordinates are wanted" },
-	{ &project, "{\"points\":[[0,0,0],1]}",
-	    "/points/1: is a number; an array of coordinates is wanted" },
-	{ &project, "{\"points\":[[0,0,\"a\"]]}",
-	    "/points/0/2: is a string; a number is wanted" },
-	{ &project, "{\"points\":[[0,0,0,[]]]}",
-	    "/points/0/3: is an array; a number, a string or null is wanted" },
-	{ &project, "{\"points\":[[0,0,1e151]]}",
-	    "/points/0/2: 1e+151 is out of range; numbers go up to 1e150" },
-	{ &no_points, "{\"points\":[[0],1]}",
-	    "/points/1: is a number; an array of coordinates is wanted" },
-	{ NULL, "[[0,0,0],[1,true,1]]", "/1/1: is true; a number is wanted" },
-	{ NULL, "[1,2]", "has 2 elements; 3 coordinates are wanted" },
-	{ NULL, "{}", "is an object; an array of points is wanted" },
-	{ &project,
-	    "{\"projection\":{\"type\":\"persp\",\"near\":1,\"far\":2,"
-	    "\"fovy\":60},\"viewport\":{\"width\":4,\"height\":3},"
-	    "\"world\":[1]}",
-	    "/world: has 1 element; 16 numbers, or 4 rows of 4 or 3, or 3 "
-	    "rows of 4 are wanted" },
-};
-
-REFUSES(scenes)
 
 static void test_bare(void **state)
 {
@@ -207,37 +145,26 @@ static void test_matrix(void **state)
 
 static void assert_points(const char *typed, const char *lines)
 {
-	const struct document_wants wants = { WANTS };
-	size_t size = strlen(typed), n;
-	char text[400];
+	struct document_wants wants = { WANTS, .source.faults = &faults };
+	struct json_source source = { .name = "POINTS", .faults = &faults };
+	size_t size = strlen(typed), n = strlen(lines);
 	struct document d;
+	struct span points;
+	char text[400];
 
+	faults.n = 0;
 	memcpy(text, typed, size);
-	const char *points = document_read_points("POINTS", text, size, 3, NULL, &n);
-
-	assert_int_equal(n, strlen(lines));
-	assert_memory_equal(points, lines, n);
+	assert_true(document_read_points(&source, text, size, 3, &points));
+	assert_int_equal(points.end - points.s, n);
+	assert_memory_equal(points.s, lines, n);
 	strcat(strcat(strcpy(text,
 			  "{\"_a\":{\"points\":[[7]]},\"_b\":\"[:\",\"points\" "
 			  ": "),
 		   typed),
 	    " ,\"_points\":[[8]]}");
-	document_read(&d, "s.json", text, strlen(text), &wants);
-	assert_int_equal(d.points_size, strlen(lines));
-	assert_memory_equal(d.points, lines, d.points_size);
-}
-
-/* The name of the member points may be written with escapes. */
-static void test_points_name(void **state)
-{
-	const struct document_wants wants = { WANTS };
-	char text[] = "{\"_points\":[[7]],\"\\u0070oint\\u0073\":[[1, 2,3]]}";
-	struct document d;
-
-	(void)state;
-	document_read(&d, "s.json", text, strlen(text), &wants);
-	assert_int_equal(d.points_size, 8);
-	assert_memory_equal(d.points, "[1,2,3]\n", 8);
+	assert_true(document_read(&d, "s.json", text, strlen(text), &wants));
+	assert_int_equal(d.points_size, n);
+	assert_memory_equal(d.points, lines, n);
 }
 
 static void test_points(void **state)
@@ -260,47 +187,38 @@ static void test_points(void **state)
 	assert_null(read_as(&no_points, "{}").points);
 }
 
-/* In a document that consists of one member alone, bare, a message loses the first
- * part of the JSON pointer that core/ gives. */
-struct reason {
-	const char *bare, *why;
-};
-
-static void refuse(const void *argument)
+/* All faults of a document are refused in one call, each once. */
+static void test_all_faults(void **state)
 {
-	const struct reason *r = argument;
-	const struct member row = { .name = r->bare };
-	struct document d = { .source = { .name = "-", .row = &row } };
+	static const struct {
+		const char *text, *first;
+		size_t n;
+	} rows[] = {
+		{ "{\"camera\":{\"eye\":[0,0],\"at\":[0,0,true],\"up\":1}}",
+		    "/camera/eye", 3 },
+		{ "{\"camera\":{\"eye\":[0,0,1],\"position\":[0,0,1],\"at\":[0,0,0]}}",
+		    "/camera/position", 1 },
+		{ "{\"qqq\":1,\"_q\":2,\"viewport\":{\"width\":0,\"height\":-1}}",
+		    "/qqq", 3 },
+		{ "{\"points\":[[1,2,3],[4,5],[6,\"7\",8]]}", "/points/1", 2 },
+		{ "{\"viewport\":{\"width\":1,\"hight\":2}}", "/viewport/hight", 1 },
+	};
 
-	document_refuse(&d, r->why);
-}
-
-static void test_reasons(void **state)
-{
 	(void)state;
-	assert_refused(refuse, &(struct reason){ NULL, "/camera/up: no" },
-	    "/camera/up: no", "-: /camera/up: no");
-	assert_refused(refuse, &(struct reason){ "camera", "/camera/up: no" },
-	    "/camera/up: no", "-: /up: no");
-	assert_refused(refuse, &(struct reason){ "window", "/window: no" },
-	    "/window: no", "-: no");
-	assert_refused(refuse, &(struct reason){ "camera", "/cameras/up: no" },
-	    "/cameras/up: no", "-: /cameras/up: no");
-	assert_refused(refuse, &(struct reason){ "camera", "/projection: no" },
-	    "/projection: no", "-: /projection: no");
+	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+		assert_refused_at(&(struct document_wants){ WANTS }, rows[i].text,
+		    rows[i].first, rows[i].n);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_scenes),
 		cmocka_unit_test(test_bare),
 		cmocka_unit_test(test_numbers),
 		cmocka_unit_test(test_convention),
 		cmocka_unit_test(test_matrix),
 		cmocka_unit_test(test_points),
-		cmocka_unit_test(test_points_name),
-		cmocka_unit_test(test_reasons),
+		cmocka_unit_test(test_all_faults),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

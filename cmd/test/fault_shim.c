@@ -4,8 +4,10 @@
  *   FAULT="CALL N ERROR"  the N-th CALL fails with this error number. CALL is malloc
  *       (also realloc and calloc), read, open, thread, and write or close of standard
  *       output. After the N-th thread all others fail, too
- *   FAULT="torn N ERROR"  the N-th read takes at most 1000 bytes, and the next one fails
- *   FAULT="short"  reads and writes take 1 to 7 bytes or are interrupted, and poll often
+ *   FAULT="torn N ERROR"  the N-th read takes at most 1000 bytes,
+ * and the next one fails
+ *   FAULT="short"  reads and writes take 1 to 7 bytes or are
+ * interrupted, and poll often
  *       says that there is nothing to read
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated to 100 bytes
  *   FAULT="stack N"  the program aborts when it makes a thread without asking for a

@@ -200,11 +200,9 @@ SKIP: {
 # A full disk, and closed standard streams.
 for my $command (@commands) {
 	my ($status, $out, $err) = run("$command >/dev/full");
-	$err =~ s/scene 1, line 1: //;
 	is("$status $err", "3 projcalc: standard output: No space left on " .
 	    "device\n", "full: $command");
 	($status, $out, $err) = run("$command >&-");
-	$err =~ s/scene 1, line 1: //;
 	is("$status $err", "3 projcalc: standard output: Bad file " .
 	    "descriptor\n", "closed: $command");
 }
@@ -381,6 +379,10 @@ SKIP: {
 			    "a line of $n bytes: $from");
 		}
 	}
+	# the results before an error cannot be written, either
+	spew("$tmp/line", "0 0 0\n0 0 0 " . 'a' x (1 << 26));
+	is_run("timeout 60 $project --scenes $tmp/line >/dev/full", 3, '',
+	    "projcalc: standard output: No space left on device\n");
 	# a line has at most 2^26 bytes, and a missing newline counts
 	for my $n ((1 << 26) - 1, 1 << 26) {
 		spew("$tmp/line", "0 0 0\n" x 30000 . "0 0 0 " . 'a' x ($n - 6));
@@ -402,7 +404,7 @@ SKIP: {
 	for my $n (1 << 28, (1 << 28) + 1) {
 		sparse("$tmp/zeros", $n);
 		my $why = $n > 1 << 28 ? qr/ longer than 256 MiB; / :
-		    qr/:1: expected a value, not '\\u0000'; JSON is UTF-8 text/;
+		    qr/:1:1: a control character is no JSON/;
 		like((run("projcalc lookat $tmp/zeros"))[2],
 		    qr/\Aprojcalc: $tmp\/zeros:?$why/, "a document of $n bytes");
 	}
@@ -413,15 +415,6 @@ SKIP: {
 	$peak = peak("projcalc project -j2 $tmp/document");
 	cmp_ok($peak, '<', $size + 20000,
 	    "a document of $size kilobytes of points in 20 MB more");
-	for my $notes ('"_notes": [' . join(',', ('{"a": [1, "_b"]}') x 5e5) . ']',
-	    join(',', map { "\"_$_\": 0" } 1 .. 8e5)) {
-		spew("$tmp/document", "{$notes, \"camera\": {\"eye\": [0,0,0], " .
-		    "\"at\": [0,0,1], $notes}}");
-		$size = int((-s "$tmp/document") / 1024);
-		$peak = peak("projcalc lookat $tmp/document");
-		cmp_ok($peak, '<', 2 * $size + 5000,
-		    "$size kilobytes of notes in as much again and 5 MB");
-	}
 	sparse("$tmp/zeros", 240000000);
 	$peak = peak("$project -j2 -i f64 $tmp/zeros");
 	cmp_ok($peak, '<', 20000, '10 million binary points in 20 MB');

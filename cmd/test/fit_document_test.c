@@ -4,89 +4,11 @@
 
 static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
 	.source.task = TASK_FIT };
-static const struct document_wants project = { WANTS };
 
 static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
 	.flat_members = SCENE_WINDOW | SCENE_DEVICE, .source.task = TASK_FIT };
 
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
-#define WINDOW_HINT                                                \
-	"give \"center\", \"width\" and \"height\", or \"left\", " \
-	"\"right\", \"bottom\" and \"top\""
-#define BOUNDS_HINT "give \"min\" and \"max\", or \"center\" and \"radius\""
-
-static const struct refusal refusals[] = {
-	{ &fit, "{" BOX "}",
-	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
-	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}" },
-	{ &project, "{\"bounds\":{}}", "/bounds/min: missing; " BOUNDS_HINT },
-	{ &project, "{\"bounds\":{\"radius\":1}}",
-	    "/bounds/center: missing; " BOUNDS_HINT },
-	{ &project, "{\"bounds\":{\"center\":[0,0,0],\"radius\":0}}",
-	    "/bounds/radius: 0 is not positive; a number from 1e-150 to 1e150 "
-	    "is wanted" },
-	{ &project, "{\"bounds\":{\"center\":[0,0,0],\"radius\":1,\"max\":[1,1,1]}}",
-	    "/bounds/max: does not go with \"center\" and "
-	    "\"radius\"; " BOUNDS_HINT },
-	{ &fit, "{\"projection\":{\"type\":\"ortho\"},\"camera\":{}}",
-	    "/camera/eye: missing; give \"eye\" and \"at\", or \"gaze\", or "
-	    "\"orientation\", or \"rvec\", or \"orientation\" and "
-	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
-	    "\"matrix\"" },
-	{ &fit,
-	    "{\"projection\":{\"type\":\"ortho\"},"
-	    "\"camera\":{\"at\":[0,0,0]}}",
-	    "/camera/eye: missing; give \"eye\" and \"at\", or \"gaze\", or "
-	    "\"orientation\", or \"rvec\", or \"orientation\" and "
-	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
-	    "\"matrix\"" },
-	{ &fit,
-	    "{\"projection\":{\"type\":\"ortho\"},"
-	    "\"camera\":{\"eye\":[0,0,0]}}",
-	    "/camera/at: missing; give \"eye\" and \"at\", or \"eye\" and "
-	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
-	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" and "
-	    "\"translation\", or \"pose\", or \"matrix\"" },
-	{ &fit, "{\"projection\":{\"type\":\"ortho\",\"left\":1}}",
-	    "/projection/right: missing; give none of them, or none of them, "
-	    "or none of them, or \"left\", \"right\", \"bottom\" and \"top\"" },
-	{ &fit,
-	    "{\"projection\":{\"type\":\"ortho\",\"aspect\":1,\"width\":1,"
-	    "\"height\":1}}",
-	    "/projection/aspect: does not go with \"width\" and \"height\"; "
-	    "give \"width\" "
-	    "and \"height\", or \"width\" and \"aspect\", or \"height\" and "
-	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\"" },
-	{ &fit, "{\"projection\":{\"type\":\"oblique\"}}",
-	    "/projection/kind: missing; give \"kind\", or \"angle\" of the projectors; "
-	    "lines along the gaze have the \"direction\" in the picture" },
-	{ &fit, "{\"projection\":{\"type\":\"persp\",\"fovy\":60}}",
-	    "/projection/aspect: missing; give it, or a \"viewport\"" },
-	{ &fit, "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",
-	    "/projection/near: missing; the section is on the near plane, "
-	    "unless \"edges_at\" says where" },
-	{ &either, "{\"camera\":{}}",
-	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
-	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}, or for "
-	    "two dimensions \"window\": {}" },
-	{ &either, "{\"window\":{}," BOX "}",
-	    "/bounds/min: has 3 elements; an array of 2 numbers is wanted" },
-	{ &either, "{\"window\":{},\"bounds\":{\"center\":1,\"radius\":1}}",
-	    "/bounds/center: is a number; an array of 2 numbers is wanted" },
-	{ &either, "{\"window\":{\"left\":1,\"width\":1}}",
-	    "/window/left: does not go with \"width\"; give \"width\", or "
-	    "\"left\"" },
-	{ &either, "{\"device\":{\"width\":1,\"height\":1},\"points\":[[1]]}",
-	    "/points/0: has 1 element; 2 coordinates are wanted" },
-	{ &project, "{\"window\":{}}", "/window/center: missing; " WINDOW_HINT },
-	{ &project,
-	    "{\"device\":{\"width\":1,\"height\":1},\"bounds\":"
-	    "{\"min\":[0,0],\"max\":[1,1]}}",
-	    "/bounds/min: has 2 elements; an array of 3 numbers is wanted" },
-};
-
-REFUSES(refusals)
-
 static struct document read_fit(const char *members)
 {
 	char text[1024];
@@ -167,7 +89,6 @@ static void test_flat(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(test_refusals),
 		cmocka_unit_test(test_flat),
 		cmocka_unit_test(test_missing),
 	};

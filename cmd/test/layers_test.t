@@ -1,9 +1,10 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # Checks the structure of the sources: files include and call each other in layers
-# without a ring, core only computes, only one file includes cJSON, and functions have
-# at most 60 lines. The calls of a source are the undefined names of its object in
-# BUILD. The picture of the folders in CONTRIBUTING is drawn from includes and calls.
+# without a ring, core only computes, only one file includes cJSON, functions have at
+# most 60 lines, and lines at most 88 columns. The calls of a source are the undefined
+# names of its object in BUILD. The picture of the folders in CONTRIBUTING is drawn from
+# includes and calls.
 # usage: layers_test.t [BUILD]
 #        layers_test.t -w, which draws that picture anew
 use strict;
@@ -165,6 +166,20 @@ sub functions {
 	return @found;
 }
 
+# Returns the lines of a file that are wider than 88 columns, with tabs of 8.
+sub wide_lines {
+	my ($file) = @_;
+	my ($line, @found) = 0;
+	for (split /\n/, $text{$file}) {
+		$line++;
+		utf8::decode(my $shown = $_);
+		1 while $shown =~ s/\t/' ' x (8 - $-[0] % 8)/e;
+		push @found, "$file:$line: " . length($shown) . ' columns'
+		    if length $shown > 88;
+	}
+	return @found;
+}
+
 my @functions = sort { $a->[0] <=> $b->[0] } map { functions($_) } keys %text;
 my $median = $functions[$#functions / 2][0];
 
@@ -176,6 +191,8 @@ check("the median of " . @functions . " functions is $median lines",
     $median < 15 ? () : 'under 15 is wanted');
 check('no function is over 60 lines',
     map { "$_->[1]: $_->[0] lines" } grep { $_->[0] > 60 } @functions);
+check('no line is over 88 columns, also where clang-format is off',
+    map { wide_lines($_) } keys %text);
 
 my $tour = '.github/CONTRIBUTING.md';
 my $picture = picture();

@@ -195,7 +195,7 @@ for my $type (@$types) {
 }
 # The message about a wrong member lists the members.
 like((run('projcalc lookat \'{"camera": {"xyzzyxyzzy": 0}}\''))[2],
-    qr/unknown member; there are "eye", "at", .* and "orthonormalize"$/,
+    qr/unknown member; there are "eye", "at", .* and "orthonormalize"$/m,
     'members in a message');
 
 for my $page (qw(projcalc.1 projcalc-scene.5)) {

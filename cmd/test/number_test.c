@@ -31,7 +31,7 @@ static double random_double(void)
 		return floor(v * 1e10) / pow(10, random_below(16));
 	case 2: /* integers, and numbers that are ties for few decimals */
 		return floor(v * pow(2, random_below(70))) / pow(2, random_below(30));
-	case 3: /* powers of two: the next double below is half as far as the next above */
+	case 3: /* powers of two: the double below is half as far as that above */
 		return ldexp(v < 0 ? -1 : 1, random_below(2098) - 1074);
 	default:
 		return v * pow(10, random_below(8));

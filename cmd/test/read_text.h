@@ -1,56 +1,53 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads documents for tests, and asserts numbers and refusals. Includes cmocka. */
+/* Reads documents for tests, and asserts numbers and refusals. Includes cmocka. What
+ * the program says of wrong documents is in testdata/transcripts. */
 #pragma once
 
 #include "../scene/document.h"
-#include "refusal.h"
+#include "output_of.h"
 
-struct refusal {
-	const struct document_wants *
-	    wants; /* given to document_read; if NULL, document_read_points reads the text */
-	const char *text;
-	const char *line; /* the expected message after "projcalc: s.json: " */
-};
-
-static inline void read_text(const void *argument)
-{
-	const struct refusal *r = argument;
-	struct document d;
-	size_t size = strlen(r->text), n;
-	char *text = malloc(size);
-
-	memcpy(text, r->text, size);
-	if (r->wants == NULL)
-		document_read_points("s.json", text, size, 3, NULL, &n);
-	else
-		document_read(&d, "s.json", text, size, r->wants);
-	free(text);
-}
-
-static inline void assert_all_refused(const struct refusal *r, size_t n)
-{
-	for (; n > 0; r++, n--) {
-		char line[1024];
-
-		snprintf(line, sizeof line, "s.json: %s", r->line);
-		assert_refused(read_text, r, r->text, line);
-	}
-}
+/* What is refused in the documents that this header reads. */
+static struct refusals faults;
 
 #define WANTS .used = ~0u, .coordinates = 3
+
+/* Reads a text, and returns false if it is refused. */
+static inline bool read_quietly(struct document *d, const struct document_wants *wants,
+    const char *text)
+{
+	struct document_wants w = *wants;
+	size_t size = strlen(text);
+	/* not ended by a NUL, so that a sanitizer finds reads beyond the end */
+	char *copy = malloc(size);
+
+	w.source.faults = &faults;
+	faults.n = 0;
+	memcpy(copy, text, size);
+	const bool good = document_read(d, "s.json", copy, size, &w);
+
+	free(copy);
+	return good;
+}
 
 static inline struct document read_as(const struct document_wants *wants,
     const char *text)
 {
 	struct document d;
-	size_t size = strlen(text);
-	char *copy = malloc(
-	    size); /* not ended by a NUL, so that a sanitizer finds reads beyond the end */
 
-	memcpy(copy, text, size);
-	document_read(&d, "s.json", copy, size, wants);
-	free(copy);
+	if (!read_quietly(&d, wants, text))
+		fail_msg("%s: %s: %s", text, faults.list[0].where, faults.list[0].what);
 	return d;
+}
+
+/* Asserts that a text is refused, at `where` first. */
+static inline void assert_refused_at(const struct document_wants *wants,
+    const char *text, const char *where, size_t n)
+{
+	struct document d;
+
+	if (read_quietly(&d, wants, text) || faults.n != n)
+		fail_msg("%s: %zu faults, not %zu", text, faults.n, n);
+	assert_text(faults.list[0].where, where, text);
 }
 
 static inline struct scene scene_of(const char *text)
@@ -74,10 +71,3 @@ static inline void assert_numbers_at(const char *file, int line, const double *g
 	}
 	va_end(expected);
 }
-
-#define REFUSES(table)                                                   \
-	static void test_##table(void **state)                           \
-	{                                                                \
-		(void)state;                                             \
-		assert_all_refused(table, sizeof table / sizeof *table); \
-	}

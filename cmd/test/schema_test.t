@@ -98,6 +98,8 @@ sub add {
 add($_, slurp($_), '', '') for glob 'testdata/*.json testdata/views/*.json';
 for my $case (map { transcript($_) } glob 'testdata/transcripts/*.txt') {
 	next if $case->{status} > 1;
+	# The schema knows the program's own names, not those that it reads, too.
+	next if $case->{name} =~ /^alias-/;
 	# The schema describes one scene.
 	next if $case->{command} =~ /--scenes/;
 	my $err = $case->{status} == 1 ? $case->{err} : '';

@@ -108,7 +108,7 @@ static double any_number(bool single)
 		return (double)(int64_t)(next_random() >> (1 + random_below(63)));
 	case 4: /* integers, and numbers that are ties for few decimals */
 		return floor(ldexp(v, random_below(70))) / pow(2, random_below(30));
-	case 5: /* powers of two: the next double below is half as far as the next above */
+	case 5: /* powers of two: the double below is half as far as that above */
 		return neighbour_or_same(ldexp(v < 0 ? -1 : 1,
 					     random_below(2098) - 1074),
 		    single);

@@ -50,4 +50,8 @@ for my $file (@files) {
 	}
 }
 exit if $write;
+# -w must not take a command for the output of the one above, and drop it.
+ok(!eval { transcript('t', "# a\n\n# b\n\$ echo 1\n1\n\$ echo 2\n2\n") },
+    'a command without an empty line above is refused');
+is($@, "t:6: a command needs an empty line or its name above\n", 'with its line');
 done_or('make transcripts');

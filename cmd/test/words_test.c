@@ -6,6 +6,57 @@
 static const char *const words[] = { "eye", "at", "up", "orientation", "near_ratio",
 	"reverse_z", "persp", "x", "gl", NULL };
 
+static void test_equals(void **state)
+{
+	static const struct {
+		const char *word, *name;
+		bool equal;
+	} cases[] = {
+		{ "near_ratio", "near_ratio", true },
+		{ "nearRatio", "near_ratio", true },
+		{ "NEAR-RATIO", "near_ratio", true },
+		{ "n_e_ar__ratio", "near_ratio", true },
+		{ "near_rati", "near_ratio", false },
+		{ "near_ratios", "near_ratio", false },
+		/* a note, and a name that goes on */
+		{ "_eye", "eye", false },
+		{ "-eye", "eye", false },
+		{ "eye_", "eye", false },
+		{ "_eye", "_EYE", true },
+		{ "", "", true },
+		{ "", "eye", false },
+		{ "eye", "", false },
+		{ "top-left", "topleft", true },
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+		if (word_equals(cases[i].word, cases[i].name) != cases[i].equal)
+			fail_msg("%s and %s", cases[i].word, cases[i].name);
+}
+
+static void test_lists(void **state)
+{
+	static const char *const aliases[] = { "position lookfrom", "target", NULL, "q",
+		NULL, NULL, NULL, NULL, "opengl" };
+
+	(void)state;
+	assert_true(word_is_one_of("look_from", "position lookfrom"));
+	assert_true(word_is_one_of("Position", "position lookfrom"));
+	assert_false(word_is_one_of("look", "position lookfrom"));
+	assert_false(word_is_one_of("from", "position lookfrom"));
+	assert_false(word_is_one_of("position lookfrom", "position lookfrom"));
+	assert_false(word_is_one_of("", "position lookfrom"));
+	assert_false(word_is_one_of("eye", ""));
+	assert_false(word_is_one_of("eye", NULL));
+	assert_int_equal(word_index("reverseZ", words, NULL), 5);
+	assert_int_equal(word_index("LookFrom", words, aliases), 0);
+	assert_int_equal(word_index("q", words, aliases), 3);
+	assert_int_equal(word_index("OpenGL", words, aliases), 8);
+	assert_int_equal(word_index("q", words, NULL), -1);
+	assert_int_equal(word_index("", words, aliases), -1);
+}
+
 static void test_nearest(void **state)
 {
 	static const struct {
@@ -18,6 +69,7 @@ static void test_nearest(void **state)
 		{ "ta", "at" },
 		{ "orentaton", "orientation" },
 		{ "reverseZ", "reverse_z" },
+		{ "revers_z_", "reverse_z" },
 		{ "nearRatio", "near_ratio" },
 		{ "perspective", "persp" },
 		{ "orient", "orientation" },
@@ -28,21 +80,99 @@ static void test_nearest(void **state)
 		{ "bat", "at" },
 		{ "view", NULL },
 		{ "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", NULL },
+		{ "perspaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa"
+		  "a",
+		    "persp" },
 	};
 
 	(void)state;
-	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-		struct word_guess g = { .word = cases[i].word };
+	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+		assert_text(word_nearest(cases[i].word, words), cases[i].near,
+		    cases[i].word);
+}
 
-		word_offer_list(&g, words, "%s");
-		assert_text(g.closeness > 0 ? g.remedy : NULL, cases[i].near, g.word);
-	}
+static void test_remark(void **state)
+{
+	(void)state;
+	assert_non_null(word_remark("unproject", WORD_COMMAND));
+	assert_non_null(word_remark("Un_Project", WORD_OPTION));
+	assert_null(word_remark("unproject", WORD_MEMBER));
+	assert_null(word_remark("unproject", WORD_VALUE));
+	assert_null(word_remark("_fov", WORD_MEMBER));
+	assert_null(word_remark("", WORD_MEMBER));
+	assert_null(word_remark("eye", WORD_MEMBER));
+	assert_text(word_remark("K", WORD_MEMBER), word_remark("P2", WORD_MEMBER), "K");
+}
+
+static void test_remedy(void **state)
+{
+	static const char *const none[] = { NULL }, *const one[] = { "fill", NULL };
+	static const char *const petal[] = { "petal", "d3d", NULL };
+	static const char *const twelve[] = { "a", "b", "c", "d", "e", "f", "g", "h",
+		"i", "j", "k", "l", NULL };
+	static const char *const more[] = { "a", "b", "c", "d", "e", "f", "g", "h", "i",
+		"j", "k", "l", "m", NULL };
+	static const struct {
+		const char *word;
+		const char *const *words;
+		const char *quote, *remedy;
+	} cases[] = {
+		{ "orient", words, "\"", "did you mean \"orientation\"?" },
+		{ "orient", words, "", "did you mean orientation?" },
+		{ "view", words, "\"",
+		    "there are \"eye\", \"at\", \"up\", \"orientation\", "
+		    "\"near_ratio\", \"reverse_z\", \"persp\", \"x\" and \"gl\"" },
+		{ "view", one, "\"", "there is \"fill\"" },
+		{ "view", none, "\"", "" },
+		{ "view", twelve, "",
+		    "there are a, b, c, d, e, f, g, h, i, j, k and l" },
+		{ "view", more, "", "" },
+		/* a remark is before a near name */
+		{ "metal", petal, "\"",
+		    "it is \"d3d\" if view space is left-handed, else \"webgpu\"" },
+	};
+	char out[LIST_ROOM];
+
+	(void)state;
+	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+		assert_text(word_remedy(out, cases[i].word, WORD_VALUE, cases[i].words,
+				cases[i].quote),
+		    cases[i].remedy, cases[i].word);
+}
+
+static void test_join(void **state)
+{
+	const char *many[200];
+	char out[LIST_ROOM];
+
+	(void)state;
+	assert_text(words_join(out, words + 6, " or ", "\""),
+	    "\"persp\", \"x\" or \"gl\"", "three");
+	assert_text(words_join(out, words + 8, " or ", ""), "gl", "one");
+	assert_text(words_join(out, words + 9, " or ", ""), "", "none");
+	for (int i = 0; i < 199; i++)
+		many[i] = "name";
+	many[199] = NULL;
+	assert_int_equal(strlen(words_join(out, many, " and ", "\"")), LIST_ROOM - 1);
+	/* a list that does not fit is cut in a remedy, too */
+	many[12] = NULL;
+	many[0] =
+	    "a name of many letters, so that twelve of them are too long for a list";
+	for (int i = 1; i < 12; i++)
+		many[i] = many[0];
+	assert_int_equal(strlen(word_remedy(out, "view", WORD_VALUE, many, "\"")),
+	    LIST_ROOM - 1);
 }
 
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_equals),
+		cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_nearest),
+		cmocka_unit_test(test_remark),
+		cmocka_unit_test(test_remedy),
+		cmocka_unit_test(test_join),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Assertions about functions that print an error and exit. Includes cmocka. */
+/* Calls functions that print, and maybe exit, in a child process. Includes cmocka. */
 #pragma once
 
 #include <stdio.h>
@@ -40,20 +40,4 @@ static inline const char *output_of(void (*run)(const void *), const void *argum
 	assert_true(WIFEXITED(*status));
 	*status = WEXITSTATUS(*status);
 	return text;
-}
-
-/* Asserts that run, called for this input, prints the line after "projcalc: " first, as
- * it tells a short document's other faults in further lines, and exits with status 1. */
-static inline void assert_refused(void (*run)(const void *), const void *argument,
-    const char *input, const char *line)
-{
-	char expected[4096];
-	int status;
-	const char *got = output_of(run, argument, &status);
-
-	snprintf(expected, sizeof expected, "projcalc: %s\n", line);
-	if (strncmp(got, expected, strlen(expected)) != 0 || status != 1)
-		fail_msg("%s\nexpected status 1, %scame status %d, %s"
-			 "if the change is meant, write it into the test",
-		    input, expected, status, got);
 }
