@@ -149,27 +149,31 @@ sub member {
 	    defined $row->{default} ? (default => $row->{default}) : ()};
 }
 
-# Returns schemas for the rules of an object. `$task` is whole, or fit for the command fit,
-# which finds the members that ~ marks. Members before |NAME are optional unless $alone.
+# Returns schemas for the rules of an object. `$task` is whole, or fit for the command
+# fit, which finds fitted members. Members that a viewport determines are optional
+# unless $alone.
 sub rules {
 	my ($in, $type, $task, $alone) = @_;
 	my @rules;
 	for my $rule (grep { $_->{in} eq $in && is_of($_, $type) } @{$all->{ways}}) {
 		next if $rule->{tasks} && !grep { $_ eq $task } @{$rule->{tasks}};
-		my %any = map { $_ => 1 } map { s/\|\w+//gr =~ /(\w+)/g } @{$rule->{ways}};
+		my %any = map { $_ => 1 } map { @{$_->{has}}, @{$_->{optional} // []} }
+		    @{$rule->{ways}};
 		my @ways;
-		for my $way (map { [split] } @{$rule->{ways}}) {
-			my @must = grep { !/\?/ && ($task ne 'fit' || !/~/) &&
-			    ($alone || !/\|/) } @$way;
-			my %never = (%any, map { /^(\w+)/ => 0 } @$way);
-			push @ways, conditions([map { /^(\w+)/ } @must],
+		for my $way (@{$rule->{ways}}) {
+			my %free = map { $_ => 1 }
+			    $task eq 'fit' ? @{$way->{fitted} // []} : (),
+			    $alone ? () : @{$way->{by_viewport} // []};
+			my %never = (%any, map { $_ => 0 } @{$way->{has}},
+			    @{$way->{optional} // []});
+			push @ways, conditions([grep { !$free{$_} } @{$way->{has}}],
 			    grep { $never{$_} } keys %never);
 		}
-		my @with = split ' ', $rule->{with} // '';
-		my @one = map { {required => [$_]} } grep { !/!/ } @with;
-		push @rules, @with ? {if => {@one ? (anyOf => \@one) : (),
-		    %{conditions([], map { /(\w+)!/ } @with)}},
-		    then => {anyOf => \@ways}} : {anyOf => \@ways};
+		my @one = map { {required => [$_]} } @{$rule->{with} // []};
+		my @none = @{$rule->{without} // []};
+		push @rules, @one || @none ? {if => {@one ? (anyOf => \@one) : (),
+		    %{conditions([], @none)}}, then => {anyOf => \@ways}} :
+		    {anyOf => \@ways};
 	}
 	return @rules;
 }
