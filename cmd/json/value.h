@@ -27,6 +27,8 @@ struct json_source {
 	/* A copy of the text, because cutting the points changes the text itself; NULL
 	 * if messages give no line and column. */
 	const char *text, *end;
+	/* the value of the text, if it is a document that is JSON */
+	const struct cJSON *root;
 	bool column_vectors;   /* matrices are for column, not row, vectors */
 	unsigned unit;         /* of angles: an enum angle_unit */
 	unsigned implied_type; /* type of a projection without "type"; or 0 */

@@ -218,6 +218,7 @@ bool document_read(struct document *d, const char *name, char *begin, size_t siz
 	source->scene_members = scene_members;
 	source->row = &scene_row;
 	d->ends_run = !value_parse_document(source, begin, size, &root, &points);
+	source->root = d->ends_run ? NULL : root.item;
 	if (d->ends_run || !find_members(source, &root, wants, m, &seen, &meant))
 		return false;
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat_members) != 0;
@@ -247,10 +248,52 @@ bool document_read_points(struct json_source *source, char *begin, size_t size,
 	    points_cut(&root, points, coordinates);
 }
 
-/* Returns the place to which a JSON pointer leads, and writes the pointer. If the
- * document is a camera, "/camera/up" becomes "/up". */
+enum { POINTER_ROOM = sizeof((struct refusal *)NULL)->where };
+
+/* Sets *v to the member of *v that a token of a pointer names: itself, or by the name
+ * of its row. Returns its row, or NULL. */
+static const struct member *enter_member(struct value *v, const struct member *table,
+    const char *token)
+{
+	const struct member *row = member_named(table, ANY_VARIANT, token);
+	struct value m = value_child(v);
+
+	while (m.item != NULL && strcmp(m.name, token) != 0)
+		value_next(&m);
+	if (row == NULL ||
+	    (m.item == NULL &&
+		(strcmp(row->name, token) != 0 || !object_member(v, row, &m))))
+		return NULL;
+	*v = (struct value){ .source = v->source, .name = m.name, .item = m.item };
+	return row;
+}
+
+/* Copies a pointer, with the names that the document has: /near may be its /zNear. */
+static void write_given_names(const struct json_source *source, const char *pointer,
+    char out[POINTER_ROOM])
+{
+	struct value v = { .source = source, .item = source->root };
+	const struct member *row = source->row;
+	char token[POINTER_ROOM];
+	size_t n = 0;
+
+	while (row != NULL && *pointer == '/' && value_is(&v, JSON_OBJECT)) {
+		const int size = (int)strcspn(pointer + 1, "/");
+
+		snprintf(token, sizeof token, "%.*s", size, pointer + 1);
+		row = enter_member(&v, row->members, token);
+		if (row == NULL || n + strlen(v.name) + 1 >= POINTER_ROOM)
+			break;
+		n += (size_t)sprintf(out + n, "/%s", v.name);
+		pointer += size + 1;
+	}
+	snprintf(out + n, POINTER_ROOM - n, "%s", pointer);
+}
+
+/* Returns the place to which a JSON pointer leads, and writes the pointer to out. If
+ * the document is a camera, "/camera/up" becomes "/up". */
 static struct place document_place(const struct json_source *source,
-    const char *pointer)
+    const char *pointer, char out[POINTER_ROOM])
 {
 	const char *name = source->row != NULL ? source->row->name : NULL;
 	const size_t lone = name != NULL ? strlen(name) : 0;
@@ -258,7 +301,8 @@ static struct place document_place(const struct json_source *source,
 	if (lone > 0 && *pointer == '/' && strncmp(pointer + 1, name, lone) == 0 &&
 	    (pointer[lone + 1] == '\0' || pointer[lone + 1] == '/'))
 		pointer += lone + 1;
-	return json_source_place(source, pointer);
+	write_given_names(source, pointer, out);
+	return json_source_place(source, out);
 }
 
 bool document_refuse(const struct document *d, const char *where, const char *what,
@@ -271,10 +315,11 @@ void document_tell(const struct json_source *source, int status)
 {
 	const struct refusals *f = source->faults;
 	const size_t kept = f->n < REFUSALS_MAX ? f->n : REFUSALS_MAX;
+	char pointer[POINTER_ROOM];
 
 	for (size_t i = 0; i < kept; i++) {
 		const struct refusal *r = &f->list[i];
-		struct place place = document_place(source, r->where);
+		struct place place = document_place(source, r->where, pointer);
 
 		if (r->line > 0) {
 			place.line = r->line;
@@ -283,7 +328,7 @@ void document_tell(const struct json_source *source, int status)
 		say_at(status, &place, r->what, r->remedy);
 	}
 	if (f->n > kept) {
-		const struct place place = document_place(source, "");
+		const struct place place = document_place(source, "", pointer);
 
 		say_at(status, &place, text("%zu more faults", f->n - kept), NULL);
 	}
@@ -292,7 +337,8 @@ void document_tell(const struct json_source *source, int status)
 void document_note(const struct document *d, const char *pointer, const char *what,
     const char *remedy)
 {
-	const struct place place = document_place(&d->source, pointer);
+	char given[POINTER_ROOM];
+	const struct place place = document_place(&d->source, pointer, given);
 
 	say_at(SAY_NOTE, &place, what, remedy);
 }
