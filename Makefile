@@ -75,7 +75,7 @@ programs = $(basename $(call objects,$1))
 CORE = $(call objects,$(addprefix core/,refusal exact projection scene points \
 	points/kernel derive))
 PROGRAM = $(CORE) $(call objects,cmd $(addprefix cmd/,call message json scene \
-	lines stream number number/vector))
+	table stream number number/vector))
 BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
 TRUTH = $(filter-out %_test.o,$(call objects,core/test))
 PEERS = $(call objects,cmd/bench/peer)
@@ -136,8 +136,8 @@ FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 
 # The inner loops are compiled with -O3, but not with sanitizers, which take too long
 # then. The program chooses between AVX2 and AVX-512 when it starts; every arm64 has NEON.
-$(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o \
-    stream/job.o stream/writer.o) \
+$(addprefix $(BUILD)/cmd/,table/cut.o table/emit.o table/list.o table/walk.o \
+    stream/job.o) \
     $(call objects,core/points/kernel cmd/number/vector): \
     FLAGS += $(if $(findstring -fsanitize,$(CFLAGS)),,-O3)
 VECTOR = $(BUILD)/cmd/number/vector
@@ -146,9 +146,9 @@ $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/avx2.o: \
 $(BUILD)/core/points/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
 $(VECTOR)/avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
-# With sanitizers, cmd/lines/walk.c would be compiled for 20 s if each of its functions were
+# With sanitizers, cmd/table/walk.c would be compiled for 20 s if each of its functions were
 # compiled once for each format.
-$(BUILD)/cmd/lines/walk.o: FLAGS += $(if \
+$(BUILD)/cmd/table/walk.o: FLAGS += $(if \
     $(findstring -fsanitize,$(CFLAGS)),-DINLINE=static)
 # These files run on threads, on the stacks of cmd/stream/stream.c, so the size of
 # their frames is limited. With -flto clang merges a command's functions of several
@@ -157,7 +157,7 @@ FRAME = $(if $(findstring -flto,$(CFLAGS)),131072,32768)
 $(addprefix $(BUILD)/core/,exact/ex.o exact/map.o exact/sum.o derive/frustum.o \
     derive/pick.o derive/ray.o) \
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
-    cmd/lines cmd/stream cmd/number cmd/number/vector): \
+    cmd/table cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=$(FRAME)
 # Without -mtune, gcc copies structs of 900 bytes with rep movsq, which is slower than
 # memcpy.

@@ -6,7 +6,7 @@
 #include "../core/derive/picture.h"
 #include "../core/derive/textbook.h"
 #include "json/print.h"
-#include "lines/put.h"
+#include "table/emit.h"
 #include "call/notes.h"
 #include "call/operands.h"
 #include "call/option_row.h"

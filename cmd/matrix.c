@@ -131,6 +131,7 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	if (!points)
 		return matrix_print(o, d, &j->transform);
 	j->count_imageless = !planes;
+	j->from = flat ? flat_names[from - FLAT_WINDOW] : space_names[from];
 	j->space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
 	return operands_run_job(o, d, from, to, j);
 }

@@ -10,6 +10,7 @@
 #include "json/print.h"
 #include "call/notes.h"
 #include "call/operands.h"
+#include "call/option_row.h"
 #include "message/message.h"
 
 /* A point within the radius, with the text that is printed for it. A csv header is a
@@ -127,7 +128,7 @@ static void hits_collect_chunk(const struct job *j, const struct chunk *c)
 	for (; h->size < end; h->n++) {
 		struct hit *hit = hit_at(h->buffer, h->size);
 
-		hit->line += c->place.line;
+		hit->line = chunk_line(c, (size_t)hit->line);
 		h->size += hit_stride(hit->size);
 	}
 }
@@ -169,18 +170,6 @@ static void hits_sort(const struct picker *picker, struct hit **hit, size_t n)
 	}
 }
 
-/* Headers of several sources are printed once if they are equal, else not at all. */
-static size_t hits_first_printed(struct hit *const *hit, size_t n)
-{
-	size_t i = 0;
-	bool differ = false;
-
-	for (; i < n && hit_is_header(hit[i]); i++)
-		differ |= hit[i]->size != hit[0]->size ||
-		    memcmp(hit[i]->text, hit[0]->text, hit[0]->size) != 0;
-	return differ || i == 0 ? i : i - 1;
-}
-
 static void print_hits(const struct job *j)
 {
 	struct hits *h = j->data;
@@ -191,7 +180,7 @@ static void print_hits(const struct job *j)
 	for (size_t i = 0, size = 0; i < h->n; size += hit_stride(hit[i++]->size))
 		hit[i] = hit_at(h->buffer, size);
 	hits_sort(&h->picker, hit, h->n);
-	for (size_t i = hits_first_printed(hit, h->n); i < h->n; i++) {
+	for (size_t i = 0; i < h->n; i++) {
 		if (h->json)
 			at += sprintf(at, "{\"line\":%lld,", hit[i]->line);
 		memcpy(at, hit[i]->text, hit[i]->size);
@@ -223,7 +212,7 @@ static bool hits_set_circle(const struct document *d, const struct options *o,
 void check_pick(const struct options *o)
 {
 	options_matrix_style(o);
-	if (o->has_out && o->out != FORMAT_JSON &&
+	if (o->has_out && o->out != FORMAT_JSON && o->in != FORMAT_SNIFF &&
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE, "pick prints the lines that it read",
 		    "leave -o out, or say -o json");
@@ -250,6 +239,7 @@ bool run_pick(const struct options *o, struct document *d, struct job *j)
 	    !picker_of(s, &j->transform, &hits.picker, faults))
 		return false;
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
+	j->from = space_names[SPACE_MODEL];
 	notes_say_of_spaces(d, SPACE_MODEL, SPACE_DEVICE);
 	return operands_run_job(o, d, SPACE_MODEL, SPACE_DEVICE, j);
 }

@@ -112,7 +112,7 @@ bool run_project(const struct options *o, struct document *d, struct job *j)
 		notes_say(d, 1u << NOTE_NO_PROJECTION);
 	if (o->matrix)
 		return matrix_print(o, d, &j->transform);
-	j->from = from != SPACE_MODEL ? space_names[from] : NULL;
+	j->from = space_names[from];
 	j->space = space_names[to];
 	return operands_run_job(o, d, o->homogeneous ? SPACE_CLIP : from, to, j);
 }

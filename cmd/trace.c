@@ -9,7 +9,6 @@
 #include "call/notes.h"
 #include "call/operands.h"
 #include "call/option_row.h"
-#include "lines/splice.h"
 #include "message/message.h"
 
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
@@ -17,7 +16,7 @@ enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
 struct trace {
 	int n_spaces;                /* 6, or 5 without a viewport */
 	struct transform to[SPACES]; /* from the points' space to each space */
-	char label[SPACES][16];      /* text before the image in a space */
+	char label[2][SPACES][16];   /* before the image in a space: text, JSON */
 	bool printed;                /* a point was printed */
 };
 
@@ -77,7 +76,7 @@ static char *trace_put_image(char *at, const struct job *j, const struct images 
 
 /* Appends the images of point p of m; of a bad line, whose m is NULL, nan or null. */
 static void trace_put_point(const struct job *j, struct chunk *c,
-    const struct line *line, const struct images *m, size_t p)
+    const struct images *m, size_t p)
 {
 	const struct trace *trace = j->data;
 	unsigned outside = m != NULL ? m->outside[p] : OUT_NAN;
@@ -87,19 +86,17 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 
 	if (j->visible && outside != 0)
 		return;
-	at = chunk_reserve(c,
-	    SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size + FLAG_MAX);
+	at = chunk_reserve(c, SPACES * 4 * (NUMBER_MAX + 16) + FLAG_MAX + 16);
 	*at++ = json ? '{' : '\n';
 	for (int s = 0; s < (json ? SPACES : trace->n_spaces); s++) {
-		at = trace_put_image(stpcpy(at, trace->label[s]), j, m, s, p);
+		at = trace_put_image(stpcpy(at, trace->label[json][s]), j, m, s, p);
 		*at++ = json ? ',' : '\n';
 	}
 	if (json)
 		at = stpcpy(at, "\"flags\":\"");
 	memcpy(at, word->s, word->size);
 	at += word->size;
-	at = json ? stpcpy(at, "\"}") : splice_rest(&j->layout, line, at);
-	*at++ = '\n';
+	at = stpcpy(at, json ? "\"}\n" : "\n");
 	c->size = (size_t)(at - c->out);
 }
 
@@ -116,13 +113,13 @@ static void trace_take_block(const struct job *j, struct chunk *c)
 		const struct line *line = &c->line[i];
 
 		if (line_is_bad(line))
-			trace_put_point(j, c, line, NULL, 0);
+			trace_put_point(j, c, NULL, 0);
 		if (line->kind != LINE_POINT)
 			continue;
 		if (p % BATCH == 0)
 			images_transform(m, j, c, p,
 			    c->block_points - p < BATCH ? c->block_points - p : BATCH);
-		trace_put_point(j, c, line, m, p++ % BATCH);
+		trace_put_point(j, c, m, p++ % BATCH);
 	}
 	free(m);
 }
@@ -157,9 +154,13 @@ bool run_trace(const struct options *o, struct document *d, struct job *j)
 	if (!frustum_of(&d->scene, o->from, false, &j->frustum, faults))
 		return false;
 	j->transform = trace.to[SPACE_CLIP];
-	for (int s = 0; s < SPACES; s++)
-		snprintf(trace.label[s], sizeof trace.label[s],
-		    o->out == FORMAT_JSON ? "\"%s\":" : "%-8s", space_names[s]);
+	for (int s = 0; s < SPACES; s++) {
+		snprintf(trace.label[false][s], sizeof **trace.label, "%-8s",
+		    space_names[s]);
+		snprintf(trace.label[true][s], sizeof **trace.label,
+		    "\"%s\":", space_names[s]);
+	}
+	j->from = space_names[o->from];
 	notes_say_of_spaces(d, SPACE_MODEL,
 	    d->scene.has_viewport ? SPACE_DEVICE : SPACE_NDC);
 	return operands_run_job(o, d, o->from, SPACE_NDC, j);

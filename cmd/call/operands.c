@@ -116,52 +116,67 @@ bool operands_have_points(const struct options *o, struct document *d, bool *hav
 	    "add POINTS or -");
 }
 
-/* Returns whether `path`, or its first token, is a name that the output adds. */
-static bool is_added_member(const struct layout *l, const char *path)
-{
-	const bool pointer = *path == '/';
-	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
-
-	for (int k = l->reads; k <= COORDINATES_MAX && !l->output.append; k++)
-		if (n > 0 && strlen(l->output.name[k]) == n &&
-		    strncmp(path + pointer, l->output.name[k], n) == 0)
-			return true;
-	return false;
-}
-
 static void check_columns(const struct options *o, const struct layout *l)
 {
-	const bool csv = l->in.format == FORMAT_CSV, json = o->in == FORMAT_JSON;
 	const int n = o->columns.n;
 
 	for (int i = 0; i < n; i++) {
 		const char *name = o->columns.name[i];
 
-		if (name != NULL && !json && (!csv || o->no_header))
-			die(EXIT_USAGE, text("--columns: '%s' is a name", name),
-			    "names are for json and for csv with a header, else "
-			    "numbers: "
-			    "2,3,4");
-		if (name != NULL && json && is_added_member(l, name))
+		if (name != NULL && o->no_header)
 			die(EXIT_USAGE,
-			    text("--columns: the output adds '%s', too", name), NULL);
-		if (json && (name == NULL) != (o->columns.name[0] == NULL))
-			die(EXIT_USAGE, "--columns: in json all are numbers or names",
-			    NULL);
+			    text("--columns: '%s' is a name in a header", name),
+			    "leave --no-header out, or say numbers: 2,3,4");
+		if (name != NULL && (o->in == FORMAT_OBJ || format_is_binary(o->in)))
+			die(EXIT_USAGE, text("--columns: '%s' is a name", name),
+			    text("%s has numbers: 2,3,4", format_names[o->in]));
 		if (l->record > 0 && o->columns.field[i] >= l->record)
 			die(EXIT_USAGE,
 			    text("--columns: no field %d in records of %d",
 				o->columns.field[i] + 1, l->record),
 			    NULL);
 	}
-	if (n == 1 && json && o->columns.name[0] != NULL)
-		die(EXIT_USAGE, "--columns: one member",
-		    text("of an array say --columns /%1$s/0,/%1$s/1%2$s",
-			o->columns.name[0] + (*o->columns.name[0] == '/'),
-			l->reads > 2 ? " and so on" : ""));
 	if (n > 0 && n != l->reads && !(format_is_binary(o->in) && l->record == 0))
 		die(EXIT_USAGE, text("--columns: %d field%s", n, n == 1 ? "" : "s"),
 		    text("%d coordinates are read here", l->reads));
+}
+
+#define APPEND_WHAT "--append keeps the lines that it read"
+#define APPEND_REMEDY "leave -o out, and read no binary points"
+
+/* Checks the options that depend on the format of an input, and sets the output's if
+ * it is that of the input: so inputs of two formats need -o. */
+static void settle_formats(const struct options *o, struct layout *l, const char *name)
+{
+	const struct format_row *in = format_of(l->in);
+	const struct place place = { .file = name };
+	const bool json = l->in.format == FORMAT_JSON;
+	const bool picks = o->command->kind == COMMAND_PICK;
+	struct dialect out = l->in;
+
+	if ((o->header || o->no_header) && !in->header)
+		die_at(EXIT_USAGE, &place,
+		    "--header and --no-header are for text, csv and tsv", NULL);
+	if (!json && !in->header && layout_has_names(l))
+		die_at(EXIT_USAGE, &place,
+		    "--columns: names are for text, csv, tsv and json", NULL);
+	for (int i = 1; i < o->columns.n && json; i++)
+		if ((o->columns.name[i] == NULL) != (o->columns.name[0] == NULL))
+			die_at(EXIT_USAGE, &place,
+			    "--columns: in json all are numbers or names", NULL);
+	if (o->command->kind == COMMAND_TRACE)
+		out = dialect_of(json ? FORMAT_JSON : FORMAT_TEXT, ',');
+	if (l->out.format == FORMAT_SNIFF)
+		l->out = out;
+	if (l->output.append && !same_dialect(l->in, l->out))
+		die_at(EXIT_USAGE, &place, APPEND_WHAT, APPEND_REMEDY);
+	if (picks && o->has_out && l->out.format != FORMAT_JSON &&
+	    !same_dialect(l->in, l->out))
+		die_at(EXIT_USAGE, &place, "pick prints the lines that it read",
+		    "leave -o out, or say -o json");
+	if (!o->has_out && !same_dialect(out, l->out))
+		die_at(EXIT_USAGE, &place, "is of another format than the input before",
+		    picks ? "say -o json" : "say -o for the output's");
 }
 
 /* If the command prints images of points, records keep their number of coordinates. */
@@ -172,14 +187,10 @@ static void check_layout(const struct options *o, const struct layout *l, bool p
 		bool refused;
 		const char *what, *remedy;
 	} rows[] = {
-		{ (o->header || o->no_header) && l->in.format != FORMAT_CSV,
-		    "--header and --no-header are for csv", "use -i csv or -i tsv" },
 		{ o->header && o->no_header,
 		    "--header and --no-header exclude each other", NULL },
-		{ l->output.append &&
-			(format_is_binary(o->in) || (o->has_out && o->out != o->in)),
-		    "--append keeps the lines that it read",
-		    "leave -o out, and read no binary points" },
+		{ l->output.append && (format_is_binary(o->in) || binary), APPEND_WHAT,
+		    APPEND_REMEDY },
 		{ o->flags && (binary || (printed && record)),
 		    "--flags: binary points and records have no room for words",
 		    "use -o text, and convert records before" },
@@ -242,7 +253,10 @@ static void prepare_job(struct job *j, const struct options *o)
 	/* a ray is made from 2 numbers, x y, and written as 6: point and direction */
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
-		.out = dialect_of(options_out_format(o), o->separator),
+		.out = dialect_of(o->command->kind == COMMAND_TRACE && !o->has_out ?
+			    FORMAT_SNIFF :
+			    options_out_format(o),
+		    o->separator),
 		.header = o->header ? HEADER_YES :
 		    o->no_header    ? HEADER_NONE :
 				      HEADER_MAYBE,
@@ -257,11 +271,11 @@ static void prepare_job(struct job *j, const struct options *o)
 			.keeps = o->in_record > 0 &&
 			    (!o->has_out || o->out_record > 0),
 			.single = o->precision == PRECISION_SINGLE,
+			.copies = j->take_block == NULL ||
+			    o->command->kind == COMMAND_PICK,
+			.space = j->space,
 		},
 	};
-	j->layout.columns.by_default = o->columns.n == 0;
-	for (int k = 0; k < 4 && j->layout.columns.by_default; k++)
-		j->layout.columns.name[k] = coordinate_name(k);
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.output.style[k] = options_style(o, k);
 	name_numbers(&j->layout, j->space);
@@ -275,21 +289,52 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
+/* Reads the points of a source. The first one may need a header of names before it. */
+static void run_source(const struct options *o, struct job *j, struct point_source s)
+{
+	struct layout *l = &j->layout;
+	struct refusal r;
+
+	l->in = s.is_ours         ? dialect_of(FORMAT_JSON, ',') :
+	    o->in != FORMAT_SNIFF ? dialect_of(o->in, o->separator) :
+				    dialect_of(format_of_name(s.name), o->separator);
+	if (!source_begin(&s, l, &r)) {
+		answer_begin_source(j, &s);
+		answer_refuse(j, &r);
+	}
+	const struct dialect out = l->out;
+
+	if (l->plan.has_none && !format_is_binary(out.format))
+		l->in = out.format != FORMAT_SNIFF ? out : dialect_of(FORMAT_TEXT, ',');
+	if (l->out.format == FORMAT_SNIFF && (s.is_ours || l->plan.has_none))
+		l->out = dialect_of(s.is_ours && o->append ? FORMAT_JSON : FORMAT_TEXT,
+		    ',');
+	if (s.is_ours && o->append && !same_dialect(l->in, l->out))
+		die(EXIT_USAGE, APPEND_WHAT, APPEND_REMEDY);
+	if (!s.is_ours && !l->plan.has_none)
+		settle_formats(o, l, s.name);
+	if (!l->common.named && j->take_block == NULL && format_of(l->out)->table &&
+	    !same_dialect(l->in, l->out))
+		answer_names(j);
+	l->common.named |= !l->plan.has_none;
+	stream_points(j, s);
+	if (l->plan.has_none)
+		l->out = out;
+}
+
 /* `lines` are those that document_read_points or document_read made. */
 static void run_json_points(const struct options *o, struct job *j, const char *name,
     const char *lines, size_t size)
 {
-	struct layout files_layout = j->layout;
+	struct point_source s = source_of_text(name, lines, size);
 
 	if (o->in_record > 0 || o->columns.n > 0)
 		die(EXIT_USAGE,
 		    text("--%s is for points in a file",
 			o->in_record > 0 ? "input" : "columns"),
 		    NULL);
-	j->layout.in = dialect_of(FORMAT_JSON, ',');
-	j->layout.columns.n = 0;
-	stream_points(j, source_of_text(name, lines, size));
-	j->layout = files_layout;
+	s.is_ours = true;
+	run_source(o, j, s);
 }
 
 /* Does the job on an operand that is typed. Returns false if it is refused: the
@@ -327,11 +372,11 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
 			kept[i] = input_of_file(operand);
-		stream_points(j, source_of_text(operand, kept[i].s, kept[i].size));
+		run_source(o, j, source_of_text(operand, kept[i].s, kept[i].size));
 	} else {
 		int fd = input_open(operand);
 
-		stream_points(j, source_of_file(operand, fd));
+		run_source(o, j, source_of_file(operand, fd));
 		close(fd);
 	}
 	return true;
@@ -357,5 +402,6 @@ bool operands_run_job(const struct options *o, struct document *d, enum space fr
 	if (j->flush != NULL)
 		j->flush(j);
 	notes_say_behind(d, from, j);
+	free(j->layout.common.text);
 	return true;
 }

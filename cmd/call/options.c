@@ -104,41 +104,11 @@ static bool is_operand(const char *word)
 	    isdigit((unsigned char)word[1]);
 }
 
-/* Sets the format of the input by the ends of the names of files of points. */
-static void choose_input(struct options *o)
+/* inspect and fit print text by default, and trace JSON if its points are JSON. */
+static void check_output(struct options *o)
 {
-	static const char *const ends[] = { [FORMAT_CSV] = "csv",
-		[FORMAT_TSV] = "tsv",
-		[FORMAT_JSON] = "json jsonl ndjson" };
-	const char *first = NULL;
-
-	for (int i = 0; i < o->n_points; i++) {
-		const char *name = o->points[i], *dot = strrchr(name, '.');
-		enum format f = dot != NULL ? FORMAT_JSON : FORMAT_TEXT;
-
-		if (access(name, F_OK) != 0)
-			continue;
-		while (f > FORMAT_TEXT && !word_is_one_of(dot + 1, ends[f]))
-			f--;
-		if (first != NULL && f != o->in && o->columns.n != 1)
-			die(EXIT_USAGE,
-			    text("%s and %s have different formats by their names",
-				first, name),
-			    "say -i");
-		o->in = f;
-		first = name;
-	}
-}
-
-/* The default is JSON if trace reads points in JSON, else text. */
-static void choose_output(struct options *o)
-{
-	if (!o->has_out)
-		o->out = o->command->kind == COMMAND_TRACE && o->in == FORMAT_JSON ?
-		    FORMAT_JSON :
-		    FORMAT_TEXT;
-	o->has_out = true;
-	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
+	o->has_out |= o->command->kind != COMMAND_TRACE;
+	if (o->has_out && o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
 		die(EXIT_USAGE, text("%s prints text or json", o->command->name),
 		    "use -o text or -o json");
 }
@@ -168,13 +138,17 @@ void options_read(struct options *o, char **words)
 		o->params = *o->points++;
 	o->n_points = (int)(operand - o->points);
 	if (!o->has_in && command_reads_points(o->command))
-		choose_input(o);
+		o->in = o->has_separator ? FORMAT_CSV : FORMAT_SNIFF;
 	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
-		choose_output(o);
+		check_output(o);
 	if (o->decimals.n > 0 && o->digits.n > 0)
 		die(EXIT_USAGE, "--decimals and --digits exclude each other", NULL);
-	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
-		die(EXIT_USAGE, "--separator is for csv", "use -i csv or -o csv");
+	if (o->has_separator && o->out != FORMAT_CSV) {
+		if (o->in != FORMAT_CSV || o->matrix)
+			die(EXIT_USAGE, "--separator is for csv",
+			    "use -i csv or -o csv");
+		o->points_only_option = "separator";
+	}
 	if (o->out_record > 0 &&
 	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
 		die(EXIT_USAGE, "--output: records are for points and as in --input",

@@ -5,7 +5,7 @@
 
 #include "../../core/points/transform.h"
 #include "../json/value.h"
-#include "../lines/layout.h"
+#include "../table/plan.h"
 #include "command.h"
 
 enum { NUMBER_LIST_MAX = 32 };
@@ -23,11 +23,12 @@ struct options {
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers in a binary record, or 0 */
-	bool has_in;               /* -i was given; if not, names of files tell `in` */
-	bool has_out;              /* -o was given; if not, out is text */
-	char separator;            /* of csv, a comma by default */
-	bool header, no_header;    /* neither: the first line's fields decide */
-	struct columns columns;    /* of POINTS, by --columns */
+	bool has_in;  /* -i was given; if not, each input tells its format */
+	bool has_out; /* -o was given; if not, out is text */
+	bool has_separator;
+	char separator;         /* of csv, a comma by default */
+	bool header, no_header; /* neither: the first line's fields decide */
+	struct columns columns; /* of POINTS, by --columns */
 	struct number_list decimals, digits;
 	enum precision precision;
 	struct number_list tolerance, distances;
@@ -56,7 +57,8 @@ void options_read(struct options *, char **words);
  * the document is 2D, the command reads two coordinates, whatever the result is. */
 int options_coordinates(const struct options *);
 
-/* Returns the format of printed points: `out` if has_out, else the input's format. */
+/* Returns the format of printed points: `out` if has_out, else the input's format,
+ * which may be FORMAT_SNIFF. */
 enum format options_out_format(const struct options *);
 
 /* Returns the style of coordinate k, from 0, by --decimals or --digits. The last of a

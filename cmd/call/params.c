@@ -181,9 +181,11 @@ static bool holds_points(const char *s)
 static bool check_not_points(const struct options *o, struct document *d)
 {
 	const char *s = params.text.s + params.begin;
+	const enum format f = format_of_name(params.name);
+	const bool table = (f == FORMAT_OBJ || format_rows[f].table) && *s != '{';
 	const bool binary = o->n_points > 0 && format_is_binary(o->in) && *s != '{';
 
-	if (params.begin == params.end || (!binary && !holds_points(s)))
+	if (params.begin == params.end || (!table && !binary && !holds_points(s)))
 		return true;
 	d->is_usage = true;
 	return document_refuse(d, NULL, "holds points",

@@ -6,9 +6,10 @@
 
 const char *text(const char *format, ...)
 {
-	static _Thread_local char texts[4][TEXT_ROOM];
+	enum { TEXTS = 8 };
+	static _Thread_local char texts[TEXTS][TEXT_ROOM];
 	static _Thread_local unsigned next;
-	char *const out = texts[next++ % 4];
+	char *const out = texts[next++ % TEXTS];
 	va_list args;
 
 	va_start(args, format);

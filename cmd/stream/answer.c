@@ -16,12 +16,7 @@ static struct {
 	bool bad_scene;   /* a scene was refused */
 	size_t imageless; /* points without image */
 	struct place first_imageless;
-	char *held; /* output before a first row that is not judged yet */
-	size_t held_size;
 } answer;
-
-/* The most bytes of held output, as many as a line of points may have. */
-enum { HELD_MAX = 1 << 26 };
 
 static struct {
 	bool on, asked;               /* see answer_start_progress */
@@ -57,7 +52,6 @@ void answer_begin_source(const struct job *j, const struct point_source *s)
 		.line = 1,
 		.scene = message_state.scene,
 		.of_points = format_is_binary(j->layout.in.format) };
-	answer.held_size = 0;
 	progress.bytes = 0;
 	progress.size = s->size;
 }
@@ -115,40 +109,29 @@ void answer_refused_scene(bool prints_null)
 	output_write("null\n", 5);
 }
 
-/* Prints the output of a chunk. Holds what stands before the first row until that
- * row has been judged, as what is printed must not depend on how input arrives:
- * if the row is refused, nothing of the source is printed. More than HELD_MAX
- * bytes are not held. */
-static void print_chunk(const struct job *j, const struct chunk *c)
+static void print_text(const struct job *j, const char *s, size_t n)
 {
-	const bool waits = c->first != FIRST_NONE && c->piece.state < PIECE_LAST &&
-	    answer.held_size < HELD_MAX;
-	const char *s = c->out;
-	size_t n = c->size;
-
-	if (n > 0 && (waits || answer.held_size > 0)) {
-		answer.held = xrealloc(answer.held, answer.held_size + n);
-		memcpy(answer.held + answer.held_size, s, n);
-		answer.held_size += n;
-	}
-	if (answer.held_size > 0) {
-		s = answer.held;
-		n = answer.held_size;
-	}
-	if (waits || n == 0)
+	if (n == 0)
 		return;
 	end_line();
 	answer.lacks_newline = !format_is_binary(j->layout.out.format) &&
 	    s[n - 1] != '\n';
 	output_write(s, n);
-	answer.held_size = 0;
 }
 
+void answer_names(const struct job *j)
+{
+	char names[COORDINATES_MAX * 4 * NAME_ROOM];
+
+	print_text(j, names, (size_t)(emit_names(&j->layout, names) - names));
+}
+
+/* Returns the place of a line of the chunk. */
 static struct place line_place(const struct chunk *c, size_t line)
 {
 	struct place p = c->place;
 
-	p.line += (long long)line;
+	p.line = chunk_line(c, line);
 	return p;
 }
 
@@ -163,46 +146,60 @@ static void report_imageless(void)
 		    text("%zu point%s no image", n, n == 1 ? " has" : "s have"), NULL);
 }
 
+/* Says what is wrong at a place, and in which column if the refusal has one. */
+static void say_refusal(struct place p, const struct refusal *r)
+{
+	p.column = r->column;
+	say_at(EXIT_INPUT, &p, r->what, r->remedy);
+}
+
+static _Noreturn void end_refused(void)
+{
+	report_imageless();
+	output_close();
+	end_program(EXIT_INPUT);
+}
+
+void answer_refuse(const struct job *j, const struct refusal *r)
+{
+	if (j->flush != NULL)
+		j->flush(j);
+	clear_progress();
+	say_refusal(answer.next_line, r);
+	end_refused();
+}
+
 /* Ends the program after an error, or a bad line if the job does not keep going. */
 static void report_bad_lines(const struct job *j, const struct chunk *c)
 {
 	bool refused = c->refused || (c->n_complaints > 0 && !j->keep_going);
 	bool ends = refused || c->piece.state > PIECE_LAST;
-	struct place end = line_place(c, c->n_lines);
+	struct place end = c->place;
 
 	if (ends && j->flush != NULL)
 		j->flush(j);
 	clear_progress();
 	for (size_t i = 0; i < c->n_complaints && i < COMPLAINTS_MAX; i++) {
-		struct place p = line_place(c, c->complaint[i].line);
+		struct place p = line_place(c, (size_t)c->complaint[i].line);
 
 		if (answer.bad_lines + i < COMPLAINTS_MAX || refused)
-			say_at(EXIT_INPUT, &p, c->complaint[i].fault.what,
-			    c->complaint[i].fault.remedy);
+			say_refusal(p, &c->complaint[i]);
 	}
 	answer.bad_lines += c->n_complaints;
 	if (!ends)
 		return;
+	end.line = c->piece.state == PIECE_BROKEN ?
+	    c->piece.fault.line :
+	    c->place.line + (long long)c->n_lines;
+	if (!refused && c->piece.state == PIECE_BROKEN)
+		say_refusal(end, &c->piece.fault);
+	if (refused || c->piece.state == PIECE_BROKEN)
+		end_refused();
 	report_imageless();
-	if (refused) {
-		output_close();
-		end_program(EXIT_INPUT);
-	}
 	if (c->piece.state == PIECE_TOO_LONG)
 		die_at(EXIT_INPUT, &end, "a line of more than 64 MiB", NULL);
 	end.line = 0;
 	die_at(EXIT_SYSTEM, &end, strerror(c->piece.error), NULL);
-}
-
-/* Says that a comment may name the columns. */
-static void note_comment(struct job *j, struct place p)
-{
-	p.line = (long long)j->layout.seen.comment_line;
-	j->layout.seen.note = false;
-	if (note_is_new(NOTE_COMMENT))
-		say_at(SAY_NOTE, &p,
-		    "this comment may name the columns, and the first ones are read",
-		    "leave out its # or say --columns by number, or --no-header");
 }
 
 /* Adds the chunk's first points to job.behind, or ends its watch. */
@@ -223,13 +220,11 @@ void answer_chunk(struct job *j, struct chunk *c)
 {
 	c->place = answer.next_line;
 	collect_behind(&j->behind, c);
-	if (j->layout.seen.note)
-		note_comment(j, c->place);
 	if (j->collect_chunk != NULL)
 		j->collect_chunk(j, c);
-	else if (!c->refused)
-		print_chunk(j, c);
-	if (answer.imageless == 0)
+	else
+		print_text(j, c->out, c->size);
+	if (answer.imageless == 0 && c->imageless > 0)
 		answer.first_imageless = line_place(c, c->first_imageless);
 	if (j->count_imageless)
 		answer.imageless += c->imageless;

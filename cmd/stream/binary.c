@@ -2,11 +2,9 @@
 #include "binary.h"
 
 #include <math.h>
-#include <stdio.h>
 
 #include "../../core/points/kernel/little.h"
 #include "../../core/points/points.h"
-#include "../lines/reason.h"
 
 bool binary_is_rows(const struct job *j)
 {
@@ -75,10 +73,10 @@ static void set_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-static bool binary_refuse(const struct job *j, struct chunk *c, const char *reason)
+static bool binary_refuse(const struct job *j, struct chunk *c, const struct refusal *r)
 {
 	c->line[c->block_lines].kind = LINE_LOST;
-	return chunk_complain(j, c, reason);
+	return chunk_complain(j, c, r);
 }
 
 /* Refuses each of n points that is out of range, and removes it from the columns c->in.
@@ -88,17 +86,17 @@ static void refuse_beyond_range(const struct job *j, struct chunk *c, size_t n)
 	size_t *kept = &c->block_points;
 
 	for (; c->block_lines < n; c->block_lines++) {
-		char reason[REASON_MAX];
+		struct refusal r;
 		bool within = true;
 
 		for (int k = 0; k < j->layout.reads; k++) {
 			double v = c->in[k][c->block_lines];
 
 			c->in[k][*kept] = v;
-			within = within && reason_in_range(&j->layout, k, v, reason);
+			within = within && plan_in_range(&j->layout, k, v, &r);
 		}
 		*kept += within;
-		if (!within && !binary_refuse(j, c, reason))
+		if (!within && !binary_refuse(j, c, &r))
 			return;
 	}
 }
@@ -108,18 +106,18 @@ void binary_read_block(const struct job *j, struct chunk *c)
 	const struct layout *l = &j->layout;
 	const bool wide = l->in.format == FORMAT_F64;
 	size_t size = layout_record_size(l), n = count_points(j, c);
-	const char *text = c->text;
-	char reason[REASON_MAX];
+	const char *from = c->text;
+	struct refusal r;
 
 	if (n == 0) { /* the source ends within a point */
-		snprintf(reason, sizeof reason,
-		    "ends within a point; a point is %zu bytes%s", size,
-		    l->record > 0 ? "" :
-			wide      ? "; -i f64x4 reads four numbers a point" :
-				    "; -i f32x4 reads four numbers a point");
-		set_lines(c, text, (size_t)(c->end - text), 1);
+		refusal_set(&r, NULL, "ends within a point",
+		    l->record > 0 ?
+			text("a point is %zu bytes", size) :
+			text("a point is %zu bytes; -i %s reads four numbers a point",
+			    size, wide ? "f64x4" : "f32x4"));
+		set_lines(c, from, (size_t)(c->end - from), 1);
 		c->text = c->end;
-		c->block_lines = binary_refuse(j, c, reason);
+		c->block_lines = binary_refuse(j, c, &r);
 		return;
 	}
 	bool within = kernels_chosen()->to_columns[wide][l->reads](next_rows(l, c, n),
@@ -127,7 +125,7 @@ void binary_read_block(const struct job *j, struct chunk *c)
 
 	c->text += n * size;
 	if (!within || !binary_is_rows(j))
-		set_lines(c, text, size, n);
+		set_lines(c, from, size, n);
 	if (within)
 		c->block_lines = c->block_points = n;
 	else
@@ -170,7 +168,8 @@ bool binary_write_rows(const struct job *j, struct chunk *c, const char *text)
 	return true;
 }
 
-char *binary_put_record(const struct layout *l, const struct chunk *c,
+/* Writes the image of point p of the block or, for a bad line, nan. Returns its end. */
+static char *put_record(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {
 	size_t size = format_point_size(l->out.format, 1), written = binary_size(l);
@@ -188,4 +187,22 @@ char *binary_put_record(const struct layout *l, const struct chunk *c,
 		    line->kind == LINE_POINT ? c->image[k][p] : (double)NAN);
 	}
 	return at + written;
+}
+
+void binary_put_block(const struct job *j, struct chunk *c,
+    const unsigned char *outside)
+{
+	const struct layout *l = &j->layout;
+	char *at = chunk_reserve(c, c->block_lines * binary_size(l));
+
+	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
+		const struct line *line = &c->line[i];
+		const bool point = line->kind == LINE_POINT;
+
+		if (point ? !j->visible || outside[p] == 0 :
+			    line_is_bad(line) && !j->visible)
+			at = put_record(l, c, line, p, at);
+		p += point;
+	}
+	c->size = (size_t)(at - c->out);
 }

@@ -19,6 +19,6 @@ bool binary_map_floats(const struct job *, struct chunk *);
  * finite, or point_exact_float has to round, only sets the lines, and returns false. */
 bool binary_write_rows(const struct job *, struct chunk *, const char *text);
 
-/* Writes the image of point p of the block or, for a bad line, nan. Returns its end. */
-char *binary_put_record(const struct layout *, const struct chunk *,
-    const struct line *, size_t p, char *at);
+/* Writes the images of the block and, for a bad point, nan. `outside` has the planes
+ * that point p is outside of, for --visible. */
+void binary_put_block(const struct job *, struct chunk *, const unsigned char *outside);

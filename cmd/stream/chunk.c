@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "chunk.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "../lines/reason.h"
 #include "job.h"
 
 struct chunk *chunk_new(void)
@@ -35,18 +33,25 @@ char *chunk_reserve(struct chunk *c, size_t n)
 	return c->out + c->size;
 }
 
-bool chunk_complain(const struct job *j, struct chunk *c, const char *reason)
+bool chunk_complain(const struct job *j, struct chunk *c, const struct refusal *r)
 {
 	bool goes_on = j->keep_going && !c->refused;
 
 	if (c->n_complaints < COMPLAINTS_MAX) {
-		struct complaint *to = &c->complaint[c->n_complaints];
+		struct refusal *to = &c->complaint[c->n_complaints];
 
-		to->line = c->n_lines + c->block_lines;
-		reason_refuse(&to->fault, reason);
+		*to = *r;
+		to->line = (long long)(c->n_lines + c->block_lines);
+		if (c->is_list) /* the element may begin anywhere in its line */
+			to->column = 0;
 	}
 	c->n_complaints++;
 	if (!goes_on)
 		c->text = c->end;
 	return goes_on;
+}
+
+long long chunk_line(const struct chunk *c, size_t line)
+{
+	return c->is_list ? c->piece.line[line] : c->place.line + (long long)line;
 }

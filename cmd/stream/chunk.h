@@ -5,8 +5,7 @@
 #pragma once
 
 #include "../../core/points/transform.h"
-#include "../lines/put.h"
-#include "../lines/walk.h"
+#include "../table/emit.h"
 #include "../message/message.h"
 #include "source.h"
 
@@ -14,11 +13,6 @@ struct job;
 
 /* The number of bad lines that are reported; any others are only counted. */
 enum { COMPLAINTS_MAX = 10 };
-
-struct complaint {
-	size_t line; /* its index in the chunk, from 0 */
-	struct refusal fault;
-};
 
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
@@ -28,8 +22,9 @@ struct chunk {
 	const char *text, *end; /* the bytes that are not read yet */
 	size_t n_lines;         /* lines before the block */
 	enum next_part first;   /* whether the first byte, line or row is next */
-	bool refused;           /* no line can be read, as after a bad header */
-	bool done;              /* ready for answer_chunk */
+	bool refused; /* no line after this can be read, as after a bad header */
+	bool is_list; /* the lines are elements of a list */
+	bool done;    /* ready for answer_chunk */
 
 	char *out;
 	size_t size, room; /* bytes of out: used, allocated */
@@ -49,7 +44,7 @@ struct chunk {
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
 	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
-	struct complaint complaint[COMPLAINTS_MAX];
+	struct refusal complaint[COMPLAINTS_MAX]; /* line is its index in the chunk */
 };
 
 struct chunk *chunk_new(void);
@@ -57,5 +52,9 @@ struct chunk *chunk_new(void);
 /* Returns the end of out, with room for n bytes; the caller adds to size. */
 char *chunk_reserve(struct chunk *, size_t n);
 
-/* Adds a complaint on the block's next line. Returns false if the chunk ends there. */
-bool chunk_complain(const struct job *, struct chunk *, const char *reason);
+/* Adds a complaint about the block's next line. Returns false if the chunk ends
+ * there. */
+bool chunk_complain(const struct job *, struct chunk *, const struct refusal *);
+
+/* Returns the line of the source, from 1, of a line of the chunk. */
+long long chunk_line(const struct chunk *, size_t line);

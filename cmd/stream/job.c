@@ -3,27 +3,24 @@
 #include "job.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "../../core/points/point.h"
 #include "../../core/points/points.h"
-#include "../lines/line.h"
 #include "binary.h"
-#include "writer.h"
 
 /* Reads the next line, `text`, to the block. Returns false if the chunk ends there. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
 {
 	struct line *line = &c->line[c->block_lines];
-	char reason[REASON_MAX];
+	struct refusal r;
 	double v[4];
 
-	line_read(&j->layout, text, &c->first, line, v, reason);
+	plan_line(&j->layout, text, &c->first, line, v, &r);
 	line->newline = newline;
 	c->refused = line->kind == LINE_REFUSED;
-	if (line_is_bad(line) && !chunk_complain(j, c, reason))
+	if (line_is_bad(line) && !chunk_complain(j, c, &r))
 		return false;
 	if (line->kind == LINE_POINT) {
 		for (int i = 0; i < j->layout.reads; i++)
@@ -34,7 +31,7 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 	return true;
 }
 
-/* Adds n lines, by line_read if set in unread. Returns false if the chunk ends. */
+/* Adds n lines, by plan_line if set in unread. Returns false if the chunk ends. */
 static bool block_add_lines(struct job *j, struct chunk *c, size_t n, uint64_t unread,
     double v[4][PLAIN_BATCH])
 {
@@ -78,15 +75,14 @@ static void block_read(struct job *j, struct chunk *c)
 	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* walk_plan needs the header's columns, which line_read sets */
+		/* the first row completes the plan */
 		if (!c->walk_planned && !c->first) {
 			c->walk_planned = true;
 			c->can_walk = number_loops_chosen() != NULL &&
-			    walk_plan(&j->layout, &c->walk);
+			    plan_walk(&j->layout, &c->walk);
 		}
 		if (c->can_walk &&
-		    (s->at < s->end ||
-			stretch_open(s, &c->walk.stops, c->text, c->end))) {
+		    (s->at < s->end || stretch_open(s, &c->walk, c->text, c->end))) {
 			more = block_walk(j, c);
 			continue;
 		}
@@ -134,6 +130,24 @@ static bool mark_nan(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
+static void write_lines(const struct job *j, struct chunk *c,
+    const unsigned char *outside)
+{
+	const struct layout *l = &j->layout;
+	const struct line *last = &c->line[c->block_lines - 1];
+	const size_t bytes = (size_t)(last->s + last->size - c->line[0].s);
+	const struct emit_block b = { .line = c->line,
+		.lines = c->block_lines,
+		.points = c->block_points,
+		.image = (const double(*)[POINTS_BLOCK])c->image,
+		.outside = outside,
+		.visible = j->visible,
+		.words = &c->words };
+	char *out = chunk_reserve(c, emit_room(l, c->block_lines, bytes));
+
+	c->size = (size_t)(emit_lines(l, &b, out) - c->out);
+}
+
 /* `finite` may be true only if all images are finite doubles. */
 static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
@@ -151,66 +165,10 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 				c->first_imageless = c->n_lines + i;
 	if (l->output.flags || j->visible)
 		frustum_outside_all(&j->frustum, in, outside, c->block_points);
-	writer_put_block(j, c, outside);
-}
-
-/* Refuses a source that begins like another format. Binary points may begin with any
- * bytes: only .npy, or what is like three Latin-1 characters in UTF-16, is refused. */
-static void refuse_foreign(const struct job *j, struct chunk *c)
-{
-	/* NULL: the reason is that of the row below */
-	static const char *const others[][2] = {
-		{ "\xff\xfe", NULL }, /* low bytes come first */
-		{ "\xfe\xff", "is UTF-16; iconv -f UTF-16 -t UTF-8 makes it UTF-8" },
-		{ "\x1f\x8b",
-		    "is gzip; pipe it in by zcat, with its format, as -i csv -" },
-		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
-		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
-		{ "ply\n",
-		    "is PLY; sed 1,/end_header/d | head -n N keeps the points of "
-		    "'element vertex N'" },
-		{ "<?xm", "is XML; make a line of numbers of each point" },
-		{ "OFF\n", "is OFF; sed 1,2d | head -n N keeps N points" },
-		{ "solid ", "is STL; grep vertex keeps corners, for --columns 2,3,4" },
-		{ "# .PCD", NULL },
-		{ "VERSION ",
-		    "is PCD; sed 1,/^DATA/d keeps its points, if DATA is ascii" },
-		{ "\x89PNG", NULL },
-		{ "\xff\xd8\xff",
-		    "is a picture; lines of x, y and depth are wanted, as for 'A depth "
-		    "picture of RealSense' in 'man projcalc-scene'" },
-		{ "# Image list with", NULL },
-		{ "# Camera list with",
-		    "is a table of images or cameras, no points; 'A model of COLMAP' "
-		    "in 'man projcalc-scene' reads it" },
-		{ "ncols ",
-		    "is an ESRI grid; gdal_translate -of XYZ makes points of it" },
-	};
-	const unsigned char *s = (const unsigned char *)c->text;
-	const size_t n = c->piece.size; /* also after the last whole line */
-	const bool binary = format_is_binary(j->layout.in.format);
-	const size_t count = sizeof others / sizeof *others;
-	char reason[REASON_MAX];
-	size_t k = 0;
-
-	while (k < count &&
-	    (n < strlen(others[k][0]) ||
-		memcmp(s, others[k][0], strlen(others[k][0])) != 0))
-		k++;
-	if (binary ? k < 2 && n >= 8 && (s[3 - k] | s[5 - k] | s[7 - k]) == 0 :
-		     k < count)
-		strcpy(reason, others[k + (others[k][1] == NULL)][1]);
-	else if (n >= NPY_HEADER && memcmp(s, NPY_MAGIC, 6) == 0)
-		/* the header's size has two bytes in version 1, later four */
-		snprintf(reason, sizeof reason,
-		    "is a .npy file of NumPy; tail -c +%d leaves its numbers: f64 if "
-		    "descr is '<f8', f32 if '<f4' (f32x4 of 4 columns), with "
-		    "fortran_order False",
-		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
+	if (format_is_binary(l->out.format))
+		binary_put_block(j, c, outside);
 	else
-		return;
-	c->refused = true;
-	chunk_complain(j, c, reason);
+		write_lines(j, c, outside);
 }
 
 /* Keeps the first points of the chunk as long as none has an image: c->image or, by
@@ -246,8 +204,10 @@ void job_do(struct job *j, struct chunk *c)
 	c->end = c->text + c->piece.whole_size;
 	c->stretch.at = c->stretch.end = 0;
 	c->block_lines = 0;
+	c->is_list = j->layout.plan.is_list;
 	if (c->first == FIRST_BYTE) {
-		refuse_foreign(j, c);
+		if (j->layout.plan.drops_bom && !binary)
+			c->text = skip_bom(c->text, c->end);
 		c->first = binary ? FIRST_NONE : FIRST_LINE;
 	}
 	for (; c->text < c->end; c->n_lines += c->block_lines) {

@@ -3,11 +3,11 @@
 
 #include <errno.h>
 #include <poll.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../lines/layout.h"
 #include "../message/message.h"
 
 /* The most bytes that a line of points may have, with its newline. */
@@ -47,13 +47,15 @@ static size_t begin_piece(struct piece *p, const struct point_source *s)
 /* Reads up to `room` bytes. Returns, as read(2), their number, 0 at the end, or -1. */
 static ssize_t read_some(struct point_source *s, char *to, size_t room)
 {
-	size_t left = (size_t)(s->text.end - s->text.s);
+	struct span *memory = s->text.s != NULL ? &s->text : &s->head;
+	size_t left = (size_t)(memory->end - memory->s);
 	ssize_t n;
 
-	if (s->text.s != NULL) {
+	if (left > 0 || s->text.s != NULL || s->has_ended) {
 		room = left < room ? left : room;
-		memcpy(to, s->text.s, room);
-		s->text.s += room;
+		if (room > 0)
+			memcpy(to, memory->s, room);
+		memory->s += room;
 		return (ssize_t)room;
 	}
 	do
@@ -67,7 +69,7 @@ static bool would_wait(const struct point_source *s)
 {
 	struct pollfd p = { .fd = s->fd, .events = POLLIN };
 
-	return s->text.s == NULL &&
+	return s->text.s == NULL && s->head.s == s->head.end && !s->has_ended &&
 	    (poll(&p, 1, 0) <= 0 || (p.revents & POLLNVAL) != 0);
 }
 
@@ -84,15 +86,6 @@ static void update_sizes(struct piece *p, const struct layout *l, size_t n)
 	if (whole > p->size)
 		p->whole_size = whole;
 	p->size = end;
-}
-
-/* Returns whether a source of the bytes of p may go on as a .npy file, whose first
- * NPY_HEADER bytes tell its header's size. A newline can be one of them; the beginnings
- * of other foreign formats end before or with the first newline. */
-static bool may_be_npy(const struct piece *p)
-{
-	return p->size < NPY_HEADER &&
-	    memcmp(p->text, NPY_MAGIC, p->size < 6 ? p->size : 6) == 0;
 }
 
 /* Reads until the source ends, or p has a whole line and is full or would wait. */
@@ -117,11 +110,56 @@ static enum piece_state fill_piece(struct point_source *s, const struct layout *
 			return PIECE_LAST;
 		}
 		update_sizes(p, l, (size_t)n);
-		if (p->whole_size > 0 && p->size < full &&
-		    !(s->bytes_read == 0 && may_be_npy(p)) && would_wait(s))
+		if (p->whole_size > 0 && p->size < full && would_wait(s))
 			return PIECE_EARLY;
 	}
 	return PIECE_FULL;
+}
+
+/* Makes room for n more bytes of a list, and for the lines of its elements. */
+static void list_reserve(struct piece *p, const struct list_lines *to, size_t n)
+{
+	if (to->size + n + LIST_MARGIN > p->room)
+		piece_resize(p, 2 * (to->size + n + LIST_MARGIN));
+	if (to->n + n / 2 + 1 > p->line_room) {
+		p->line_room = 2 * (to->n + n);
+		p->line = xrealloc(p->line, p->line_room * sizeof *p->line);
+	}
+}
+
+/* Does what fill_piece does for a list. */
+static enum piece_state fill_list(struct point_source *s, struct piece *p)
+{
+	enum { PART = 1 << 15 };
+	static char part[PART]; /* one source at a time is read */
+	const size_t full = begin_piece(p, s);
+	struct list_lines to = { .size = p->size };
+	enum piece_state state = PIECE_FULL;
+	ssize_t n = 1;
+
+	while (n > 0 && state == PIECE_FULL && (to.n == 0 || to.size < full)) {
+		n = read_some(s, part, PART);
+		if (n < 0) {
+			state = PIECE_FAILED;
+			break;
+		}
+		s->bytes_read += (size_t)n;
+		list_reserve(p, &to, (size_t)n);
+		to.text = p->text;
+		to.line = p->line;
+		if (!list_cut(&s->list, part, (size_t)n, &to, &p->fault))
+			state = PIECE_BROKEN;
+		else if (n == 0)
+			state = PIECE_LAST;
+		else if (to.size - to.whole_size > LINE_MAX_BYTES)
+			state = PIECE_TOO_LONG;
+		else if (to.n > 0 && would_wait(s))
+			state = PIECE_EARLY;
+	}
+	p->fault.line = s->list.line;
+	p->size = to.size;
+	p->whole_size = to.whole_size;
+	return state;
 }
 
 struct point_source source_of_file(const char *name, int fd)
@@ -144,10 +182,125 @@ struct point_source source_of_text(const char *name, const char *text, size_t si
 		.size = (off_t)size };
 }
 
+/* Returns whether a file of these bytes may go on as .npy. */
+static bool may_be_npy(const char *s, size_t n)
+{
+	return n < NPY_HEADER && memcmp(s, NPY_MAGIC, n < 6 ? n : 6) == 0;
+}
+
+/* What source_begin looks for: from `at` on, the first line that tells the format. */
+struct first_line {
+	const char *at, *end; /* the line; end is its newline, or that of the bytes */
+	bool whole;           /* all of it is there */
+};
+
+/* Passes whole lines that are blank or comments. */
+static void find_first_line(struct first_line *f, const char *end)
+{
+	for (;;) {
+		const char *newline = memchr(f->at, '\n', (size_t)(end - f->at));
+		const char *s = f->at;
+
+		f->whole = newline != NULL;
+		f->end = newline != NULL ? newline : end;
+		while (s < f->end && is_blank(*s))
+			s++;
+		if (newline == NULL || (s < f->end && *s != '#'))
+			return;
+		f->at = newline + 1;
+	}
+}
+
+/* Returns whether the bytes tell all that source_begin is to know; sets the plan. */
+static bool begin_plan(struct point_source *s, struct layout *l, struct span bytes,
+    struct first_line *f, bool all)
+{
+	const size_t n = (size_t)(bytes.end - bytes.s);
+	const bool list_possible = l->in.format == FORMAT_JSON ||
+	    l->in.format == FORMAT_SNIFF;
+	bool known = true;
+
+	if (!all && may_be_npy(bytes.s, n))
+		return false;
+	if (format_is_binary(l->in.format))
+		return all || n >= layout_record_size(l);
+	if (!list_possible)
+		return all || memchr(bytes.s, '\n', n) != NULL;
+	if (f->at == NULL)
+		f->at = skip_bom(bytes.s, bytes.end);
+	find_first_line(f, bytes.end);
+	f->whole |= all || n > LINE_MAX_BYTES ||
+	    memchr(f->at, '\0', (size_t)(bytes.end - f->at)) != NULL;
+	const struct span line = { f->at, f->end };
+
+	l->plan.is_list = f->end > f->at && list_begins(line, f->whole, &known);
+	if (!(l->plan.is_list && known) && !f->whole)
+		return false;
+	if (l->in.format == FORMAT_SNIFF) {
+		l->plan.sniffed = true;
+		l->plan.has_none = f->at == f->end;
+		l->in = dialect_of(format_of_line(line), ',');
+		l->plan.is_list &= l->in.format == FORMAT_JSON;
+	}
+	s->list = (struct list){ .line = 1 };
+	for (const char *c = bytes.s; c < f->at; c++)
+		s->list.line += *c == '\n';
+	return true;
+}
+
+/* Reads more of a file to its head. Returns what read returned last. */
+static ssize_t read_head(struct point_source *s, char **head, size_t *room)
+{
+	const size_t n = (size_t)(s->head.end - s->head.s);
+	ssize_t more;
+
+	if (n == *room) {
+		*room = *room > 0 ? 2 * *room : PIECE_FIRST;
+		*head = xrealloc(*head, *room);
+	}
+	do
+		more = read(s->fd, *head + n, *room - n);
+	while (more < 0 && io_retry(s->fd, POLLIN));
+	s->head = (struct span){ *head, *head + n + (more > 0 ? (size_t)more : 0) };
+	return more;
+}
+
+bool source_begin(struct point_source *s, struct layout *l, struct refusal *r)
+{
+	static char *head;
+	static size_t room;
+	struct first_line f = { 0 };
+	struct span bytes = s->text;
+
+	plan_begin(l);
+	if (s->is_ours)
+		return true;
+	while (bytes.s == NULL || !begin_plan(s, l, bytes, &f, s->text.s != NULL)) {
+		const size_t at = f.at != NULL ? (size_t)(f.at - s->head.s) : 0;
+		const ssize_t n = read_head(s, &head, &room);
+
+		bytes = s->head;
+		f.at = f.at != NULL ? bytes.s + at : NULL;
+		/* an error of a read is met again, and told, by the next one */
+		s->has_ended = n == 0;
+		if (n <= 0 && begin_plan(s, l, bytes, &f, true))
+			break;
+	}
+	if (format_is_foreign(bytes.s, (size_t)(bytes.end - bytes.s),
+		format_is_binary(l->in.format), r))
+		return false;
+	if (l->plan.is_list && s->text.s != NULL)
+		s->text.s = f.at;
+	else if (l->plan.is_list)
+		s->head.s = f.at;
+	return true;
+}
+
 void source_read(struct point_source *s, const struct layout *l, struct piece *p)
 {
-	p->state = fill_piece(s, l, p);
+	p->state = l->plan.is_list ? fill_list(s, p) : fill_piece(s, l, p);
 	p->error = errno;
-	s->bytes_read += p->size;
+	if (!l->plan.is_list)
+		s->bytes_read += p->size;
 	s->rest = (struct span){ p->text + p->whole_size, p->text + p->size };
 }

@@ -4,7 +4,8 @@
 
 #include <sys/types.h>
 
-#include "../lines/layout.h"
+#include "../table/list.h"
+#include "../table/plan.h"
 
 /* The size of a piece in bytes. Threads then seldom wait, and caches hold a piece. */
 enum { PIECE_ROOM = 1 << 17 };
@@ -16,14 +17,17 @@ enum { PIPE_ROOM = 2 * PIECE_ROOM };
  * JSON document they may also write them: a newline after a point at the very end. */
 enum { PIECE_MARGIN = LINE_MARGIN };
 
-/* A .npy file of NumPy begins with these six bytes; twelve tell its header's size. */
-#define NPY_MAGIC "\x93NUMPY"
-enum { NPY_HEADER = 12 };
-
 /* EARLY: not full, as the next read would wait. LAST: the source ends with this
- * piece, as it does after the errors TOO_LONG, a line of more than 64 MiB, and
- * FAILED, of a read. */
-enum piece_state { PIECE_FULL, PIECE_EARLY, PIECE_LAST, PIECE_TOO_LONG, PIECE_FAILED };
+ * piece, as it does after the errors TOO_LONG, a line of more than 64 MiB, FAILED, of
+ * a read, and BROKEN, of a list. */
+enum piece_state {
+	PIECE_FULL,
+	PIECE_EARLY,
+	PIECE_LAST,
+	PIECE_BROKEN,
+	PIECE_TOO_LONG,
+	PIECE_FAILED
+};
 
 struct piece {
 	char *text;        /* NULL before the first use */
@@ -32,11 +36,20 @@ struct piece {
 	size_t whole_size; /* bytes of the whole lines or points in text */
 	enum piece_state state;
 	int error; /* the errno of PIECE_FAILED */
+	/* Of a list: the lines in which the elements begin, and the fault of
+	 * PIECE_BROKEN, with its line. */
+	long long *line;
+	size_t line_room;
+	struct refusal fault;
 };
 
 struct point_source {
 	const char *name;
 	struct span text;  /* unread text in memory; .s is NULL for a file */
+	struct span head;  /* bytes of a file that source_begin has read */
+	bool is_ours;      /* the program made the lines: they are arrays */
+	bool has_ended;    /* source_begin has read all of it */
+	struct list list;  /* used if plan.is_list is set */
 	int fd;            /* descriptor of a file */
 	off_t size;        /* bytes of the whole source; 0: unknown */
 	size_t bytes_read; /* bytes of all pieces read so far */
@@ -48,6 +61,12 @@ void piece_resize(struct piece *, size_t room);
 
 struct point_source source_of_file(const char *name, int fd);
 struct point_source source_of_text(const char *name, const char *text, size_t size);
+
+/* Begins a plan for the source. Reads what tells the format if l->in is not known, and
+ * whether JSON is a list: up to the first line that is neither blank nor a comment.
+ * Only one source at a time may have begun. Returns false if it is of another kind,
+ * such as a picture. */
+bool source_begin(struct point_source *, struct layout *, struct refusal *);
 
 /* Reads the next piece, and may wait for input. Copies `rest` from the previous piece,
  * whose text must still exist. Only one thread at a time may call source_read. */

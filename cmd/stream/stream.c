@@ -62,7 +62,7 @@ static struct {
 	.queue_end = &pool.oldest,
 };
 
-/* Before the first row, a chunk waits until the previous one, which may have the csv
+/* Before the first row, a chunk waits until the previous one, which may have the
  * header, is answered. The lock is held from here to run_chunks. */
 static bool can_begin_chunk(void)
 {
@@ -214,10 +214,7 @@ void stream_points(struct job *j, struct point_source s)
 	pool.source = &s;
 	pool.can_read = true;
 	pool.first = FIRST_BYTE;
-	j->layout.seen = (struct seen){ .reordered = j->layout.seen.reordered,
-		.size = s.size };
-	if (j->layout.columns.by_default)
-		j->layout.columns.n = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&pool.lock);
+	j->layout.plan.drops_bom = true;
 }

@@ -4,7 +4,8 @@
 
 #include "job.h"
 
-/* Does the job on the points of a source. Before it waits for more input, prints the
- * output for all points that were read. Prints errors and ends the program after them.
- * Each call must get the same struct job; its contents may change between calls. */
+/* Does the job on the points of a source, which source_begin has begun. Before it waits
+ * for more input, prints the output for all points that were read. Prints errors and
+ * ends the program after them. Each call must get the same struct job; its contents may
+ * change between calls. */
 void stream_points(struct job *, struct point_source);

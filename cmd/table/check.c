@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "text.h"
+#include "../json/text.h"
 
 /* Each function check_PART below checks a part of JSON that begins at c->at. If the
  * part is valid, the function moves c->at to its end and returns true. If not, it moves

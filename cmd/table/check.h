@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "value.h"
+#include "../json/value.h"
 
 /* A line that is checked, from s to end - 1: the caller owns it. */
 struct json_check {

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT */
+#include "format.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <strings.h>
+
+#include "../json/text.h"
+#include "../message/message.h"
+#include "../number/number.h"
+
+#define LINES .open = "", .close = "", .nan_text = "nan"
+
+const struct format_row format_rows[] = {
+	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true, .header = true },
+	[FORMAT_CSV] = { FORMAT_CSV, LINES, .ends = "csv", .table = true,
+	    .header = true },
+	[FORMAT_TSV] = { FORMAT_CSV, '\t', LINES, .ends = "tsv", .table = true,
+	    .header = true },
+	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
+	    .nan_text = "null", .ends = "json jsonl ndjson" },
+	[FORMAT_OBJ] = { FORMAT_OBJ, ' ', .open = "v ", .close = "", .nan_text = "nan",
+	    .ends = "obj", .blanks = true },
+	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
+	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
+	[FORMAT_SNIFF] = { FORMAT_SNIFF, ',', LINES },
+};
+
+const char *const format_names[] = { "text", "csv", "tsv", "json", "obj", "f64", "f32",
+	NULL };
+
+struct dialect dialect_of(enum format f, char separator)
+{
+	const struct format_row *row = &format_rows[f];
+
+	return (struct dialect){ row->base,
+		row->separator != 0 ? row->separator : separator };
+}
+
+/* Returns whether `word` is one of the words of a list with blanks between. */
+static bool is_listed(const char *list, const char *word)
+{
+	const size_t n = strlen(word);
+
+	for (const char *s = list; *s != '\0'; s += strspn(s, " ")) {
+		const size_t size = strcspn(s, " ");
+
+		if (size == n && strncasecmp(s, word, n) == 0)
+			return true;
+		s += size;
+	}
+	return false;
+}
+
+enum format format_of_name(const char *name)
+{
+	const char *dot = strrchr(name, '.');
+
+	for (int f = 0; dot != NULL && f < FORMAT_SNIFF; f++)
+		if (format_rows[f].ends != NULL &&
+		    is_listed(format_rows[f].ends, dot + 1))
+			return (enum format)f;
+	return FORMAT_SNIFF;
+}
+
+enum format format_of_line(struct span line)
+{
+	const char *s = line.s, *end = line.end, *word;
+
+	if (s < end && *s == '\t')
+		return FORMAT_TSV;
+	while (s < end && is_blank(*s))
+		s++;
+	if (s < end && (*s == '[' || *s == '{'))
+		return FORMAT_JSON;
+	for (word = s; s < end && !is_blank(*s); s++)
+		continue;
+	if (s < end && *s == '\t')
+		return FORMAT_TSV;
+	return memchr(word, ',', (size_t)(s - word)) != NULL ? FORMAT_CSV : FORMAT_TEXT;
+}
+
+/* What other files begin with. The first two rows are those of binary points, too. */
+static const struct {
+	const char *bytes, *what, *remedy;
+} foreign[] = {
+	{ "\xff\xfe", "is UTF-16", "iconv -f UTF-16 -t UTF-8 makes it UTF-8" },
+	{ "\xfe\xff", "is UTF-16", "iconv -f UTF-16 -t UTF-8 makes it UTF-8" },
+	{ "\x1f\x8b", "is gzip", "pipe it in by zcat" },
+	{ "PK\3\4", "is a zip archive or a workbook", "save it as csv" },
+	{ "%PDF", "is a PDF", "pdftotext -layout makes it text" },
+	{ "\x89PNG", "is a PNG picture", "lines of x, y and depth are wanted" },
+	{ "\xff\xd8\xff", "is a JPEG picture", "lines of x, y and depth are wanted" },
+	{ "ply\n", "is PLY",
+	    "sed 1,/end_header/d | head -n N keeps the points of 'element vertex N'" },
+	{ "ply\r", "is PLY",
+	    "sed 1,/end_header/d | head -n N keeps the points of 'element vertex N'" },
+	{ "OFF\n", "is OFF", "sed 1,2d | head -n N keeps N points" },
+	{ "OFF\r", "is OFF", "sed 1,2d | head -n N keeps N points" },
+};
+
+static bool begins_as(const char *s, size_t n, const char *bytes)
+{
+	return n >= strlen(bytes) && memcmp(s, bytes, strlen(bytes)) == 0;
+}
+
+bool format_is_foreign(const char *text, size_t n, bool binary, struct refusal *r)
+{
+	const unsigned char *s = (const unsigned char *)text;
+	const size_t count = sizeof foreign / sizeof *foreign;
+
+	if (n >= NPY_HEADER && begins_as(text, n, NPY_MAGIC)) {
+		/* the header's size has two bytes in version 1, later four */
+		const int header = s[8] + 256 * s[9] +
+		    (s[6] == 1 ? 11 : 13 + 65536 * s[10]);
+		char remedy[160];
+
+		snprintf(remedy, sizeof remedy,
+		    "tail -c +%d leaves its numbers: f64 if descr is '<f8', f32 if "
+		    "'<f4' (f32x4 of 4 columns), with fortran_order False",
+		    header);
+		refusal_set(r, NULL, "is a .npy file of NumPy", remedy);
+		return true;
+	}
+	for (size_t k = 0; k < (binary ? 2 : count); k++) {
+		if (!begins_as(text, n, foreign[k].bytes))
+			continue;
+		/* of UTF-16 each second byte of Latin-1 is 0 */
+		if (binary && (n < 8 || (s[3 - k] | s[5 - k] | s[7 - k]) != 0))
+			continue;
+		refusal_set(r, NULL, foreign[k].what, foreign[k].remedy);
+		return true;
+	}
+	return false;
+}
+
+static bool is_missing(struct dialect d, struct span f)
+{
+	static const char words[][5] = { "", "na", "n/a", "nan", "+nan", "-nan",
+		"null" };
+
+	if (d.format == FORMAT_JSON)
+		return f.end - f.s == 4 && memcmp(f.s, "null", 4) == 0;
+	/* csv's quotes are no part of the field */
+	if (format_of(d)->blanks && f.end - f.s > 1 && *f.s == '"' && f.end[-1] == '"')
+		f = (struct span){ f.s + 1, f.end - 1 };
+	for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+		if (strlen(words[i]) == (size_t)(f.end - f.s) &&
+		    strncasecmp(words[i], f.s, (size_t)(f.end - f.s)) == 0)
+			return true;
+	return false;
+}
+
+const char *format_read(struct dialect d, const char *s, const char *end, double *v)
+{
+	const char *after = d.format == FORMAT_JSON ? json_number(s, end, v) :
+						      number_read(s, end, v);
+
+	if (after != end && is_missing(d, (struct span){ s, end })) {
+		*v = (double)NAN;
+		after = end;
+	}
+	return after;
+}
+
+/* Copies a field with each byte `from` replaced by `to`, or left out if `to` is 0.
+ * Returns whether the copy is a number. */
+static bool becomes_number(struct span f, const char *from, char to, char out[64])
+{
+	size_t n = 0;
+	double v;
+
+	for (const char *s = f.s; s < f.end && n < 60; s++)
+		if (strchr(from, *s) == NULL)
+			out[n++] = *s;
+		else if (to != '\0')
+			out[n++] = to;
+	out[n] = '\0';
+	return n > 0 && number_read(out, out + n, &v) == out + n && isfinite(v);
+}
+
+const char *format_number_remedy(struct dialect d, struct span f)
+{
+	const size_t size = (size_t)(f.end - f.s);
+	const bool comma = memchr(f.s, ',', size) != NULL;
+	char number[64], *end;
+
+	if (size == 0 || size > 40 || memchr(f.s, '\0', size) != NULL)
+		return "";
+	if (becomes_number(f, "dD", 'e', number))
+		return text("write e for %c: %s",
+		    memchr(f.s, 'd', size) != NULL ? 'd' : 'D', number);
+	if (becomes_number(f, "_'", '\0', number))
+		return text("write %s", number);
+	if (comma && becomes_number(f, ",", '.', number))
+		return d.format == FORMAT_TEXT ?
+		    text("write %s with a decimal point; of csv say -i csv", number) :
+		    text("write %s with a decimal point", number);
+	if (comma && memchr(f.s, '.', size) != NULL &&
+	    becomes_number(f, ",", '\0', number))
+		return text("write %s", number);
+	memcpy(number, f.s, size);
+	number[size] = '\0';
+	if (strchr("xX", number[strspn(number, "+-") + 1]) == NULL ||
+	    number[strspn(number, "+-")] != '0')
+		return "";
+	const double v = strtod(number, &end);
+
+	return *end == '\0' ? text("write %.17g", v) : "";
+}

@@ -1,0 +1,858 @@
+/* SPDX-License-Identifier: MIT */
+#include "plan.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <strings.h>
+
+#include "../../core/scene/scene.h"
+#include "check.h"
+#include "../json/text.h"
+#include "../message/escape.h"
+#include "../message/message.h"
+
+/* The fields that are sought in a line: the first of each coordinate, and how many. */
+struct found {
+	struct field field[4];
+	int times[4];
+	size_t n;          /* fields of the line */
+	bool ends_empty;   /* the last field is empty */
+	const char *clash; /* a name that the output adds, but the line has; or NULL */
+};
+
+void plan_begin(struct layout *l)
+{
+	const bool drops = l->plan.drops_bom;
+
+	l->plan = (struct plan){ .drops_bom = drops };
+	for (int i = 0; i < 4; i++)
+		l->plan.field[i] = l->columns.n > 0 ? l->columns.field[i] : i;
+}
+
+static size_t span_size(struct span f)
+{
+	return (size_t)(f.end - f.s);
+}
+
+static const char *shown(struct span f)
+{
+	char escaped[ESCAPED_MAX];
+
+	return text("%s", escape_short(escaped, f.s, span_size(f)));
+}
+
+/* Returns a name of a header without the double quotes that it may have. */
+static struct span header_name(struct span f)
+{
+	if (span_size(f) > 1 && *f.s == '"' && f.end[-1] == '"')
+		f = (struct span){ f.s + 1, f.end - 1 };
+	return f;
+}
+
+/* Law 3: the coordinates. */
+
+/* Returns whether a header or object has this name: any letter of `word` in either case
+ * if `either_case` is set. Names of members have quotes, and may have escapes. */
+static bool is_named(const struct cursor *c, const struct field *f, const char *word,
+    bool either_case)
+{
+	const size_t n = strlen(word);
+	char upper[2 * NAME_ROOM];
+
+	if (!c->members) {
+		const struct span name = header_name(f->value);
+
+		return span_size(name) == n &&
+		    (either_case ? strncasecmp : strncmp)(name.s, word, n) == 0;
+	}
+	if (json_is_name(f->name, (struct span){ word, word + n }, false))
+		return true;
+	if (!either_case || n >= sizeof upper)
+		return false;
+	for (size_t i = 0; i < n; i++)
+		upper[i] = (char)toupper((unsigned char)word[i]);
+	return json_is_name(f->name, (struct span){ upper, upper + n }, false);
+}
+
+/* The names by which a source is searched, and whether their case counts. */
+struct names {
+	char name[4][2 * NAME_ROOM];
+	const char *given[4]; /* by --columns; NULL: use name[] */
+	bool either_case;
+};
+
+static const char *name_of(const struct names *n, int i)
+{
+	return n->given[i] != NULL ? n->given[i] : n->name[i];
+}
+
+/* Counts the fields of each name, and keeps the first and its index. */
+static void find_names(struct cursor c, const struct names *n, int reads,
+    struct found *found, int index[4])
+{
+	struct field f;
+
+	*found = (struct found){ 0 };
+	for (int k = 0; cursor_next(&c, &f); k++, found->n++) {
+		for (int i = 0; i < reads; i++)
+			if (*name_of(n, i) != '\0' &&
+			    is_named(&c, &f, name_of(n, i), n->either_case) &&
+			    found->times[i]++ == 0) {
+				found->field[i] = f;
+				index[i] = k;
+			}
+		found->ends_empty = f.value.s == f.value.end;
+	}
+}
+
+static bool finds_all(const struct found *found, int reads)
+{
+	for (int i = 0; i < reads; i++)
+		if (found->times[i] == 0)
+			return false;
+	return true;
+}
+
+/* Sets the names that --columns gives; else those of the space that is read if the line
+ * has all of them; else x, y, z and w in either case. Returns whether the second. */
+static bool choose_names(const struct layout *l, struct cursor c, struct names *n)
+{
+	struct found found;
+	int index[4];
+
+	*n = (struct names){ .either_case = l->columns.n == 0 };
+	for (int i = 0; i < l->columns.n; i++)
+		n->given[i] = l->columns.name[i];
+	if (l->columns.n > 0)
+		return false;
+	n->either_case = false;
+	for (int i = 0; i < l->reads && l->from != NULL; i++)
+		snprintf(n->name[i], sizeof *n->name, "%s_%s", l->from,
+		    coordinate_name(i));
+	find_names(c, n, l->reads, &found, index);
+	if (finds_all(&found, l->reads))
+		return true;
+	n->either_case = true;
+	for (int i = 0; i < l->reads; i++)
+		strcpy(n->name[i], coordinate_name(i));
+	return false;
+}
+
+void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
+{
+	const struct output *o = &l->output;
+
+	if (k < COORDINATES_MAX && l->plan.in_space && !o->append && o->space != NULL &&
+	    (k < 3 || l->writes <= 4))
+		snprintf(name, 2 * NAME_ROOM, "%s_%s", o->space, o->name[k]);
+	else
+		strcpy(name, o->name[k]);
+}
+
+/* Returns a name of the output that a field of the line has, too; or NULL. Names of
+ * coordinates that stay are no new ones, and those that change are not there. */
+static const char *find_clash(const struct layout *l, struct cursor c,
+    const struct found *found)
+{
+	const struct output *o = &l->output;
+	const bool changes = l->plan.in_space && !o->append;
+	char name[2 * NAME_ROOM];
+	struct field f;
+
+	if (!o->append && !o->flags && l->writes <= l->reads && !changes)
+		return NULL; /* nothing is added */
+	while (cursor_next(&c, &f)) {
+		bool coordinate = false;
+
+		for (int i = 0; i < l->reads; i++)
+			coordinate |= f.whole.s == found->field[i].whole.s;
+		for (int k = o->append || changes ? 0 : l->reads; k <= COORDINATES_MAX;
+		     k++) {
+			plan_name(l, k, name);
+			if (*name != '\0' && !(coordinate && changes) &&
+			    is_named(&c, &f, name, false))
+				return text("%s", name);
+		}
+	}
+	return NULL;
+}
+
+/* Law 4: the header. */
+
+static bool begins_like_number(struct span f)
+{
+	f.s += f.s < f.end && (*f.s == '+' || *f.s == '-');
+	f.s += f.s < f.end && *f.s == '.';
+	return f.s < f.end && isdigit((unsigned char)*f.s);
+}
+
+static bool is_number(struct dialect d, struct span f)
+{
+	double v;
+
+	return format_read(d, f.s, f.end, &v) == f.end && !isnan(v);
+}
+
+/* Returns whether the field is a name: no number, no missing value, and not like
+ * one. */
+static bool is_name(struct dialect d, struct span f)
+{
+	double v;
+
+	return format_read(d, f.s, f.end, &v) != f.end && !begins_like_number(f);
+}
+
+/* Returns whether the first line is a header. If that is not certain, refuses it. */
+static bool is_header(const struct layout *l, struct span line, bool *refused,
+    struct refusal *r)
+{
+	struct cursor c = line_cursor(l->in, line);
+	const int first = l->columns.n > 0 ? l->columns.field[0] : 0;
+	bool empty = false, numbers = false, name = false;
+	struct field f;
+
+	if (layout_has_names(l) || l->header != HEADER_MAYBE)
+		return l->header != HEADER_NONE;
+	for (int k = 0; cursor_next(&c, &f); k++) {
+		empty |= k == 0 && f.value.s == f.value.end;
+		name |= k == first && is_name(l->in, f.value);
+		numbers |= is_number(l->in, f.value);
+	}
+	if (!empty || !format_of(l->in)->table)
+		return name;
+	*refused = numbers;
+	if (numbers)
+		refusal_set(r, NULL, "begins with an empty field: a header or a point",
+		    "say --header or --no-header");
+	return true;
+}
+
+/* Returns what to say of a line that is one field, in which a character may part
+ * others; or NULL. */
+static const char *other_separator(struct span f)
+{
+	static const char *const rows[][2] = { { ";", "--separator ';'" },
+		{ "|", "--separator '|'" }, { "\t", "-i tsv" }, { ",", "-i csv" },
+		{ " ", "-i text" } };
+
+	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+		if (memchr(f.s, *rows[k][0], span_size(f)) != NULL)
+			return text("if %s parts its fields, say %s",
+			    *rows[k][0] == '\t'    ? "a tab" :
+				*rows[k][0] == ' ' ? "a blank" :
+						     text("'%s'", rows[k][0]),
+			    rows[k][1]);
+	return NULL;
+}
+
+/* Writes the names of a line, such as "; it has x, y", or nothing if there are none. */
+static void list_names(struct cursor c, char all[512])
+{
+	char escaped[ESCAPED_MAX];
+	struct field f;
+	size_t n = 0;
+
+	*all = '\0';
+	while (n < 512 - 2 * ESCAPED_MAX && cursor_next(&c, &f)) {
+		const struct span name = c.members ?
+		    (struct span){ f.name.s + 1, f.name.end - 1 } :
+		    header_name(f.value);
+
+		if (name.s < name.end)
+			n += (size_t)sprintf(all + n, "%s%s",
+			    n > 0 ? ", " : "; it has ",
+			    escape_short(escaped, name.s, span_size(name)));
+	}
+	if (c.s != NULL)
+		strcpy(all + n, ", ...");
+}
+
+/* Says that the line has no field of coordinate i, or several, and which it has. */
+static void refuse_name(const struct layout *l, struct cursor c,
+    const struct names *names, const struct found *found, int i, struct refusal *r)
+{
+	const char *name = name_of(names, i);
+	const char *subject = c.members ? "has" : "the header has";
+	const char *what = c.members ? "member" : "column";
+	const char *remedy = "--columns chooses the coordinates";
+	const char *other = c.members                   ? NULL :
+	    c.s < c.end && (*c.s == '{' || *c.s == '[') ? "of JSON say -i json" :
+	    found->n == 1 ? other_separator((struct span){ c.s, c.end }) :
+			    NULL;
+	char all[512];
+
+	name = shown((struct span){ name, name + strlen(name) });
+	if (found->times[i] > 1) {
+		refusal_set(r, NULL, text("%s two %ss '%s'", subject, what, name),
+		    c.members            ? NULL :
+			l->columns.n > 0 ? "say --columns by number" :
+					   remedy);
+		return;
+	}
+	list_names(c, all);
+	if (other != NULL)
+		remedy = other;
+	else if (i == 2 && l->z_hint != NULL && l->columns.n == 0)
+		remedy = l->z_hint + strlen("; ");
+	refusal_set(r, NULL, text("%s no %s '%s'", subject, what, name),
+	    text("%s%s",
+		l->columns.n > 0 && *all != '\0' && other == NULL ? "" : remedy,
+		l->columns.n > 0 && *all != '\0' && other == NULL ? all + 2 : all));
+}
+
+/* Returns the header without BOM and line end, as the headers of sources are
+ * compared. */
+static struct span header_text(struct span line)
+{
+	if (line.end > line.s && line.end[-1] == '\r')
+		line.end--;
+	return line;
+}
+
+/* Law 8: all sources of a scene that have lines have the same header, or none. Returns
+ * LINE_SILENT if the header was there before. */
+static enum line_kind join_header(struct layout *l, struct span header, bool has,
+    struct refusal *r)
+{
+	struct common_header *common = &l->common;
+	const bool before = common->known;
+
+	if (!l->output.copies || !same_dialect(l->in, l->out))
+		return has ? LINE_HEADER : LINE_POINT;
+	header = header_text(header);
+	common->known = true;
+	if (!before && has) {
+		common->size = span_size(header);
+		common->text = memcpy(xrealloc(common->text, common->size), header.s,
+		    common->size);
+	}
+	if (!before)
+		return has ? LINE_HEADER : LINE_POINT;
+	if (!has && common->text == NULL)
+		return LINE_POINT;
+	if (has && common->text != NULL && common->size == span_size(header) &&
+	    memcmp(common->text, header.s, common->size) == 0)
+		return LINE_SILENT;
+	refusal_set(r, NULL,
+	    !has                     ? "lacks the header of the input before" :
+		common->text == NULL ? "has a header, and the input before has none" :
+				       "has another header than the input before",
+	    "with -o json, for one, headers may differ");
+	return LINE_REFUSED;
+}
+
+static void refuse_clash(const char *name, const char *subject, struct refusal *r)
+{
+	refusal_set(r, NULL, text("%shas '%s', which the output adds", subject, name),
+	    "rename it, or leave it out");
+}
+
+/* Returns whether the coordinates are different columns of the n; if not, says so. */
+static bool columns_are_apart(const struct layout *l, size_t n, struct refusal *r)
+{
+	for (int i = 0; i < l->reads; i++) {
+		const int at = l->plan.field[i];
+
+		if ((size_t)at >= n) {
+			refusal_set(r, NULL,
+			    text("the header has no column %d", at + 1),
+			    text("it has %zu", n));
+			return false;
+		}
+		for (int k = 0; k < i; k++)
+			if (at == l->plan.field[k]) {
+				refusal_set(r, NULL,
+				    text("two coordinates are column %d", at + 1),
+				    NULL);
+				return false;
+			}
+	}
+	return true;
+}
+
+/* Reads a header: finds the columns of the coordinates. */
+static void read_header(struct layout *l, struct span text, struct line *line,
+    struct refusal *r)
+{
+	const struct cursor c = line_cursor(l->in, text);
+	struct plan *p = &l->plan;
+	struct cursor at = c;
+	struct names names;
+	struct found found;
+	struct field f;
+
+	line->kind = LINE_REFUSED;
+	p->in_space = choose_names(l, c, &names);
+	find_names(c, &names, l->reads, &found, p->field);
+	for (int i = 0; i < l->reads; i++) {
+		const bool by_number = l->columns.n > 0 && l->columns.name[i] == NULL;
+
+		if (!by_number && found.times[i] != 1) {
+			refuse_name(l, c, &names, &found, i, r);
+			return;
+		}
+	}
+	if (!columns_are_apart(l, found.n, r))
+		return;
+	for (int k = 0; cursor_next(&at, &f); k++)
+		for (int i = 0; i < l->reads; i++)
+			if (p->field[i] == k) {
+				line->at[i] = line_part(line, f.value);
+				found.field[i] = f;
+			}
+	const char *clash = find_clash(l, c, &found);
+
+	if (clash != NULL) {
+		refuse_clash(clash, "the header ", r);
+		return;
+	}
+	p->header_fields = p->fields = found.n;
+	line->kind = join_header(l, text, true, r);
+}
+
+/* Law 5: rows. */
+
+/* Returns whether the row has as many fields as it should; if not, says so. */
+static bool has_its_fields(const struct layout *l, const struct found *found,
+    struct refusal *r)
+{
+	const struct plan *p = &l->plan;
+	const bool one_more = found->ends_empty && found->n == p->fields + 1 &&
+	    format_of(l->in)->table && !l->output.append;
+
+	if (p->fields == 0 || found->n == p->fields || one_more)
+		return true;
+	refusal_set(r, NULL,
+	    text("has %zu field%s and the %s %zu", found->n, found->n == 1 ? "" : "s",
+		p->header_fields > 0 ? "header" : "first row", p->fields),
+	    !format_of(l->in)->table ? NULL :
+		found->n > p->fields ? "quote a field that has the separator in it" :
+				       NULL);
+	return false;
+}
+
+/* Finds the coordinates of a row that is no object. */
+static void find_fields(const struct layout *l, struct cursor c, struct found *found)
+{
+	/* of text without a header nothing after the last coordinate counts */
+	const bool whole = l->plan.fields > 0 || !format_of(l->in)->blanks;
+	int left = l->reads;
+	struct field f;
+
+	*found = (struct found){ 0 };
+	for (; (whole || left > 0) && cursor_next(&c, &f); found->n++) {
+		for (int i = 0; i < l->reads; i++)
+			if ((size_t)l->plan.field[i] == found->n) {
+				found->field[i] = f;
+				found->times[i] = 1;
+				left--;
+			}
+		found->ends_empty = f.value.s == f.value.end;
+	}
+}
+
+/* Finds the coordinates of an object. The first row decides their names; if it has not
+ * all, they are the names by default. */
+static void find_members(struct layout *l, struct cursor c, bool first,
+    struct found *found, struct names *names)
+{
+	struct plan *p = &l->plan;
+	const bool in_space = first && choose_names(l, c, names);
+	int index[4];
+
+	if (!first) {
+		*names = (struct names){ 0 };
+		for (int i = 0; i < l->reads; i++) {
+			names->given[i] = l->columns.name[i];
+			strcpy(names->name[i], p->member[i]);
+		}
+	}
+	find_names(c, names, l->reads, found, index);
+	if (first && finds_all(found, l->reads)) {
+		p->in_space = in_space;
+		for (int i = 0; i < l->reads && l->columns.n == 0; i++) {
+			const char *name = names->name[i];
+			const struct span lower = { name, name + strlen(name) };
+
+			strcpy(p->member[i], name);
+			if (!json_is_name(found->field[i].name, lower, false))
+				*p->member[i] = (char)toupper((unsigned char)*name);
+		}
+	}
+	if (found->clash == NULL)
+		found->clash = find_clash(l, c, found);
+}
+
+bool plan_in_range(const struct layout *l, int i, double v, struct refusal *r)
+{
+	if (!(fabs(v) > SCENE_MAGNITUDE_MAX))
+		return true;
+	if (isinf(v))
+		refusal_set(r, NULL, text("%s is infinite", coordinate_name(i)),
+		    text("a number up to 1e150 is wanted, or %s",
+			format_of(l->in)->nan_text));
+	else
+		refusal_set(r, NULL,
+		    text("%s is beyond 1e150 in magnitude", coordinate_name(i)),
+		    "choose another unit");
+	return false;
+}
+
+/* Law 12: says what is to be written instead of a field that is no number, and may be
+ * the only one. */
+static void refuse_number(const struct layout *l, int i, struct span f, bool one,
+    struct refusal *r)
+{
+	const char *remedy = format_number_remedy(l->in, f);
+
+	if (l->in.format == FORMAT_JSON)
+		remedy = "a number is wanted";
+	else if (f.s < f.end && (*f.s == '[' || *f.s == '{'))
+		remedy = "of JSON say -i json";
+	else if (*remedy == '\0' && one)
+		remedy = other_separator(f);
+	if (remedy == NULL || *remedy == '\0')
+		remedy = "a number is wanted";
+	refusal_set(r, NULL, text("%s is '%s'", coordinate_name(i), shown(f)), remedy);
+}
+
+static void refuse_missing(const struct layout *l, int i, struct refusal *r)
+{
+	const char *hint = i == 2 && l->z_hint != NULL ? l->z_hint : "";
+
+	refusal_set(r, NULL,
+	    l->columns.n == 0 ? text("%s is missing", coordinate_name(i)) :
+				text("%s is missing: there is no field %d",
+				    coordinate_name(i), l->plan.field[i] + 1),
+	    text("%d numbers are wanted%s", l->reads, hint));
+}
+
+/* Reads the coordinates; if one is wrong, says in which column of the line. */
+static bool read_numbers(const struct layout *l, const struct line *line,
+    const struct found *found, double v[4], struct refusal *r)
+{
+	for (int i = 0; i < l->reads; i++) {
+		const struct span f = found->field[i].value;
+
+		if (found->times[i] == 0)
+			refuse_missing(l, i, r);
+		else if (format_read(l->in, f.s, f.end, &v[i]) != f.end)
+			refuse_number(l, i, f, found->n <= 1, r);
+		else if (plan_in_range(l, i, v[i], r))
+			continue;
+		if (found->times[i] > 0)
+			r->column = (size_t)(f.s - line->s) + 1;
+		return false;
+	}
+	return true;
+}
+
+/* Law 6: comments above the first row. */
+
+/* The words of a comment that count: their number, and the last three. */
+struct words {
+	int n;
+	struct span last[3];
+};
+
+/* Returns whether the last three words, or of two coordinates two, are alike but for
+ * their last letters, x, y and z. */
+static bool are_axes(const struct words *w, int n)
+{
+	const struct span *word = &w->last[3 - n];
+
+	for (int i = 0; i < n; i++) {
+		const size_t size = span_size(word[i]);
+
+		if (size == 0 || size >= WORD_ROOM || size != span_size(word[0]) ||
+		    tolower((unsigned char)word[i].end[-1]) != "xyz"[i] ||
+		    memcmp(word[i].s, word[0].s, size - 1) != 0)
+			return false;
+	}
+	return true;
+}
+
+static bool is_word(char c)
+{
+	return isalnum((unsigned char)c) || c == '_';
+}
+
+/* Keeps the words of a comment that may name the columns of the coordinates, of several
+ * those that are x, y and z alone. If these are its first words, no others count. */
+static void read_comment(struct layout *l, const char *s, const char *end)
+{
+	const int n = l->reads == 2 ? 2 : 3;
+	struct plan *p = &l->plan;
+	struct words w = { 0 };
+	int level = 0, at = 0;
+	bool plain = false;
+
+	for (s++; s < end; s++) {
+		level += strchr("([{", *s) != NULL;
+		level -= level > 0 && strchr(")]}", *s) != NULL;
+		if (level > 0 || !is_word(*s))
+			continue;
+		w.last[0] = w.last[1];
+		w.last[1] = w.last[2];
+		w.last[2].s = s;
+		while (s + 1 < end && is_word(s[1]))
+			s++;
+		w.last[2].end = s + 1;
+		w.n++;
+		if (s + 1 < end && s[1] == ':')
+			w = (struct words){ 0 };
+		if (w.n < n || !are_axes(&w, n) || plain)
+			continue;
+		plain = span_size(w.last[2]) == 1;
+		if (w.n == n && plain)
+			return;
+		if (w.n == n || (at > 0 && !plain))
+			continue;
+		at = w.n - n;
+		for (int i = 0; i < n; i++)
+			snprintf(p->comment[i], WORD_ROOM, "%.*s",
+			    (int)span_size(w.last[3 - n + i]), w.last[3 - n + i].s);
+	}
+	if (at > 0)
+		p->comment_field = at;
+}
+
+/* Returns whether a comment above the first row names other fields as the coordinates,
+ * which are numbers there; if so, says it. */
+static bool comment_differs(const struct layout *l, struct cursor c, struct refusal *r)
+{
+	const int n = l->reads == 2 ? 2 : 3, from = l->plan.comment_field;
+	const char(*word)[WORD_ROOM] = l->plan.comment;
+	int numbers = 0;
+	struct field f;
+
+	if (from == 0 || l->columns.n > 0 || !format_of(l->in)->header)
+		return false;
+	for (int k = 0; k < from + n && cursor_next(&c, &f); k++)
+		numbers += k >= from && is_number(l->in, f.value);
+	if (numbers < n)
+		return false;
+	refusal_set(r, NULL,
+	    text("the comment above has '%s %s%s%s' in other columns", word[0], word[1],
+		n > 2 ? " " : "", n > 2 ? word[2] : ""),
+	    "say by --columns where the coordinates are");
+	return true;
+}
+
+/* Reads a row, the first of the source or a later one. */
+static bool read_row(struct layout *l, struct span text, bool first, struct line *line,
+    double v[4], struct refusal *r)
+{
+	const bool json = l->in.format == FORMAT_JSON;
+	struct plan *p = &l->plan;
+	struct names names;
+	struct found found;
+
+	line->kind = LINE_LOST;
+	line->object = json && *skip_blanks(l->in, text.s, text.end) == '{';
+	for (int i = 0; i < l->reads && first && json && l->columns.n == 0; i++)
+		strcpy(p->member[i], coordinate_name(i));
+	if (!line_check(l->in, text, r)) {
+		/* what is not JSON ends a list, as its elements can't be told */
+		struct json_check c = { .s = text.s, .end = text.end };
+
+		if (r->column > 0)
+			r->column += (size_t)(text.s - line->s);
+		if (p->is_list && !json_check(&c))
+			line->kind = LINE_REFUSED;
+		else if (p->is_list)
+			refusal_set(r, NULL, "is neither a JSON array nor an object",
+			    NULL);
+		return false;
+	}
+	const struct cursor c = line_cursor(l->in, text);
+
+	if (c.bracket != NULL && l->columns.n > 0 && c.members != layout_has_names(l)) {
+		refusal_set(r, NULL, c.members ? "is an object" : "is an array",
+		    c.members ? "--columns is to name its members: x,y,z" :
+				"--columns is to number its elements: 2,3,4");
+		return false;
+	}
+	if (c.members)
+		find_members(l, c, first, &found, &names);
+	else
+		find_fields(l, c, &found);
+	if (first && p->fields == 0 && format_of(l->in)->table)
+		p->fields = found.n;
+	line->kind = LINE_BAD;
+	for (int i = 0; i < l->reads; i++) {
+		if (found.times[i] != 1)
+			line->kind = l->output.append ? LINE_BAD : LINE_LOST;
+		else
+			line->at[i] = line_part(line, found.field[i].value);
+		if (c.members && found.times[i] != 1) {
+			refuse_name(l, c, &names, &found, i, r);
+			line->kind = l->output.append ? LINE_BAD : LINE_LOST;
+			return false;
+		}
+	}
+	if (c.members && found.clash != NULL) {
+		refuse_clash(found.clash, "", r);
+		line->kind = LINE_LOST; /* a name would be there twice */
+		return false;
+	}
+	return has_its_fields(l, &found, r) && read_numbers(l, line, &found, v, r);
+}
+
+/* Law 1: returns whether an empty field is where a coordinate should be. */
+static bool has_empty_coordinate(const struct layout *l, struct span text)
+{
+	struct found found;
+	bool empty = false;
+
+	find_fields(l, line_cursor(l->in, text), &found);
+	for (int i = 0; i < l->reads; i++)
+		empty |= found.times[i] > 0 &&
+		    found.field[i].value.s == found.field[i].value.end;
+	return empty;
+}
+
+/* Reads the first row of a source without a header, or after it. */
+static void read_first_row(struct layout *l, struct span text, bool has_header,
+    struct line *line, double v[4], struct refusal *r)
+{
+	const struct dialect tsv = dialect_of(FORMAT_TSV, ',');
+
+	if (l->plan.sniffed && same_dialect(l->in, tsv) &&
+	    has_empty_coordinate(l, text)) {
+		refusal_set(r, NULL, "has an empty coordinate, if tabs part its fields",
+		    "say -i text or -i tsv");
+		line->kind = LINE_REFUSED;
+		return;
+	}
+	if (!has_header &&
+	    join_header(l, (struct span){ text.s, text.s }, false, r) == LINE_REFUSED) {
+		line->kind = LINE_REFUSED;
+		return;
+	}
+	if (read_row(l, text, true, line, v, r))
+		line->kind = LINE_POINT;
+	if (line->kind != LINE_REFUSED && !has_header && l->in.format != FORMAT_JSON &&
+	    line->kind != LINE_LOST && comment_differs(l, line_cursor(l->in, text), r))
+		line->kind = LINE_BAD;
+}
+
+/* Law 11: bytes. */
+
+/* Returns whether a carriage return ends a line without a newline, out of quotes. */
+static bool has_lone_cr(struct dialect d, struct span line)
+{
+	const char *s = line.s;
+	const bool csv = d.format == FORMAT_CSV && *skip_blanks(d, s, line.end) != '#';
+	bool quoted = false;
+
+	for (bool begins = csv; s < line.end && (quoted || *s != '\r'); s++) {
+		quoted ^= begins && *s == '"';
+		begins = csv &&
+		    (quoted || *s == d.separator ||
+			(begins && (is_blank(*s) || *s == '"')));
+	}
+	while (s < line.end && is_blank(*s))
+		s++;
+	return s < line.end;
+}
+
+/* Returns whether the line has bytes of no text; if so, says what they may be. */
+static bool is_binary(struct span line, bool first, struct refusal *r)
+{
+	const char *s = line.s, *nul = memchr(s, '\0', span_size(line));
+
+	while (first && s < line.end && ((unsigned char)*s >= ' ' || is_blank(*s)) &&
+	    *s != '\v' && *s != '\f' && *s != 0x7f)
+		s++;
+	if (nul == NULL && (!first || s == line.end))
+		return false;
+	refusal_set(r, NULL, "is binary",
+	    "if it is numbers alone, say -i f32x4, f32 or f64");
+	return true;
+}
+
+void plan_line(struct layout *l, struct span text, enum next_part *first,
+    struct line *line, double v[4], struct refusal *r)
+{
+	const bool first_line = *first == FIRST_LINE;
+	const bool has_header = *first == FIRST_ROW;
+	bool refused = false;
+
+	*line = (struct line){ .s = text.s,
+		.size = (uint32_t)span_size(text),
+		.kind = LINE_REFUSED };
+	if (first_line) {
+		text.s = skip_bom(text.s, text.end);
+		line->has_bom = text.s > line->s;
+	}
+	if (is_binary(text, first_line, r))
+		return;
+	if (first_line && has_lone_cr(l->in, text) &&
+	    (l->in.format != FORMAT_JSON || !line_check(l->in, text, r))) {
+		refusal_set(r, NULL, "has carriage returns alone for line ends",
+		    "make them newlines: tr '\\r' '\\n'");
+		return;
+	}
+	const char *s = skip_blanks(l->in, text.s, text.end);
+
+	line->kind = LINE_COPY;
+	if (s == text.end || *s == '#') {
+		if (first_line && s < text.end)
+			read_comment(l, s, text.end);
+		return;
+	}
+	if (line_is_other(l->in, text))
+		return;
+	if (first_line && format_of(l->in)->header && line_check(l->in, text, r) &&
+	    is_header(l, text, &refused, r)) {
+		if (refused)
+			line->kind = LINE_REFUSED;
+		else
+			read_header(l, text, line, r);
+		*first = FIRST_ROW;
+		return;
+	}
+	*first = FIRST_NONE;
+	if (first_line || has_header)
+		read_first_row(l, text, has_header, line, v, r);
+	else if (read_row(l, text, false, line, v, r))
+		line->kind = LINE_POINT;
+}
+
+/* Sets the names of members that the walk passes. */
+static void plan_members(const struct layout *l, struct walk *w)
+{
+	size_t n = 0;
+
+	w->arrays = l->columns.n == 0 || !layout_has_names(l);
+	if (l->plan.in_space || (l->columns.n > 0 && !layout_has_names(l)))
+		return; /* the names change, or are no names */
+	for (int i = 0; i < l->reads; i++) {
+		w->name[i] = l->columns.n > 0 ? l->columns.name[i] : l->plan.member[i];
+		w->size[i] = strlen(w->name[i]);
+	}
+	for (int k = 0; k <= COORDINATES_MAX; k++)
+		if (*l->output.name[k] != '\0' && (l->output.append || k >= l->reads))
+			w->taken[n++] = l->output.name[k];
+}
+
+bool plan_walk(const struct layout *l, struct walk *w)
+{
+	const struct plan *p = &l->plan;
+
+	*w = (struct walk){ .in = l->in,
+		.n = l->reads,
+		.fields = p->fields < STRETCH_MAX ? (int)p->fields : STRETCH_MAX,
+		.one_more = !l->output.append };
+	walk_set_stops(w);
+	for (int i = 0; i < l->reads; i++) {
+		w->field[i] = p->field[i];
+		w->by_column |= w->field[i] != i;
+	}
+	if (l->in.format == FORMAT_JSON)
+		plan_members(l, w);
+	return w->arrays || w->name[0] != NULL || l->in.format != FORMAT_JSON;
+}
