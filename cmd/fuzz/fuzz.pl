@@ -23,7 +23,7 @@ sub seed {
 
 # The numbers of the formats. The first byte that layout.h reads is the number of the
 # input's format plus that of the output's, times the number of formats.
-my @formats = map { lc } slurp('cmd/lines/formats.h') =~ /^\tFORMAT_(\w+),/mg;
+my @formats = map { lc } slurp('cmd/table/format.h') =~ /^\tFORMAT_(\w+),/mg;
 my %number = map { $formats[$_] => $_ } 0 .. $#formats;
 
 sub seed_lines {

@@ -5,6 +5,7 @@
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,43 +32,39 @@ static bool same(double a, double b)
 	return a == b || (isnan(a) && isnan(b));
 }
 
-/* Returns whether the output can be read by the same layout. If coordinates are added
- * or left out, the fields after them change their numbers, and --columns would find
- * other fields. */
+/* Returns whether the numbers of the output are found where the plan has them. */
 static bool can_read_back(const struct layout *l)
 {
-	return !format_is_binary(l->out.format) &&
-	    (l->columns.n == 0 || !same_dialect(l->in, l->out) ||
-		(l->reads == l->writes && !l->output.flags));
+	for (int i = 0; i < l->reads && same_dialect(l->in, l->out); i++)
+		if (l->plan.field[i] != i || l->plan.in_space)
+			return false;
+	return true;
 }
 
-static void check_back(const struct layout *l, const double v[], struct span text,
-    bool has_bom)
+static void check_back(const struct layout *l, const double v[], struct span text)
 {
+	enum next_part first = FIRST_NONE;
 	struct layout back = *l;
 	struct line line = { 0 };
+	struct refusal r;
 	double read[4];
-	char reason[REASON_MAX];
-	bool first = has_bom && skip_bom(text.s, text.end) > text.s;
-	enum next_part header = first ? FIRST_LINE : FIRST_NONE;
 
-	for (int i = 0; i < back.columns.n && l->in.format == FORMAT_CSV; i++)
-		back.columns.name[i] = NULL;
-	back.columns.by_default = false;
-	back.header = HEADER_NONE;
-	back.seen.header_fields = 0; /* the header of the output has more names */
 	back.in = l->out;
+	back.header = HEADER_NONE;
+	back.output = (struct output){ 0 };
+	back.plan.fields = back.plan.header_fields = 0;
 	back.reads = l->writes > 4 ? 3 : l->writes;
-	if (!same_dialect(l->in, l->out))
+	if (!same_dialect(l->in, l->out) || !layout_has_names(l))
 		back.columns.n = 0;
-	line_read(&back, text, &header, &line, read, reason);
-	/* a member that an object has twice is refused only if it is a coordinate */
-	if (line.object && strncmp(reason, "has two", 7) == 0)
-		return;
-	/* text can't quote a field of csv that begins with a comma */
-	if (format_of(back.in)->blanks && l->in.format == FORMAT_CSV &&
-	    strncmp(reason, "has commas", 10) == 0)
-		return;
+	for (int i = 0; i < back.reads; i++) {
+		back.plan.field[i] = i;
+		if (i >= l->reads || back.columns.n > 0)
+			strcpy(back.plan.member[i], l->output.name[i]);
+	}
+	back.columns.n = 0;
+	text.s = skip_bom(text.s, text.end);
+	plan_line(&back, text, &first, &line, read, &r);
+	/* text that is no comment can begin with # only where x is not first */
 	want(line.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
 		want(l->output.style[i].kind != NUMBER_SHORTEST || same(read[i], v[i]));
@@ -88,18 +85,26 @@ static void check_json(struct span text)
 static void write_back(const struct layout *l, const struct line *line,
     const double read[])
 {
-	static const struct flags flags = { "left+near", 9 };
-	static const struct number_text none = { .layout = 0 };
+	static const unsigned char outside = 17;
+	static double image[COORDINATES_MAX][POINTS_BLOCK];
+	static struct flag_words words;
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7, 1e-320 };
-	const struct image_numbers numbers = { v, &none, 1, 0 };
-	size_t room = splice_room(l, 1, line->size);
+	const struct emit_block block = { .line = line,
+		.lines = 1,
+		.points = 1,
+		.image = (const double(*)[POINTS_BLOCK])image,
+		.outside = &outside,
+		.words = &words };
+	size_t room = emit_room(l, 1, line->size);
 	char *out = malloc(room), *end;
 
 	if (out == NULL)
 		return;
 	for (int i = 0; line->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
-	end = splice_line(l, line, &numbers, l->output.flags ? &flags : NULL, out);
+	for (int i = 0; i < COORDINATES_MAX; i++)
+		image[i][0] = v[i];
+	end = emit_lines(l, &block, out);
 	want((size_t)(end - out) <= room);
 	struct span text = { out, end };
 
@@ -109,7 +114,7 @@ static void write_back(const struct layout *l, const struct line *line,
 	if (l->out.format == FORMAT_JSON && end > out)
 		check_json(text);
 	if (line->kind == LINE_POINT && can_read_back(l))
-		check_back(l, v, text, line->has_bom);
+		check_back(l, v, text);
 	free(out);
 }
 
@@ -122,21 +127,24 @@ static void check_spans(const struct layout *l, const struct line *line,
 	}
 }
 
-static void check_line(struct layout *l, struct span text, const char *end,
+/* Returns false if the source ends with the line, as it is refused. */
+static bool check_line(struct layout *l, struct span text, const char *end,
     enum next_part *header)
 {
-	char reason[REASON_MAX] = "";
+	struct refusal r = { .what = "" };
 	struct line line = { 0 };
 	double v[4];
 
-	line_read(l, text, header, &line, v, reason);
+	plan_line(l, text, header, &line, v, &r);
 	line.newline = text.end < end;
 	if (line.kind == LINE_POINT)
 		check_spans(l, &line, text);
 	if (line_is_bad(&line))
-		want(*reason != '\0' && strchr(reason, '\n') == NULL);
-	if (line.kind != LINE_REFUSED)
-		write_back(l, &line, v);
+		want(*r.what != '\0' && strpbrk(r.what, "\n") == NULL);
+	if (line.kind == LINE_REFUSED)
+		return false;
+	write_back(l, &line, v);
+	return true;
 }
 
 /* Returns the end of the line at s: its newline, or end. */
@@ -155,8 +163,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		return 0;
 	struct layout l = layout_of(data);
 
-	if (format_is_binary(l.in.format) || format_is_binary(l.out.format))
+	if (format_is_binary(l.in.format) || format_is_binary(l.out.format) ||
+	    l.in.format == FORMAT_SNIFF)
 		return 0;
+	kernels_choose("baseline");
+	plan_begin(&l);
 	/* no more room after the text than may be read, so that a sanitizer finds the
 	 * rest */
 	char *text = malloc(size - HEADER + LINE_MARGIN), *end = text + size - HEADER;
@@ -165,7 +176,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	for (const char *s = text; s < end;) {
 		struct span line = { s, line_end(s, end) };
 
-		check_line(&l, line, end, &header);
+		if (!check_line(&l, line, end, &header))
+			break;
 		s = line.end + (line.end < end);
 	}
 	free(text);

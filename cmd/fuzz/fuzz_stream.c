@@ -5,7 +5,6 @@
  * replace those of message.c and, by --wrap, read and poll. */
 #include <errno.h>
 #include <poll.h>
-#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -173,7 +172,7 @@ static void set_more(struct layout *l)
 		l->output.keeps = in == out;
 		l->output.flags = false;
 	}
-	l->output.append = !format_is_binary(in) && in == out;
+	l->output.append = !format_is_binary(in) && in != FORMAT_SNIFF && in == out;
 	for (int k = 0; l->output.append && k < l->writes; k++) {
 		memmove(l->output.name[k] + 2, l->output.name[k], NAME_ROOM - 2);
 		memcpy(l->output.name[k], "a_", 2);
@@ -211,39 +210,48 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
  * comes before the output if the last line of the source before had none. Returns false
  * if the source is refused; the threads then do not get the source, so that a refusal
  * by them is a finding. */
-static bool do_at_once(struct job *j, const char *text, size_t size)
+static bool do_at_once(struct job *j, const char *bytes, size_t size)
 {
+	struct point_source s = source_of_text("a", bytes, size);
 	static bool unended;
 	static size_t bad;
 	static struct chunk *c;
+	struct refusal r;
 
 	if (c == NULL)
 		c = chunk_new();
+	if (!source_begin(&s, &j->layout, &r))
+		return false;
+	if (j->layout.plan.is_list) {
+		source_read(&s, &j->layout, &c->piece);
+		while (c->piece.state < PIECE_LAST)
+			return false; /* too large for one piece */
+	} else {
+		piece_resize(&c->piece, size);
+		memcpy(c->piece.text, bytes, size);
+		c->piece.size = c->piece.whole_size = size;
+		c->piece.state = PIECE_LAST;
+	}
 	c->first = FIRST_BYTE;
-	piece_resize(&c->piece, size);
-	memcpy(c->piece.text, text, size);
-	c->piece.size = c->piece.whole_size = size;
-	c->piece.state = PIECE_LAST;
+	c->place = (struct place){ .line = 1 };
 	job_do(j, c);
-	bool refused = c->refused;
-
-	if (c->size > 0 && !refused) {
+	if (c->refused || c->piece.state > PIECE_LAST)
+		return false;
+	if (c->size > 0) {
 		add(&printed, "\n", unended);
 		unended = !format_is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
 	}
-	if (!refused)
-		add(&printed, c->out, c->size);
+	add(&printed, c->out, c->size);
 	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX; i++) {
-		struct place p = { .line = 1 + (long)c->complaint[i].line,
+		const struct refusal *what = &c->complaint[i];
+		struct place p = { .line = chunk_line(c, (size_t)what->line),
 			.of_points = format_is_binary(j->layout.in.format) };
 
-		say_at(EXIT_INPUT, &p, c->complaint[i].fault.what,
-		    c->complaint[i].fault.remedy);
+		say_at(EXIT_INPUT, &p, what->what, what->remedy);
 	}
-	if (!refused)
-		bad += c->n_complaints;
-	return !refused;
+	bad += c->n_complaints;
+	return true;
 }
 
 static void compare(struct bytes *b, const struct bytes *was)
@@ -282,7 +290,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	state = 1 + data[3];
 	data_at = data + HEADER;
 	data_left = size - HEADER;
-	stream_points(&j, source_of_file("a", SOURCE));
+	struct point_source source = source_of_file("a", SOURCE);
+	struct refusal r;
+
+	if (!source_begin(&source, &j.layout, &r))
+		abort();
+	stream_points(&j, source);
 	compare(&printed, &whole);
 	compare(&said, &messages);
 	return 0;

@@ -4,10 +4,9 @@
 
 #include <stdint.h>
 
-#include "../lines/line.h"
-#include "../lines/splice.h"
+#include "../table/emit.h"
 
-enum { HEADER = 4 };
+enum { HEADER = 4, FORMATS = FORMAT_SNIFF + 1 };
 
 /* Returns the layout that the HEADER bytes at b choose. The first three bytes choose
  * formats, counts, style, header and columns; the last bit of all chooses the separator
@@ -20,16 +19,17 @@ static inline struct layout layout_of(const uint8_t *b)
 		{ 9, 4, 0, 2 } };
 	static const char *const names[] = { "x", "y", "z", "w" };
 	static const char separators[] = ",;";
-	const int *size = sizes[b[1] % 6];
+	const int *size = sizes[b[1] % 6], out = b[0] / FORMATS % FORMATS;
 	struct layout l = {
-		.in = dialect_of((enum format)(b[0] % 6), separators[b[3] & 1]),
-		.out = dialect_of((enum format)(b[0] / 6 % 6), separators[b[3] & 1]),
+		.in = dialect_of((enum format)(b[0] % FORMATS), separators[b[3] & 1]),
+		.out = dialect_of(out == FORMAT_SNIFF ? FORMAT_TEXT : (enum format)out,
+		    separators[b[3] & 1]),
 		.header = (enum header)(b[1] / 72 % 3),
-		.columns = { .by_default = b[1] / 12 % 6 == 0 },
 		.reads = size[0],
 		.writes = size[1],
 		.output.flags = b[1] / 6 & 1,
 		.from = "a",
+		.output.space = "b",
 	};
 	static const char *const written[] = { "x", "y", "z", "w", "v", "u" };
 	enum format in = l.in.format;
@@ -42,14 +42,12 @@ static inline struct layout layout_of(const uint8_t *b)
 		l.output.style[k].n = b[2] / 4 % 3 == 1 ? 100 : 1 + (b[2] + k) % 17;
 	}
 	strcpy(l.output.name[COORDINATES_MAX], l.output.flags ? "flags" : "");
-	if (columns == 0)
-		memcpy(l.columns.name, names, sizeof names);
 	if (format_is_binary(in) || columns == 0)
 		return l;
 	l.columns.n = l.reads;
 	for (int i = 0; i < l.reads; i++) {
 		l.columns.field[i] = fields[columns & 3][i];
-		if (columns > 3 && in != FORMAT_TEXT)
+		if (columns > 3 && in != FORMAT_OBJ)
 			l.columns.name[i] = names[i];
 	}
 	return l;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../json/check.h"
+#include "../table/check.h"
 
 #include "../json/value.h"
 

@@ -234,7 +234,8 @@ my %projections = (
 		    [view_angle => angle(1 + below(120))])->@*);
 	},
 	matrix => sub {
-		my ($n, $f) = (size(), 10 + size());
+		my $n = size();
+		my $f = 2 * $n + size();
 		my $q = $f / ($f - $n);
 		my @row = (size(), 0, 0, 0, 0, size(), 0, 0, near(), near(), $q, 1,
 		    0, 0, -$n * $q, 0);
@@ -444,7 +445,7 @@ sub array_line {
 
 sub object_line {
 	my ($style) = @_;
-	my @members = map { '"' . qw(x y z w)[$_] . '":' . json_cell($style) }
+	my @members = map { '"' . (qw(x y z w)[$_] // "c$_") . '":' . json_cell($style) }
 	    0 .. $style->{size} - 1;
 	push @members, '"id":' . pick(7, '"a"', '"a,{b}"', 'null', '[1,{"x":2}]')
 	    if $style->{after};

@@ -34,16 +34,17 @@ my @usual = (
 # Texts that are numbers in some formats only, or in none.
 my @odd = (qw(+1.5 .5 5. -.5 -5. 1e5 -2.5E-7 1e+3 1e400 1e-400 1e151 nan NaN -nan
     inf -Infinity null true 0x10 1..2 1.2.3 --1 - . -. +-1 1-2 1e 1e+ 1.5e-x x 1/2
-    12:30 "1.5" "1 1" 1"2 "), '', ' ', "1\xe9", "\xef\xbb\xbf1", "1\0", "1\x1b",
+    12:30 "1.5" "1 1" 1"2 "), '', ' ', "1\xe9", "\xef\xbb\xbf1", "1\x1b",
     '[1', '{"x":1}', '[1]', '#1', '9' x 33, '0.' . '1' x 31, '1' . '0' x 150,
     '1' x 400, '-' . '1' x 31, '-' . '1' x 32);
 
 sub number { (below(60) ? pick(@usual)->() : pick(@odd)) }
 
+# Returns three numbers and up to `more` others.
 sub with_separators {
-	my ($usual, @rare) = @_;
+	my ($more, $usual, @rare) = @_;
 	my $s = number();
-	$s .= (below(25) ? $usual : pick(@rare)) . number() for 1 .. 2 + below(3);
+	$s .= (below(25) ? $usual : pick(@rare)) . number() for 1 .. 2 + below($more + 1);
 	return $s;
 }
 
@@ -52,24 +53,32 @@ my @words = ('a', 'label', 'two words', "\xc3\xa9", '', '#', "it's", '5" pipe',
     'x' x 70);
 
 sub text_line {
-	my $s = with_separators(pick(' ', ' ', ' ', ',', "\t", '  ', ', '),
-	    ' , ', ',,', "\x0b", "\f", "\r", ';', ' ' x 70);
+	my $s = with_separators(2, pick(' ', ' ', ' ', "\t", '  '), ',', ' , ', "\x0b",
+	    "\f", "\r", ';', ' ' x 70);
 	$s .= pick(' ', ',', ' ,', '  ') . pick(@words) if below(3) == 0;
 	return pick(('') x 20, ' ', "\t", ',') . $s;
 }
 
+# Returns a row below a header of four names.
+sub row_of_text {
+	return with_separators(0, pick(' ', ' ', ' ', "\t", '  '), ',', "\r", ' ' x 70) .
+	    (below(20) ? pick(' ', '  ') . pick(grep { !/ / } @words) : pick('', ' a b')) .
+	    pick(('') x 9, ' ');
+}
+
+# Returns a row that mostly has four fields, as the header has.
 sub csv_line {
-	my $s = with_separators(pick(',', ',', ',', ', '), ' , ', ',,', "\t,",
-	    ' ', ';');
+	my $s = with_separators(below(20) ? 0 : 2, pick(',', ',', ',', ', '), ' , ', ',,',
+	    "\t,", ' ', ';');
 	$s = '"' . pick('a', 'a,b', 'a""b', '1,2', "a") . '",' . $s
 	    if below(20) == 0;
-	$s .= ',' . pick(@words, '"a,b"', '"a""b"', '"open', ' "a" ')
-	    if below(3) == 0;
+	$s .= ',' . pick(@words, '"a,b"', '"a""b"', '"open', ' "a" ') if below(20);
+	$s .= ',' . pick('', '', ' ', 'a') if below(20) == 0;
 	return $s;
 }
 
 sub json_line {
-	my $s = with_separators(pick(',', ',', ',', ', '), ' , ', ',,', "\t,",
+	my $s = with_separators(2, pick(',', ',', ',', ', '), ' , ', ',,', "\t,",
 	    ' ', ',]', ",\x0b", "\f,");
 	$s = pick('"a"', '"a,[b]"', 'null', '[1]') . ",$s" if below(20) == 0;
 	$s .= ',' . pick('"a"', '"two words"', '"a,b]"', '"\"q\""', '"\u00e9"',
@@ -112,6 +121,24 @@ sub text_of {
 	return $s;
 }
 
+# Returns an element of a list, of one line or several.
+sub element {
+	my @n = map { below(60) ? pick(@usual)->() =~ s/^(-?)0+(?=\d)/$1/r : 'null' } 1 .. 3;
+	my $gap = pick('', '', '', ' ', "\n  ", " \r\n\t", "\n\n");
+	my $more = pick('', '', ',"a"', ',"]\\"[,"', ',{"b":[1,2]}', ",[\n[]]");
+	return "[$gap" . join(",$gap", @n) . "$gap$more]" if below(2);
+	return '{' . join(",$gap", '"n":"\\u00e9\\\\"', map { "\"$_\"$gap:" . shift @n }
+	    qw(x y z)) . "$gap}" if below(50);
+	return pick('5', '"a]"', 'null', '[]', '{}', '[1,2]');
+}
+
+# Returns a list with line ends between most of its elements.
+sub list_of {
+	my $s = "[\n";
+	$s .= element() . pick(",\n", ",\n", ",\n ", ',', " , \r\n", "\n,") for 2 .. $lines;
+	return $s . element() . "\n]\n";
+}
+
 my $scene = '{"camera":{"eye":[1,2,-5],"at":[0.1,0.2,0.3]},' .
     '"projection":{"type":"persp","fovy":60,"near":1,"far":10},' .
     '"viewport":{"width":640,"height":480}}';
@@ -119,12 +146,13 @@ my $window = '{"center":[0,0],"width":3,"height":2}';
 my %line = (text => \&text_line, csv => \&csv_line, json => \&json_line,
     tsv => sub { csv_line() =~ tr/,\t/\t,/r },
     "csv --separator ';'" => sub { csv_line() =~ tr/,;/;,/r },
-    'json --columns x,y,z' => \&object_line, objects => \&object_line);
+    'json --columns x,y,z' => \&object_line, objects => \&object_line,
+    'text --header' => \&row_of_text, list => \&list_of);
 
 # Returns the output, messages and status of the program for lines of a format.
 sub outcome {
 	my ($format, $cpu, @options) = @_;
-	$format =~ s/objects/json/;
+	$format =~ s/objects|list/json/;
 	my ($command, $parameters) = @options && $options[0] eq 'w2n' ?
 	    (shift @options, $window) : ('project', $scene);
 	my ($status, @said) = run("PROJCALC_CPU=$cpu projcalc $command -i $format " .
@@ -161,11 +189,12 @@ my %want = $write ? () :
     reverse slurp($digests) =~ /^(\S+)  (.*)/mg;
 my $new = '';
 for my $format (sort keys %line) {
-	my $head = $format =~ /[ct]sv/ ? "# a comment\nx,y,z,label,,,,,,,,\n" :
-	    '';
+	my $head = $format =~ /[ct]sv/ ? "# a comment\nx,y,z,label\n" :
+	    $format =~ /header/ ? "x y z label\n" :
+	    $format =~ /text/ ? "1 2 3\n" : '';
 	$head =~ tr/,/\t/ if $format eq 'tsv';
 	$head =~ tr/,/;/ if $format =~ /;/;
-	my $text = text_of($line{$format});
+	my $text = $format eq 'list' ? list_of() : text_of($line{$format});
 	spew("$tmp/lines", "$head$text");
 	for my $options (options_of($format)) {
 		my $name = "$format @$options";

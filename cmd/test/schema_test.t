@@ -84,7 +84,7 @@ sub documents {
 		    $rest =~ /'(\{[^']*\})'/g;
 		push @found, map { as_scene($command, slurp($_)) }
 		    grep { -e } map { "testdata/$_" } $rest =~ m{(?<![\w<'])([\w/-]+\.json)\b}g;
-		push @found, as_scene($command, $in) if $in =~ /^\s*\{/ && $shell !~ /-i json/;
+		push @found, as_scene($command, $in) if $in =~ /^\s*\{/ && $shell !~ /-i json|\.json -/;
 	}
 	return @found;
 }

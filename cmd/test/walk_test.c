@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* walk_lines finds the numbers on lines of a common form, and leaves other lines to
- * line_read, which takes more time. These tests say which lines are left, and where
- * the numbers are on the others. */
+/* walk_lines finds the numbers on lines of the usual form, and leaves other lines to
+ * cursors, which take more time. These tests say which lines are left, and where the
+ * numbers are on the others. */
 #include "../../core/points/transform.h"
-#include "../lines/walk.h"
+#include "../table/plan.h"
 
 #include <stdio.h>
 
@@ -21,16 +21,12 @@ struct example {
 
 static const struct example text[] = {
 	{ "1 2 3", "1|2|3|" },
-	{ "1,2,3", "1|2|3|" },
-	{ "1, 2 ,3", "1|2|3|" },
+	{ "1,2 3 4", "1,2|3|4|" },
 	{ " \t-1\t.5  3.", "-1|.5|3.|" },
 	{ "1 2 3 and, more", "1|2|3|" },
 	{ "1 2 3\r", "1|2|3|" },
 	{ "       1  2   3    ", "1|2|3|" },
-	{ "1" BLANKS BLANKS "2 \t " BLANKS ", 3", NULL },
 	{ "1" BLANKS BLANKS "2 \t " BLANKS " 3", "1|2|3|" },
-	{ "1,2 3", NULL },
-	{ "1 2,3", NULL },
 	{ "1 2", NULL },
 	{ "", NULL },
 	{ "# 1 2 3", NULL },
@@ -43,10 +39,27 @@ static const struct example text[] = {
 static const struct example two_of_text[] = {
 	{ "1 2", "1|2|" },
 	{ "1 2 3", "1|2|" },
-	{ "1,2,3", "1|2|" },
-	{ "1,2 ", "1|2|" },
-	{ "1 2,3", NULL },
-	{ "1,2 3", NULL },
+	{ NULL, NULL },
+};
+
+/* Below a header of four names. */
+static const struct example rows_of_text[] = {
+	{ "1 2 3 a", "1|2|3|" },
+	{ " 1  2\t3 a,b \r", "1|2|3|" },
+	{ "1 2 3", NULL },
+	{ "1 2 3 ", NULL },
+	{ "1 2 3 a b", NULL },
+	{ NULL, NULL },
+};
+
+static const struct example obj[] = {
+	{ "v 1 2 3", "1|2|3|" },
+	{ " v  1 2\t3 1 0 0", "1|2|3|" },
+	{ "v", NULL },
+	{ "v 1 2", NULL },
+	{ "vn 1 2 3", NULL },
+	{ "1 2 3", NULL },
+	{ "# v 1 2 3", NULL },
 	{ NULL, NULL },
 };
 
@@ -71,6 +84,18 @@ static const struct example csv[] = {
 	{ "1, ,3", NULL },
 	{ "1,2,\r", NULL },
 	{ "x,y,z", "x|y|z|" },
+	{ NULL, NULL },
+};
+
+/* As the first row has four fields. */
+static const struct example rows_of_csv[] = {
+	{ "1,2,3,a", "1|2|3|" },
+	{ "1,2,3,", "1|2|3|" },
+	{ "1,2,3,a,", "1|2|3|" },
+	{ "1,2,3,,", "1|2|3|" },
+	{ "1,2,3", NULL },
+	{ "1,2,3,a,b", NULL },
+	{ "1,2,3,a,,", NULL },
 	{ NULL, NULL },
 };
 
@@ -141,29 +166,14 @@ static const struct example objects[] = {
 	{ "{\"x\":01,\"y\":2,\"z\":3}", NULL },
 	{ "{\"x\":1,\"y\":2,\"z\":3", NULL },
 	{ "{\"x\":1,\"y\":2,\"z\":3}}", NULL },
-	{ NULL, NULL },
-};
-
-/* The columns are the JSON pointers /p/x and /p/q/1, and the member z. */
-static const struct example paths[] = {
-	{ "{\"p\":{\"x\":1,\"q\":[9,2,[]]},\"z\":3}", "1|2|3|" },
-	{ "{\"z\":3, \"p\" : { \"q\":[ {}, 2 ] , \"x\":1 },\"x\":{\"z\":0} } ",
-	    "1|2|3|" },
-	{ "{\"p\":{\"x\":1,\"q\":[9]},\"z\":3}", NULL },
-	{ "{\"p\":{\"x\":1,\"q\":[9,2]},\"p\":0,\"z\":3}", NULL },
-	{ "{\"p\":{\"x\":1,\"x\":1,\"q\":[9,2]},\"z\":3}", NULL },
-	{ "{\"p\":{\"\\u0078\":1,\"q\":[9,2]},\"z\":3}", NULL },
-	{ "{\"p/x\":1,\"p\":{\"q\":[9,2]},\"z\":3}", NULL },
-	{ "{\"p\":5,\"z\":3}", NULL },
-	{ "{\"p\":\"x\",\"z\":3}", NULL },
-	{ "{\"p\":{\"x\":{},\"q\":[9,2]},\"z\":3}", NULL },
-	{ "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3]", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"flags\":0}", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"a\":\"\xc3\xa9\"}", "1|2|3|" },
 	{ "[1,2,3]", NULL },
 	{ NULL, NULL },
 };
 
 /* The number of lines before the tested line. walk_lines leaves the first lines of a
- * text to line_read. */
+ * text. */
 enum { BEFORE = 8 };
 
 /* Returns the numbers that walk_lines finds on a line, with a bar after each, or NULL
@@ -183,9 +193,9 @@ static const char *numbers_found(const struct layout *l, const char *line,
 	for (int i = 0; i <= BEFORE + 1; i++)
 		n += (size_t)sprintf(all + n, "%s\n", i == BEFORE ? line : usual);
 
-	assert_true(walk_plan(l, &walk));
+	assert_true(plan_walk(l, &walk));
 	s.readable = all;
-	assert_true(stretch_open(&s, &walk.stops, all, all + n));
+	assert_true(stretch_open(&s, &walk, all, all + n));
 	assert_int_equal(walk_lines(&s, &walk, PLAIN_BATCH, lines, places, &left),
 	    BEFORE + 2);
 	assert_int_equal(s.at, n);
@@ -217,35 +227,68 @@ static void check_examples(const struct layout *l, const struct example *e,
 
 static void numbers_are_found(void **state)
 {
-	struct layout l = { .in = { FORMAT_TEXT, 0 }, .reads = 3 };
+	const struct plan order = { .field = { 0, 1, 2, 3 } };
+	struct layout l = { .in = { FORMAT_TEXT, ' ' }, .reads = 3, .plan = order };
 
 	(void)state;
 	if (!kernels_choose(NULL) || number_loops_chosen() == NULL)
 		skip();
 	check_examples(&l, text, "11 12 13");
+	l.plan.fields = 4;
+	check_examples(&l, rows_of_text, "11 12 13 a");
+	l.plan.fields = 0;
 	l.reads = 2;
 	check_examples(&l, two_of_text, "11 12");
-	l = (struct layout){ .in = { FORMAT_CSV, ',' }, .reads = 3 };
+	l = (struct layout){ .in = { FORMAT_OBJ, ' ' }, .reads = 3, .plan = order };
+	check_examples(&l, obj, "v 11 12 13");
+	l = (struct layout){ .in = { FORMAT_CSV, ',' }, .reads = 3, .plan = order };
 	check_examples(&l, csv, "11,12,13");
-	l.columns = (struct columns){ .n = 3, .field = { 4, 1, 3 } };
+	l.plan.fields = 4;
+	check_examples(&l, rows_of_csv, "11,12,13,a");
+	l.plan = (struct plan){ .field = { 4, 1, 3 } };
 	check_examples(&l, columns_of_csv, "a,11,b,12,13");
 	l.in.format = FORMAT_JSON;
 	check_examples(&l, columns_of_arrays, "[0,11,0,12,13]");
-	l.columns = (struct columns){ .name = { "x", "y", "z" } };
+	l.plan = order;
+	for (int i = 0; i < 3; i++)
+		strcpy(l.plan.member[i], coordinate_name(i));
 	check_examples(&l, arrays, "[11,12,13]");
+	strcpy(l.output.name[COORDINATES_MAX], "flags");
 	check_examples(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
-	l.columns = (struct columns){ .n = 3, .name = { "/p/x", "/p/q/1", "z" } };
-	check_examples(&l, paths, "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3}");
+}
+
+/* A line of JSON that is not UTF-8 makes all lines of the stretch unusual. */
+static void utf8_is_needed(void **state)
+{
+	const struct layout l = { .in = { FORMAT_JSON, ',' },
+		.reads = 3,
+		.plan = { .field = { 0, 1, 2, 3 } } };
+
+	(void)state;
+	if (!kernels_choose(NULL) || number_loops_chosen() == NULL)
+		skip();
+	static struct stretch s;
+	struct walk walk;
+	char all[] = "[1,2,3,\"\xc3\xa9\"]\n";
+
+	assert_true(plan_walk(&l, &walk));
+	assert_true(stretch_open(&s, &walk, all, all + sizeof all - 1));
+	assert_true(s.usual);
+	all[8] = 'a';
+	assert_true(stretch_open(&s, &walk, all, all + sizeof all - 1));
+	assert_false(s.usual);
 }
 
 /* The vector loops leave some of these numbers. walk_numbers reads them all the same,
- * or leaves their lines to line_read. */
+ * or leaves their lines. */
 static void numbers_with_exponents_are_read(void **state)
 {
 	static const char all[] = "1 2 30\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
 				  "1e-3 2 3\n+4 2 3\nnan 2 3\n1e200 2 3\n"
 				  "1e 2 3\n0x1 2 3\n5 6 7e1\n";
-	const struct layout l = { .in = { FORMAT_TEXT, ' ' }, .reads = 3 };
+	const struct layout l = { .in = { FORMAT_TEXT, ' ' },
+		.reads = 3,
+		.plan = { .field = { 0, 1, 2 } } };
 	static struct stretch s;
 	struct walk walk;
 	struct line lines[PLAIN_BATCH];
@@ -257,9 +300,9 @@ static void numbers_with_exponents_are_read(void **state)
 	(void)state;
 	if (!kernels_choose(NULL) || number_loops_chosen() == NULL)
 		skip();
-	assert_true(walk_plan(&l, &walk));
+	assert_true(plan_walk(&l, &walk));
 	s.readable = all;
-	assert_true(stretch_open(&s, &walk.stops, all, end));
+	assert_true(stretch_open(&s, &walk, all, end));
 	size_t n = walk_lines(&s, &walk, PLAIN_BATCH, lines, places, &left);
 
 	assert_int_equal(n, 13);
@@ -273,6 +316,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(numbers_are_found),
+		cmocka_unit_test(utf8_is_needed),
 		cmocka_unit_test(numbers_with_exponents_are_read),
 	};
 
