@@ -28,6 +28,8 @@ BUILD = build
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 LDFLAGS ?=
+PKG_CONFIG ?= pkg-config
+THREADS = -pthread
 
 # FLAGS are needed in every build, so they are not in CFLAGS, which the command line
 # replaces. They make every compiler give the same bytes: no product and sum are fused
@@ -41,14 +43,30 @@ LDFLAGS ?=
 # a call then touches fewer pages of memory.
 FLAGS = -ffp-contract=off -fno-fast-math -fno-unsafe-math-optimizations \
 	-fno-reciprocal-math -fsigned-zeros -fno-tree-slp-vectorize \
-	-fno-delete-null-pointer-checks -fdata-sections -pthread -MMD -MP -Wall \
+	-fno-delete-null-pointer-checks -fdata-sections $(THREADS) -MMD -MP -Wall \
 	-Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla \
 	$(if $(WERROR),-Werror)
 C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64 \
-	-Wstrict-prototypes
-# Debian's directory of dragonbox has the version in its name.
-CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
-	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
+	-Wstrict-prototypes $(INCLUDES)
+CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti $(INCLUDES)
+
+# asked NAME,VALUE makes the variable NAME when a rule first needs it, as `make deps` may
+# install what is asked first, and then keeps it.
+asked = $(eval $1 := $2)$($1)
+# The compilers of Linux look into /usr/local by themselves, those of macOS and BSD not
+# into the folders of their packages. dragonbox's folder has the version in its name.
+PREFIXES = $(if $(findstring linux,$(MACHINE)),,$(wildcard \
+	/usr/local /opt/homebrew /opt/local /usr/pkg))
+INCLUDES = $(call asked,INCLUDES,$(addprefix -isystem,$(wildcard \
+	$(addsuffix /include,$(PREFIXES)) $(addsuffix /include/dragonbox-*, \
+	/usr /usr/local $(PREFIXES)))) $(shell $(PKG_CONFIG) --cflags libcjson 2>/dev/null))
+CJSON_LIBS = $(call asked,CJSON_LIBS,$(shell \
+	$(PKG_CONFIG) --libs libcjson 2>/dev/null || echo -lcjson))
+# Says yes if the C++ library is to take the place of fast_float or dragonbox: it is
+# slower, and gives the same bytes. PLAIN_NUMBERS=1 hides both, and with 2 strtod reads.
+PLAIN = $(if $(PLAIN_NUMBERS),yes,$(call asked,PLAIN,$(shell \
+	printf '\043include <%s>\n' fast_float/fast_float.h dragonbox/dragonbox.h | \
+	$(CXX) $(CXX_FLAGS) $(CPPFLAGS) -x c++ -E - >/dev/null 2>&1 || echo yes)))
 # clang's check of calls through pointers needs the C++ library, which is not linked.
 UNCHECKED = $(if $(findstring clang,$(CXX)),-fno-sanitize=function)
 # HARDENING has the flags of Debian's packages; HARDENING= leaves them out. The user's
@@ -60,11 +78,19 @@ fortify = $(if $(filter-out -O0,$(filter -O%,$1)),$(if $(findstring \
 	-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
 PROTECTOR = -fstack-protector-strong
 HARDENING = -fPIE $(PROTECTOR) $(call fortify,$1)
-HARDENING_LINK = -pie -Wl,-z,relro -Wl,-z,now
+HARDENING_LINK = -pie $(call linkable,-Wl$(comma)-z$(comma)relro) \
+	$(call linkable,-Wl$(comma)-z$(comma)now)
 hardening_link = $(if $(HARDENING),$(HARDENING_LINK))
-# The C compiler links, as the C++ files use no C++ library.
-LINK = $(CC) -pthread -Wl,--sort-section=alignment $(hardening_link) $(LDFLAGS)
-LIBS = -lcjson -lm
+# linkable FLAG is FLAG if the linker knows it, which that of macOS does not.
+comma = ,
+linkable = $(if $(findstring undefined,$(origin asked$1)),$(call asked,asked$1,$(shell \
+	mkdir -p $(BUILD)/has && echo 'int main(void) { return 0; }' | $(CC) $(LDFLAGS) \
+	-x c - $1 -o $(BUILD)/has/linked 2>/dev/null && echo $1)),$(asked$1))
+# The C compiler links, unless the C++ files use the C++ library.
+LINK = $(if $(PLAIN),$(CXX),$(CC)) $(THREADS) \
+	$(call linkable,-Wl$(comma)--sort-section=alignment) $(hardening_link) \
+	$(addprefix -L,$(wildcard $(addsuffix /lib,$(PREFIXES)))) $(LDFLAGS)
+LIBS = $(CJSON_LIBS) -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
 # The program consists of all files in the folders of CORE and PROGRAM. The other
@@ -104,18 +130,21 @@ all: $(BUILD)/projcalc ## the program, build/projcalc
 $(BUILD)/projcalc: $(PROGRAM)
 	$(LINK) -o $@ $^ $(LIBS)
 
-# Fails if a compiler or a header is missing, and names the target that installs it.
+# Fails if a compiler or a header is missing, and says what to do then. What CC and CXX
+# name is the caller's, and `make deps` installs none of it.
 $(BUILD)/has/%: | $(FIRST)
 	@mkdir -p $(@D)
 	@for tool in $(firstword $(CC)) $(firstword $(CXX)); do \
 	    command -v "$$tool" >/dev/null || { echo "there is no $$tool:" \
-	    "'make deps' installs what is missing" >&2; exit 1; }; done
+	    "'make deps' installs or names a compiler, CC and CXX choose one" \
+	    >&2; exit 1; }; done
 	@echo '#include <$*>' | \
 	    $(CXX) $(CXX_FLAGS) $(CPPFLAGS) -x c++ -E - >$@ 2>/dev/null || \
-	    { echo "$(CXX) finds no <$*>: 'make deps' installs what is missing" \
-	    >&2; exit 1; }
-$(PROGRAM): | $(addprefix $(BUILD)/has/,cjson/cJSON.h \
-	fast_float/fast_float.h dragonbox/dragonbox.h)
+	    { echo "$(CXX) finds no <$*>: 'make deps' installs or names what is missing;" \
+	    "CPPFLAGS=-IFOLDER says where it is" >&2; exit 1; }
+$(PROGRAM): | $(BUILD)/has/cjson/cJSON.h
+$(BUILD)/cmd/number/number.o: FLAGS += $(if \
+    $(PLAIN_NUMBERS),-DPLAIN_NUMBERS=$(PLAIN_NUMBERS))
 $(TRUTH) $(addsuffix .o,$(TESTS)): | $(addprefix $(BUILD)/has/,cmocka.h mpfr.h)
 
 $(BUILD)/%.o: %.c | $(FIRST)
@@ -125,9 +154,7 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $(call HARDENING,$(CXXFLAGS)) $(CXXFLAGS) $(UNCHECKED) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
-# The compiler is asked for its machine once, and only when a rule needs it, as `make
-# deps` may install the compiler first.
-MACHINE = $(eval MACHINE := $(shell $(CC) -dumpmachine 2>/dev/null))$(MACHINE)
+MACHINE = $(call asked,MACHINE,$(shell $(CC) -dumpmachine 2>/dev/null))
 x86 = $(if $(filter x86_64% amd64%,$(MACHINE)),$1)
 
 # With -std=c11, gcc for s390x computes floats as doubles, unless this flag forbids it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* fast_float reads numbers, Dragonbox finds the shortest digits. Others come from 128
- * bits of the number's fraction or, if those are too few, from printf. */
+/* fast_float reads numbers, Dragonbox finds the shortest digits; where there is no header
+ * of theirs, or PLAIN_NUMBERS is defined, the C++ library does so. Other digits come from
+ * 128 bits of the number's fraction or, if those are too few, from printf. */
 #include "number.h"
 
 /* NDEBUG removes the assertions of both libraries. */
@@ -13,10 +14,115 @@
 #include <cstdlib>
 #include <cstring>
 
+#if !defined PLAIN_NUMBERS && __has_include(<dragonbox/dragonbox.h>)
 #include <dragonbox/dragonbox.h>
+#define WRITES_BY_DRAGONBOX 1
+#else
+#include <charconv>
+#endif
+#if !defined PLAIN_NUMBERS && __has_include(<fast_float/fast_float.h>)
 #include <fast_float/fast_float.h>
+#define READS_BY_FAST_FLOAT 1
+#else
+#include <charconv>
+#endif
 
 #include "../../core/exact/wide.h"
+
+#if !READS_BY_FAST_FLOAT
+static bool is_digit(const char *s, const char *end)
+{
+	return s < end && '0' <= *s && *s <= '9';
+}
+
+/* Reads a word, such as nan, by strtod. */
+static const char *read_word(const char *s, const char *end, double *v)
+{
+	char text[sizeof "-infinity"] = "", *last;
+	size_t n = size_t(end - s);
+
+	memcpy(text, s, n < sizeof text - 1 ? n : sizeof text - 1);
+	text[strcspn(text, "(")] = '\0'; /* nan is read, and nan(...) is not */
+	*v = strtod(text, &last);
+	return last == text ? NULL : s + (last - text);
+}
+
+/* Reads an exponent, such as e-7, if there is one. No more digits of it are kept than
+ * are compared with the number of bytes of a text. */
+static const char *read_exponent(const char *s, const char *end, long long *exponent)
+{
+	const char *digit = s + 1;
+	bool minus = false;
+	long long e = 0;
+
+	if (s == end || (*s != 'e' && *s != 'E'))
+		return s;
+	if (digit < end && (*digit == '-' || *digit == '+'))
+		minus = *digit++ == '-';
+	if (!is_digit(digit, end))
+		return s;
+	for (; is_digit(digit, end); digit++)
+		if (e < 1000000000000000)
+			e = e * 10 + (*digit - '0');
+	*exponent += minus ? -e : e;
+	return digit;
+}
+
+/* Reads a number of any length by strtod, to which it gives an integer and an exponent,
+ * so that neither the locale nor what follows matters. No middle of two doubles has more
+ * than 768 digits, so that of the digits after 800 only counts whether one is not 0. */
+static const char *read_by_strtod(const char *s, const char *end, double *v)
+{
+	char text[832], *first = text, *last = text + 800;
+	bool any = false, point = false, more = false;
+	long long exponent = -1;
+
+	if (s < end && *s == '-')
+		*first++ = '-';
+	const char *digit = s + (first - text);
+
+	if (digit < end && (*digit | 32) >= 'a')
+		return read_word(s, end, v);
+	char *to = first;
+
+	for (; is_digit(digit, end) || (digit < end && *digit == '.' && !point);
+	     digit++) {
+		if (*digit == '.') {
+			point = true;
+			continue;
+		}
+		any = true;
+		exponent -= point;
+		if (to < last && (to > first || *digit != '0')) {
+			*to++ = *digit;
+		} else if (to == last) {
+			exponent++;
+			more |= *digit != '0';
+		}
+	}
+	if (!any)
+		return NULL;
+	digit = read_exponent(digit, end, &exponent);
+	exponent = exponent < -2000 ? -2000 : exponent > 2000 ? 2000 : exponent;
+	snprintf(to, 32, "%ce%d", more ? '1' : '0', int(exponent));
+	*v = strtod(text, NULL);
+	return digit;
+}
+
+/* Where the C++ library has std::from_chars for doubles, it reads what is in range: of
+ * other numbers it does not say whether they are too large or too small. A PLAIN_NUMBERS
+ * of 2 hides it. */
+static const char *read_plain(const char *s, const char *end, double *v)
+{
+#if __cpp_lib_to_chars >= 201611L && PLAIN_NUMBERS < 2
+	std::from_chars_result r = std::from_chars(s, end, *v);
+
+	if (r.ec != std::errc::result_out_of_range)
+		return r.ec == std::errc::invalid_argument ? NULL : r.ptr;
+#endif
+	return read_by_strtod(s, end, v);
+}
+#endif
 
 const char *number_read(const char *s, const char *end, double *v)
 {
@@ -25,11 +131,14 @@ const char *number_read(const char *s, const char *end, double *v)
 	s += plus;
 	if (s == end || (plus && *s == '-'))
 		return NULL;
+#if READS_BY_FAST_FLOAT
 	fast_float::from_chars_result r = fast_float::from_chars(s, end, *v);
-	if (r.ec == std::errc::invalid_argument)
-		return NULL;
-	/* fast_float also reads what follows nan in nan(...) */
-	return std::isnan(*v) ? s + (*s == '-') + 3 : r.ptr;
+	const char *after = r.ec == std::errc::invalid_argument ? NULL : r.ptr;
+#else
+	const char *after = read_plain(s, end, v);
+#endif
+	/* some also read what follows nan in nan(...) */
+	return after && std::isnan(*v) ? s + (*s == '-') + 3 : after;
 }
 
 /* The most digits that the shortest text of a double needs. */
@@ -127,7 +236,8 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 	return s + 2 - point + n;
 }
 
-/* Writes the shortest text of v > 0. A loop multiplies the digits by 10 until there are
+#if WRITES_BY_DRAGONBOX
+/* Writes the shortest text of |v|. A loop multiplies the digits by 10 until there are
  * 17: the processor predicts its turns; a formula would wait for Dragonbox. */
 template <class Float> [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
@@ -146,6 +256,29 @@ template <class Float> [[gnu::flatten]] static char *write_shortest(char *s, Flo
 	write_17_digits(d, digits);
 	return put_digits<24>(s, d, DOUBLE_DIGITS, point);
 }
+#else
+/* Writes the shortest text of |v|. std::to_chars writes d.ddde+dd, or de+dd if there
+ * is one digit, with two or three digits of the exponent. */
+template <class Float> static char *write_shortest(char *s, Float v)
+{
+	char text[32], d[64];
+	const char *end = std::to_chars(text, text + sizeof text, std::fabs(v),
+	    std::chars_format::scientific)
+			      .ptr;
+	const char *e = end[-4] == 'e' ? end - 4 : end - 5;
+	int exponent = 0, n = 1;
+
+	for (const char *digit = e + 2; digit < end; digit++)
+		exponent = exponent * 10 + (*digit - '0');
+	memset(d, '0', sizeof d);
+	d[0] = text[0];
+	if (text[1] == '.') {
+		n = int(e - text) - 1;
+		memcpy(d + 1, text + 2, size_t(n - 1));
+	}
+	return put_digits<24>(s, d, n, 1 + (e[1] == '-' ? -exponent : exponent));
+}
+#endif
 
 static uint64_t bits_of(double v)
 {

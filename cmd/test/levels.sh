@@ -1,7 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Checks that each installed compiler gives the same bits at each level of optimization,
-# with optimization at link time, and for this very processor.
+# with optimization at link time, for this very processor, and where the C++ library or
+# strtod takes the place of fast_float and dragonbox.
 # usage: levels.sh BUILD [CC...]
 set -eu
 cd "$(dirname "$0")/../.."
@@ -19,15 +20,18 @@ makes() {
 	"$1" $2 -o "$top/none" "$top/none.c" 2>/dev/null && "$top/none"
 }
 
+# usage: check CC FLAGS PLAIN_NUMBERS
 check() {
 	# make would take a word with = for a variable
-	build=$top/$1$(echo "$2" | tr -d ' =')
+	build=$top/$1$(echo "$2" | tr -d ' =')$3
 	make -s -j"$(nproc 2>/dev/null || echo 2)" "BUILD=$build" "CC=$1" \
 	    "CXX=$(echo "$1" | sed 's/gcc/g++/; s/clang/clang++/')" \
-	    CFLAGS="$2 -g" LDFLAGS="$2" "$build/projcalc" \
-	    "$build/core/test/compiler_test"
+	    CFLAGS="$2 -g" LDFLAGS="$2" "PLAIN_NUMBERS=$3" "$build/projcalc" \
+	    "$build/core/test/compiler_test" "$build/cmd/test/number_test" \
+	    "$build/cmd/test/texts_test"
 	{
 		"$build/core/test/compiler_test" &&
+		    "$build/cmd/test/number_test" && "$build/cmd/test/texts_test" &&
 		    perl cmd/test/transcripts_test.t "$build" &&
 		    perl cmd/test/bits_test.t "$build"
 	} >"$top/said" 2>&1 || {
@@ -46,9 +50,13 @@ for cc; do
 	    '-O3 -march=native' '-O3 -march=x86-64-v3'; do
 		echo "$cc $flags"
 		if makes "$cc" "$flags"; then
-			check "$cc" "$flags"
+			check "$cc" "$flags" ''
 		else
 			echo "	can't be made here"
 		fi
+	done
+	for plain in 1 2; do
+		echo "$cc -O2 PLAIN_NUMBERS=$plain"
+		check "$cc" -O2 $plain
 	done
 done

@@ -88,12 +88,28 @@ like($out, qr{^sh .debian/deps $tmp/none demo$}m, 'make says what is wanted');
 for my $compiler (qw(CC CXX)) {
 	($status, $out, $err) = run("make -s BUILD=$tmp/none $compiler=nothing");
 	is($status, 2, "without $compiler");
-	like($err, qr/\Athere is no nothing: 'make deps' installs/, 'which is said');
+	like($err, qr/\Athere is no nothing: .* CC and CXX choose one$/m, 'which is said');
 }
 ($status, $out, $err) = run("make -s BUILD=$tmp/none CXX=false");
 is($status, 2, 'without a header');
-like($err, qr/\Afalse finds no <.*>: 'make deps' installs what is missing$/m,
+like($err, qr/\Afalse finds no <.*>: 'make deps' .* CPPFLAGS=-IFOLDER says where/,
     'which is said');
+
+# Without apt-get deps names the projects that are missing, if there are any.
+unlink "$tmp/bin/$_" for qw(apt-get dpkg-query dpkg apt-cache);
+script('perl', '');
+for my $goal (qw(demo test)) {
+	my $deps = "CC=compiler CXX=compiler PATH=$tmp/bin $sh .debian/deps $tmp/build $goal";
+	script('compiler', '');
+	($status, $out) = run($deps);
+	is("$status$out", "0make deps: nothing is missing\n", "deps $goal, with headers");
+	script('compiler', 'exit 1');
+	($status, $out) = run($deps);
+	is($status, 1, "deps $goal, without headers");
+	like($out, qr/^make deps: there is no apt-get here; please install cJSON/m,
+	    'which are named');
+	unlike($out, qr/lib|-dev/, "and not by Debian's names");
+}
 
 mkdir "$tmp/foreign" or die;
 mkdir "$tmp/foreign/cjson" or die;
