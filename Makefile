@@ -336,6 +336,40 @@ mutants: ## changes of the program that no test finds: N=400 SEED=1
 cluster: all ## GNU parallel and Slurm over hosts that are killed midway
 	@sh cmd/test/cluster.sh $(BUILD)
 
+# The program as WebAssembly, by Emscripten, with the source of cJSON that `make deps-all`
+# fetches: projcalc.js is a command under node, and projcalc.html has all that it needs.
+# Debian's emcc looks for acorn where only Debian's node does.
+WASM = $(BUILD)/wasm
+wasm: | $(FIRST) ## the program for node and as a page for a browser, build/wasm
+	@command -v emcc >/dev/null && [ -f $(BUILD)/foreign/cjson/cJSON.c ] || { \
+	    echo "there is no emcc or no source of cJSON: 'make deps-all' installs" \
+	    'them on Debian' >&2; exit 1; }
+	@mkdir -p $(WASM)/include
+	@ln -sfn $(abspath $(BUILD)/foreign/cjson) $(WASM)/include/cjson
+	@ln -sfn /usr/include/fast_float $(WASM)/include/fast_float
+	@+NODE_PATH=$(NODE_PATH):/usr/share/nodejs $(PARALLEL) BUILD=$(WASM) CC=emcc \
+	    CXX=em++ CFLAGS=-O2 HARDENING= THREADS= PKG_CONFIG=false PREFIXES= \
+	    CPPFLAGS='-I$(WASM)/include -Wno-unsupported-floating-point-opt' \
+	    $(addprefix $(WASM)/projcalc.,js html)
+EMCC = $(CC) -O2 -s ALLOW_MEMORY_GROWTH=1 -s TOTAL_STACK=2MB -s EXIT_RUNTIME=1 -o $@ \
+	$(filter %.o,$^) $(BUILD)/include/cjson/cJSON.c
+$(BUILD)/projcalc.js: $(PROGRAM) cmd/web/node.js
+	$(EMCC) -s ENVIRONMENT=node -s NODERAWFS=1 -s WASM_ASYNC_COMPILATION=0 \
+	    -s NODEJS_CATCH_EXIT=0 --js-library cmd/web/node.js
+	sed -i '1i #!/usr/bin/env node' $@ && chmod +x $@
+$(BUILD)/web.js: $(PROGRAM)
+	$(EMCC) -s ENVIRONMENT=worker -s MODULARIZE=1 -s EXPORT_NAME=projcalc \
+	    -s INVOKE_RUN=0 -s EXPORTED_RUNTIME_METHODS=FS,callMain
+$(BUILD)/projcalc.html: $(wildcard cmd/web/page*) cmd/web/worker.js .debian/copyright \
+    $(BUILD)/web.js
+	perl cmd/web/page.pl $(BUILD) >$@
+npm: wasm ## a package for npm of the program for node, build/projcalc-VERSION.tgz
+	rm -rf $(BUILD)/npm && mkdir $(BUILD)/npm
+	cp $(addprefix $(WASM)/projcalc.,js wasm) README.md LICENSE .debian/copyright \
+	    $(BUILD)/npm
+	sed 's/@VERSION@/$(VERSION)/' cmd/web/package.json >$(BUILD)/npm/package.json
+	cd $(BUILD) && npm pack --silent ./npm
+
 # MADE lists the files that are installed, and INSTALLED their places.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
 	$(SCHEMA) .debian/copyright $(COMPLETIONS)
@@ -394,9 +428,9 @@ release: lint distcheck deb ## lint, distcheck and deb, with sums
 
 clean: ## remove the output
 	rm -rf $(BUILD)
-deps: ## install the packages that demo, test or foreign need, with apt-get
+deps: ## install the packages that demo, test, foreign or wasm need, with apt-get
 	@sh .debian/deps $(BUILD) $(filter-out deps,$(MAKECMDGOALS))
-deps-all: ## the packages of all targets, asan to fuzz, bench and chart
+deps-all: ## the packages of all targets, asan to fuzz, bench, chart and wasm
 	@sh .debian/deps $(BUILD) deps-all
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \

@@ -193,7 +193,7 @@ static void *thread_main(void *unused)
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);
-#ifdef CPU_COUNT
+#if defined CPU_COUNT && !defined __EMSCRIPTEN__
 	cpu_set_t set;
 
 	if (sched_getaffinity(0, sizeof set, &set) == 0)

@@ -13,7 +13,7 @@ use Projcalc;
 my $says = 'SPDX-License-Identifier: MIT';
 my %comment = (
 	(map { $_ => "/* $says */\n" } qw(c h)),
-	cc => "// $says\n",
+	(map { $_ => "// $says\n" } qw(cc js)),
 	v => "(* $says *)\n",
 	(map { $_ => ".\\\" $says\n" } 1, 5),
 	(map { $_ => "# $says\n" } qw(awk gp pl pm py sh t script)),

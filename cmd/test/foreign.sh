@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Checks that other processors, which are emulated, and another C library give the same
-# bits: runs the transcripts and the digests of testdata/bits.sha256 and, for arm64, the
-# tests of its vector loops. Programs are linked statically, with cJSON. Needs the
-# packages of `make deps foreign`; names and skips what is missing.
+# Checks that other processors, which are emulated, another C library, and WebAssembly
+# under node give the same bits: runs the transcripts and the digests of
+# testdata/bits.sha256 and, for arm64, the tests of its vector loops; and tries the page
+# in a browser. Programs are linked statically, with cJSON. Needs the packages of `make
+# deps foreign`; names and skips what is missing.
 # usage: foreign.sh BUILD [NAME...]
 set -eu
 unset CDPATH
@@ -34,19 +35,24 @@ has() {
 # Runs make for $cc and $cxx with $flags and the targets given.
 made() {
 	make -s -j"$(nproc 2>/dev/null || echo 2)" "BUILD=$build/$name" "CC=$cc" "CXX=$cxx" \
-	    CFLAGS="-O2 -g $flags" CPPFLAGS="-I$build/include" "$@"
+	    CFLAGS="-O2 -g $flags" CPPFLAGS="-I$build/include" PKG_CONFIG=false "$@"
+}
+
+# Makes "$dir/emulated/projcalc" run a command.
+emulate() {
+	mkdir -p "$dir/emulated"
+	printf '#!/bin/sh\nexec %s "$@"\n' "$1" >"$dir/emulated/projcalc"
+	chmod +x "$dir/emulated/projcalc"
+	echo "$name"
 }
 
 # Builds the program for $name, and runs the tests with the program under $emulator.
 check() {
 	dir=$build/$name
-	mkdir -p "$dir/emulated"
+	mkdir -p "$dir"
 	"$cc" -O2 -c -o "$dir/cJSON.o" "$cjson/cJSON.c"
 	made LDFLAGS=-static LIBS="$dir/cJSON.o -lm" "$dir/projcalc"
-	printf '#!/bin/sh\nexec %s "%s/projcalc" "$@"\n' "$emulator" "$dir" \
-	    >"$dir/emulated/projcalc"
-	chmod +x "$dir/emulated/projcalc"
-	echo "$name"
+	emulate "$emulator \"$dir/projcalc\""
 	prove -Q cmd/test/transcripts_test.t cmd/test/bits_test.t :: \
 	    "$dir/emulated"
 }
@@ -69,11 +75,61 @@ check_loops() {
 	done
 }
 
+# The transcripts that node cannot do.
+not_by_node='
+json-strings: its arguments are UTF-8, so that other bytes in them are lost
+escaped-name: the same
+stdin-closed: it opens /dev/null in place of a stream that is closed
+scenes-many-files: it needs more than 12 files itself'
+
+# Runs the tests with the program that `make npm` packs, and npx with the package.
+check_node() {
+	dir=$build/node
+	rm -rf "$dir"
+	mkdir -p "$dir"
+	make -s npm "BUILD=${build%/*}" >"$dir/made"
+	package=${build%/*}/$(tail -n 1 "$dir/made")
+	tar -xzf "$package" -C "$dir"
+	emulate "node \"$dir/package/projcalc.js\""
+	perl cmd/test/transcripts_test.t "$dir/emulated" >"$dir/said" 2>"$dir/why" || true
+	tail -n 1 "$dir/said" | grep -q '^1\.\.'
+	echo "$not_by_node" | sed -n 's/:.*/$/; s/^./: &/p' >"$dir/names"
+	sed 's/^\(.*:[0-9]*: [^:]*\):.*/\1/' "$dir/said" | grep '^not ok' |
+	    grep -v -f "$dir/names" >"$dir/failed" && {
+		cat "$dir/failed" "$dir/why"
+		exit 1
+	}
+	echo "transcripts: $(grep -c '^ok' "$dir/said"), and $(wc -l <"$dir/names")" \
+	    "that node cannot do:$not_by_node"
+	prove -Q cmd/test/bits_test.t :: "$dir/emulated"
+	said=$(cd "$dir" && echo 22 32 | npm_config_cache=$dir/cache npx --offline --yes \
+	    "$package" w2n '{"center": [20, 30], "width": 10, "height": 10}')
+	[ "$said" = '0.4 0.4' ] || {
+		echo "npx: said $said"
+		exit 1
+	}
+}
+
+check_page() {
+	make -s wasm "BUILD=${build%/*}"
+	echo "$name: $(wc -c <"${build%/*}/wasm/projcalc.html") bytes"
+	[ "$(wc -c <"${build%/*}/wasm/projcalc.html")" -lt 450000 ]
+	node cmd/test/page.js "${build%/*}/wasm/projcalc.html" "$build/page"
+}
+
 tested=
-[ $# -gt 0 ] || set -- arm64 s390x riscv64 i386 musl
+[ $# -gt 0 ] || set -- arm64 s390x riscv64 i386 musl node page
 for name; do
 	flags='' emulator=''
 	case $name in
+	node | page)
+		[ "$name" = page ] || has npm || continue
+		has emcc node || continue
+		[ "$name" = node ] || has chromium || continue
+		"check_$name"
+		tested=yes
+		continue
+		;;
 	arm64) triplet=aarch64-linux-gnu emulator=qemu-aarch64-static ;;
 	i386)
 		# SSE2, as the x87 does not round to doubles
