@@ -83,9 +83,10 @@ HARDENING_LINK = -pie $(call linkable,-Wl$(comma)-z$(comma)relro) \
 hardening_link = $(if $(HARDENING),$(HARDENING_LINK))
 # linkable FLAG is FLAG if the linker knows it, which that of macOS does not.
 comma = ,
-linkable = $(if $(findstring undefined,$(origin asked$1)),$(call asked,asked$1,$(shell \
+linkable = $(call linkable_as,$1,asked$(subst =,_,$1))
+linkable_as = $(if $(findstring undefined,$(origin $2)),$(call asked,$2,$(shell \
 	mkdir -p $(BUILD)/has && echo 'int main(void) { return 0; }' | $(CC) $(LDFLAGS) \
-	-x c - $1 -o $(BUILD)/has/linked 2>/dev/null && echo $1)),$(asked$1))
+	-x c - $1 -o $(BUILD)/has/linked 2>/dev/null && echo $1)),$($2))
 # The C compiler links, unless the C++ files use the C++ library.
 LINK = $(if $(PLAIN),$(CXX),$(CC)) $(THREADS) \
 	$(call linkable,-Wl$(comma)--sort-section=alignment) $(hardening_link) \
@@ -328,7 +329,7 @@ valgrind: all ## one call of each command under valgrind
 	@sh cmd/test/valgrind.sh $(BUILD)
 levels: ## compare bits: both compilers, each level of optimization
 	@sh cmd/test/levels.sh $(BUILD)/levels
-foreign: | $(FIRST) ## compare bits: other processors, emulated, and musl
+foreign: | $(FIRST) ## compare bits: other processors, emulated, musl, node; try the page
 	@sh cmd/test/foreign.sh $(BUILD)/foreign
 mutants: ## changes of the program that no test finds: N=400 SEED=1
 	@perl cmd/test/mutants.pl $(BUILD) \
@@ -336,14 +337,14 @@ mutants: ## changes of the program that no test finds: N=400 SEED=1
 cluster: all ## GNU parallel and Slurm over hosts that are killed midway
 	@sh cmd/test/cluster.sh $(BUILD)
 
-# The program as WebAssembly, by Emscripten, with the source of cJSON that `make deps-all`
+# The program as WebAssembly, by Emscripten, with the source of cJSON that `make deps wasm`
 # fetches: projcalc.js is a command under node, and projcalc.html has all that it needs.
 # Debian's emcc looks for acorn where only Debian's node does.
 WASM = $(BUILD)/wasm
 wasm: | $(FIRST) ## the program for node and as a page for a browser, build/wasm
 	@command -v emcc >/dev/null && [ -f $(BUILD)/foreign/cjson/cJSON.c ] || { \
-	    echo "there is no emcc or no source of cJSON: 'make deps-all' installs" \
-	    'them on Debian' >&2; exit 1; }
+	    echo "there is no emcc, or no source of cJSON in $(BUILD)/foreign/cjson:" \
+	    "'make deps wasm' installs both on Debian" >&2; exit 1; }
 	@mkdir -p $(WASM)/include
 	@ln -sfn $(abspath $(BUILD)/foreign/cjson) $(WASM)/include/cjson
 	@ln -sfn /usr/include/fast_float $(WASM)/include/fast_float
@@ -356,7 +357,7 @@ EMCC = $(CC) -O2 -s ALLOW_MEMORY_GROWTH=1 -s TOTAL_STACK=2MB -s EXIT_RUNTIME=1 -
 $(BUILD)/projcalc.js: $(PROGRAM) cmd/web/node.js
 	$(EMCC) -s ENVIRONMENT=node -s NODERAWFS=1 -s WASM_ASYNC_COMPILATION=0 \
 	    -s NODEJS_CATCH_EXIT=0 --js-library cmd/web/node.js
-	sed -i '1i #!/usr/bin/env node' $@ && chmod +x $@
+	{ echo '#!/usr/bin/env node'; cat $@; } >$@.tmp && mv $@.tmp $@ && chmod +x $@
 $(BUILD)/web.js: $(PROGRAM)
 	$(EMCC) -s ENVIRONMENT=worker -s MODULARIZE=1 -s EXPORT_NAME=projcalc \
 	    -s INVOKE_RUN=0 -s EXPORTED_RUNTIME_METHODS=FS,callMain

@@ -102,7 +102,9 @@ sub run {
 	local $SIG{ALRM} = sub { kill 'KILL', -$shell };
 	my $now = join "\n", $$, map { $_ . '=' . ($ENV{$_} // '') } sort keys %ENV;
 	if ($now ne $started) {
-		$shell = open2($answers, $commands, 'setsid', 'sh');
+		$shell = open2($answers, $commands, missing('setsid') ?
+		    ($^X, '-MPOSIX', '-e', 'POSIX::setsid(); exec "sh"') :
+		    ('setsid', 'sh'));
 		print $commands 'ulimit -S -s ' . (stack_limit() // $usual) . "\n";
 		$started = $now;
 	}

@@ -111,6 +111,17 @@ for my $goal (qw(demo test)) {
 	unlike($out, qr/lib|-dev/, "and not by Debian's names");
 }
 
+# A linker's own flags are given only to a linker that knows them.
+for my $flag ('--sort-section=alignment', '-z,relro', '-z,now') {
+	script('linking', "case \$* in *-Wl,$flag*) exit 1 ;; esac");
+	($status, $out) = run("make -n BUILD=$tmp/none CC=$tmp/bin/linking");
+	my ($link) = $out =~ /^(\S+ .*) -o \S*projcalc /m;
+	unlike($link, qr/\Q$flag\E/, "not $flag");
+	is(() = $link =~ /-Wl,/g, 2, 'but the others');
+}
+($status, $out) = run("make -n BUILD=$tmp/none PLAIN_NUMBERS=1 CXX=c++");
+like($out, qr/^c\+\+ .* -o \S*projcalc /m, 'the C++ library is linked if it is used');
+
 mkdir "$tmp/foreign" or die;
 mkdir "$tmp/foreign/cjson" or die;
 spew("$tmp/foreign/cjson/cJSON.c", '');
