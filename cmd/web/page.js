@@ -71,7 +71,7 @@ function cells(out) {
 }
 
 function table(rows) {
-	const cell = c => element(isNumber(c) ? 'td' : 'th', c);
+	const cell = c => element('td', c, { className: isNumber(c) ? '' : 'word' });
 	const row = r => element('tr', r.length ? r.map(cell) : cell('\u00a0'));
 	return element('div', element('table', rows.slice(0, ROWS_MAX).map(row)),
 		{ tabIndex: 0 });
@@ -102,8 +102,9 @@ function mark(id, faults) {
 	const area = $(id), lines = area.value.split('\n');
 	const bad = new Set(faults.map(f => f.line));
 	area.rows = Math.min(Math.max(lines.length + 1, 4), 24);
-	area.previousSibling.replaceChildren(...lines.flatMap((line, i) =>
-		[bad.has(i + 1) ? element('mark', line || ' ') : line, '\n']));
+	const shade = (line, i) => bad.has(i + 1) ? element('mark', line || ' ') : line;
+	area.previousSibling.replaceChildren(...lines.slice(0, Math.max(0, ...bad))
+		.flatMap((line, i) => [shade(line, i), '\n']));
 	area.setAttribute('aria-invalid', faults.length > 0);
 	$(id + '-faults').replaceChildren(...faults.slice(0, 10).map(f => {
 		const what = [f.reason, f.hint].filter(Boolean).join('; ');
