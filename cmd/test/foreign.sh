@@ -88,8 +88,9 @@ check_node() {
 	rm -rf "$dir"
 	mkdir -p "$dir"
 	make -s npm "BUILD=${build%/*}" >"$dir/made"
-	package=${build%/*}/$(tail -n 1 "$dir/made")
-	tar -xzf "$package" -C "$dir"
+	package=$(tail -n 1 "$dir/made")
+	cp "${build%/*}/$package" "$dir"
+	tar -xzf "$dir/$package" -C "$dir"
 	emulate "node \"$dir/package/projcalc.js\""
 	perl cmd/test/transcripts_test.t "$dir/emulated" >"$dir/said" 2>"$dir/why" || true
 	tail -n 1 "$dir/said" | grep -q '^1\.\.'
@@ -103,7 +104,7 @@ check_node() {
 	    "that node cannot do:$not_by_node"
 	prove -Q cmd/test/bits_test.t :: "$dir/emulated"
 	said=$(cd "$dir" && echo 22 32 | npm_config_cache=$dir/cache npx --offline --yes \
-	    "$package" w2n '{"center": [20, 30], "width": 10, "height": 10}')
+	    "./$package" w2n '{"center": [20, 30], "width": 10, "height": 10}' -)
 	[ "$said" = '0.4 0.4' ] || {
 		echo "npx: said $said"
 		exit 1
