@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Draws what `stability data` writes, to standard output:
-#	gnuplot -e "data='stability.dat'" stability.gp > stability.svg
-if (!exists("terminal")) terminal = "svg size 900,1420"
-eval "set terminal ".terminal." font 'sans-serif,12' background 'white'"
+#	gnuplot -e "data='stability.dat'" stability.gp > stability-all.svg
+#	gnuplot -e "data='stability.dat'; panels='distance, up'" stability.gp
+# draws only these panels.
 
 # x is the power of ten of the severity; the value beyond the last is drawn at
 # the edge.
@@ -33,6 +33,24 @@ array Unit[Panels] = ["", "", "", "", "", "", "", "", "", "", \
     "units of the world", "units of the world", "parts of the distance", \
     "parts of the distance", "steps of a 24-bit buffer", \
     "units in the last place", ""]
+# What to do. The errors in the panel show what it says of projcalc.
+array Remedy[Panels] = ["any -p; elsewhere subtract the eye first", \
+    "any -p; parallel: give another up", \
+    "any -p; elsewhere edges, not an angle", \
+    "the default; -p double keeps 0.01 pixels", \
+    "any -p keeps a thousandth of a pixel", \
+    "any -p; elsewhere take w = 1 − z / eye z", \
+    "any -p; elsewhere one turn, modulo 360°", \
+    "any -p; elsewhere one turn, modulo 360°", \
+    "any -p; elsewhere doubles, not floats", \
+    "any -p; elsewhere doubles, not floats", \
+    "the default; elsewhere doubles, a larger near", \
+    "the default; --to view keeps all digits", \
+    "reverse\\_z keeps all digits; or a larger near", \
+    "none is needed: keep reverse\\_z", \
+    "the default; elsewhere a larger far", \
+    "the default; elsewhere clip at a larger near", \
+    "the default; -p double for tiles above 10^{-12}"]
 # Where the exact results are large, the nearest double is far from them.
 rises(i) = Name[i] eq "back" || Name[i] eq "normal depth"
 
@@ -67,11 +85,26 @@ at(e) = e < 0 || e > top ? top : e < floor ? floor : e
 between(x, a, b) = x < a ? a : x > b ? b : x
 beside(x) = x > 0 ? between(log10(x), least, most) : least
 
-set multiplot layout 6, 3 margins 0.085, 0.975, 0.035, 0.945 \
-    spacing 0.075, 0.055 title "How far off the image of a point is \
+# Sizes are in pixels. The key has the last cell to itself, or a strip of its own below
+# full rows.
+if (!exists("panels")) panels = ""
+is_chosen(i) = panels eq "" || strstrt(", ".panels.", ", ", ".Name[i].", ") > 0
+count = 0
+do for [i = 1:Panels] { count = count + is_chosen(i) }
+rows = (count + 2) / 3
+strip = count % 3 == 0 ? 105 : 0
+width = 900.0
+below = 55.0 + strip
+above = 90.0
+high = above + below + 150 * rows + 104 * (rows - 1)
+eval sprintf("set terminal svg size %d,%d font 'sans-serif,12' background 'white'", \
+    width, high)
+set multiplot layout rows, 3 margins 0.085, 0.975, below / high, 1 - above / high \
+    spacing 0.075, 104 / high title "How far off the image of a point is \
 as the scene gets harder" font ",16"
 unset key
 do for [i = 1:Panels] {
+	if (!is_chosen(i)) { continue }
 	ulps = Name[i] eq "plane" ? 1 : 0
 	floor = ulps ? 1e-4 : 1e-17
 	top = ulps ? 1e20 : 1e7
@@ -85,10 +118,12 @@ do for [i = 1:Panels] {
 	if (Name[i] eq "up") { set xtics add ("0" -18) }
 	set ytics floor * 10, 1e4 nomirror scale 0.5,0 font ",11"
 	set ytics add ("lost" top)
-	set title Title[i]
+	set title Title[i] offset 0, 0.3
 	set xlabel Swept[i]
 	unset arrow
 	unset label
+	set label Remedy[i] at graph 0.5, 1 center offset 0, 0.7 font ",11" \
+	    tc rgb "#00603c"
 	if (Unit[i] eq "") {
 		set ylabel "pixels" tc rgb "#555555"
 		set arrow from graph 0, first 0.5 to graph 1, first 0.5 \
@@ -114,7 +149,6 @@ do for [i = 1:Panels] {
 	    at(column(2 * w + ulps)) : NaN) \
 	    smooth unique with linespoints ls w title ""
 }
-# The key has the last cell to itself.
 unset title
 unset xlabel
 unset ylabel
@@ -122,14 +156,16 @@ unset tics
 unset border
 unset arrow
 unset label
-set lmargin at screen 0.68
+set lmargin at screen strip ? 0.085 : 0.68
 set rmargin at screen 0.99
-set tmargin at screen 0.155
-set bmargin at screen 0.005
-set label "composed: one product of all matrices.\nThe worst of a few hundred \
-points.\nLost: not a number, mirrored, or on\nthe wrong side of the eye." \
-    at graph 0.03, 0.31 font ",11"
-set key at graph 0, 1.03 left top Left reverse maxcols 1 samplen 4 spacing 1.05 \
-    font ",11"
+set tmargin at screen (strip ? strip + 5.0 : 220.0) / high
+set bmargin at screen 5.0 / high
+lines = strip ? "composed: one product of all matrices. The worst of a few \
+hundred points. Lost: not a number, mirrored, or on the wrong side of the eye." : \
+    "composed: one product of all matrices.\nThe worst of a few hundred \
+points.\nLost: not a number, mirrored, or on\nthe wrong side of the eye."
+set label lines at graph (strip ? 0.005 : 0.03), strip ? 0.3 : 0.31 font ",11"
+set key at graph 0, 1.03 left top Left reverse maxrows (strip ? 3 : 8) samplen 4 \
+    spacing 1.05 font ",11"
 plot for [w = 1:8] NaN with linespoints ls w title Way[w]
 unset multiplot
