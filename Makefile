@@ -196,6 +196,7 @@ $(call objects,$(addprefix core/,exact projection scene points derive)): \
 $(call objects,core/exact): PROTECTOR =
 # The libraries of cmd/bench/peer are compiled for this processor, to be at their best.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast -ftree-slp-vectorize
+$(BUILD)/cmd/bench/peer/wide.o: FLAGS += -ffp-contract=off
 
 $(STABILITY): $(call objects,core/study)
 $(CORE_TESTS) $(STABILITY): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(CORE)
@@ -243,7 +244,9 @@ stability: $(STABILITY) ## scenes where double fails, and the errors there
 chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## bench and stability as pictures, and README's figures
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
-	    > testdata/charts/stability.svg
+	    > testdata/charts/stability-all.svg
+	gnuplot -e "data='$<.dat'; panels='distance, up, zoom, unproject, back, \
+	normal depth'" core/study/stability.gp > testdata/charts/stability.svg
 	perl cmd/bench/bench.pl $(BUILD) > $(BUILD)/bench.md
 	perl cmd/bench/names.pl $(BUILD)/bench
 	gnuplot -c cmd/bench/speed.gp $(BUILD)/bench \

@@ -41,7 +41,7 @@ static struct entry entries[ENTRIES_MAX] = {
 static int n_entries = 3;
 
 static const struct peer *const peers[] = { peers_plain, peers_glm, peers_cglm,
-	peers_eigen };
+	peers_eigen, peers_wide };
 
 enum { PEERS = sizeof peers / sizeof *peers };
 
@@ -218,10 +218,15 @@ static int print_versions(void)
 #else
 	puts("gcc " __VERSION__);
 #endif
-	for (int i = 0; i < PEERS; i++)
-		if (peers[i]->version != NULL)
-			printf("%.*s %s\n", (int)strcspn(peers[i]->name, ","),
-			    peers[i]->name, peers[i]->version);
+	for (int i = 0; i < PEERS; i++) {
+		const struct peer *p = peers[i];
+
+		while (p->name != NULL && p->version == NULL)
+			p++;
+		if (p->name != NULL)
+			printf("%.*s %s\n", (int)strcspn(p->name, ","), p->name,
+			    p->version);
+	}
 	return 0;
 }
 

@@ -47,8 +47,17 @@ static inline void compose(struct view *v)
 	int mark = real_mark();
 
 	truth_matrix(&s, SPACE_WORLD, SPACE_DEVICE, m);
-	for (int i = 0; i < 16; i++)
-		v->matrix[i / 4][i % 4] = mpfr_get_d(m[i % 4][i / 4], MPFR_RNDN);
+	for (int i = 0; i < 16; i++) {
+		double *const parts[] = { &v->matrix[i / 4][i % 4],
+			&v->matrix_rest[0][i / 4][i % 4],
+			&v->matrix_rest[1][i / 4][i % 4] };
+		real rest = m[i % 4][i / 4];
+
+		for (int part = 0; part < 3; part++) {
+			*parts[part] = mpfr_get_d(rest, MPFR_RNDN);
+			rest = sub(rest, real_of(*parts[part]));
+		}
+	}
 	real_release(mark);
 }
 

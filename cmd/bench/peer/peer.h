@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Other people's libraries, each used as by a user who cares for speed: one
+/* Other people's libraries, and loops without one, each used as by a user who cares for speed: one
  * composed matrix, then a product and a division for each point, with points in
  * the layout in which the library is fastest. */
 #pragma once
@@ -21,6 +21,9 @@ struct view {
 	/* The matrix from world to device for column vectors, in the nearest
 	 * doubles, for libraries without functions for cameras. */
 	double matrix[4][4];
+	/* What the matrix leaves, and what that leaves: for types that are wider than
+	 * double, all three are summed. */
+	double matrix_rest[2][4][4];
 };
 
 /* How a block of points lies in memory: coordinate k of point i is number
@@ -47,7 +50,8 @@ struct peer {
 };
 
 /* The peers of each library, none if it is not installed; a name NULL ends them. */
-extern const struct peer peers_plain[], peers_glm[], peers_cglm[], peers_eigen[];
+extern const struct peer peers_plain[], peers_glm[], peers_cglm[], peers_eigen[],
+    peers_wide[];
 
 /* Runs a whole program around a peer, from standard input to standard output. filter is
  * stdio, standard, hand or binary. Returns false if the program failed. */
