@@ -28,6 +28,16 @@ my $hand = 'hand loop, double';
 my $standard = 'standard loop, double';
 my $glm = 'stdio GLM, double';
 my $loop = 'binary loop, double';
+my @wide = map { "hand $_" } 'loop, long double', 'loop, double-double',
+    'MPFR, 113 bits';
+
+# Returns the kind and the label in speed.gp of a peer: its type and its library, or
+# "wide" and its type.
+sub drawn {
+	my ($library, $type) = split /, /, $_[0];
+	return $type =~ /^(?:double|float)$/ ? ($type, $library) :
+	    ('wide', $library eq 'loop' ? $type : "$library, $type");
+}
 
 # Adds a whole program to the rows. In its command {name} is an input that make_inputs
 # makes; its error is measured on fewer points. "from" and "to" are the formats of its
@@ -221,8 +231,9 @@ sub our_rows {
 	    "$run -i f64 -o f32 scene.json {f64}", @f64, to => 'f32');
 	row('affine', '`projcalc --to view`', "$run --to view scene.json {text}",
 	    group => 'affine', to => 'text', space => 'view');
-	row('avx2', '', "PROJCALC_CPU=avx2 $run scene.json {text}")
-	    if `lscpu` =~ /avx2/;
+	row('avx2', '`projcalc` without AVX-512', "PROJCALC_CPU=avx2 " .
+	    "$run scene.json {text}", group => 'text', to => 'text')
+	    if `lscpu` =~ /avx512f/;
 	for (@kinds) {
 		my ($name, $usual, $how, undef, $scene) = @$_;
 		my $command = $how =~ /^trace/ ? 'projcalc' : $run;
@@ -270,9 +281,13 @@ sub their_rows {
 		    "peers $filter '$name' <{text}", @text, @more);
 	};
 	for (@peers) {
-		my ($label, $kind) = split /, /;
+		my ($kind, $label) = drawn($_);
 		my @chart = (kind => $kind, label => $label);
 		my $type = $kind eq 'float' ? 'f32' : 'f64';
+		if ($kind eq 'wide') {
+			$peer->('hand', $_, 'by hand', @chart);
+			next;
+		}
 		row("binary $_", /loop/ ? "$_, in place" : "$_, fread, write",
 		    "peers binary '$_' <{$type}", @f64, from => $type,
 		    to => $type, @chart);
@@ -332,9 +347,20 @@ sub measure_times {
 
 ### The page
 
+# Returns the name of the processor. A virtual machine may leave out its number; then
+# the family and the model tell which it is.
+sub processor {
+	my %line = `lscpu 2>/dev/null` =~ /^([\w ]+?): *(.*?) *$/mg;
+	my $name = $line{'Model name'} // `sysctl -n machdep.cpu.brand_string`;
+	chomp $name;
+	return $name if $name =~ /\d/ || !$line{'CPU family'};
+	return "$name (CPU family $line{'CPU family'}, model $line{Model}, " .
+	    "stepping $line{Stepping})";
+}
+
 sub machine {
 	my ($python) = @_;
-	my @lines = (ask("lscpu | sed -n 's/^Model name: *//p'"), ask('uname -srm'),
+	my @lines = (processor() . "\n", ask('uname -srm'),
 	    ask('nproc') =~ s/$/ cores/r, split /^/, ask('peers versions'));
 	push @lines, ask("$python -c 'import sys, numpy
 print(\"Python\", sys.version.split()[0] + \", numpy\", numpy.__version__)'")
@@ -347,10 +373,23 @@ print(\"Python\", sys.version.split()[0] + \", numpy\", numpy.__version__)'")
 # Prints a table of whole programs, compared with the first of them.
 sub programs {
 	my ($base, @others) = @_;
-	print "| | ns a point | times $base->{name} | worst error |
+	print "| $base->{from} | ns a point | times $base->{name} | worst error |
 |---|--:|--:|--:|\n";
 	printf "| %s | %.1f | %s | %s |\n", @$_{qw(name cpu)},
 	    ratio($_->{key}, $base->{key}), $_->{error} for $base, @others;
+}
+
+# Prints a table of points in memory, from lines of peers.
+sub memory {
+	my ($base) = map { (split /\t/)[1] } @_;
+	print "| in memory | ns a point | times `projcalc` | worst error | " .
+	    "1e9 away |\n|---|--:|--:|--:|--:|\n";
+	for (@_) {
+		chomp(my ($name, $time, @errors) = split /\t/);
+		printf "| %s | %.2f | %.2f | %s |\n", $name =~
+		    s/^(projcalc)(?:, exact|,( -p.*))/'`' . $1 . ($2 \/\/ '') . '`'/er,
+		    $time, $time / $base, join ' | ', @errors;
+	}
 }
 
 sub group {
@@ -358,40 +397,21 @@ sub group {
 	programs(grep { ($_->{group} // '') eq $group } @rows);
 }
 
-# Prints the table of README, and its sentences with figures.
+# Prints the tables of README, and a word about them.
 sub short {
 	my (@memory) = @_;
-	my $avx2 = sub {
-		my $times = ratio(@_, 'avx2');
-		return $times ?
-		    ", and $times times as long where `projcalc` has AVX2" : '';
-	};
-	my $glm_times = ratio($glm, 'text');
+	my %memory = map { my @fields = split /\t/; ($fields[0] => $_) } @memory;
+	programs(grep { $_ } @row{'text', 'avx2', $hand, @wide, $standard, $glm,
+	    'numpy', 'mawk'});
+	print "\n";
+	memory(grep { $_ } @memory{'projcalc, exact', 'projcalc, -p double',
+	    'loop, double', 'GLM, double', map { s/^hand //r } @wide});
 	local $Text::Wrap::columns = 85;
-	my $avx2_hand = $avx2->($hand);
-	chomp(my $processor = ask("lscpu | sed -n 's/^Model name: *//p'"));
-	my %ns = map { (split /\t/)[0, 1] } @memory;
-	my @words = ('The loop by hand takes', ratio($hand, 'text'), 'times as',
-	    'long as `projcalc`' . $avx2_hand .
-	    ($avx2_hand && ' in place of AVX-512') . '. We wrote the loop as fast',
-	    'as we could: it reads blocks with read(), takes eight digits at a time from',
-	    'a 64-bit word, keeps x, y and z in arrays of their own, which the compiler',
-	    'vectorizes, finds the shortest digits by one product, as the libraries yy',
-	    'and zmij do, and writes 16 of them at a time.', $glm_times ?
-	    "GLM with scanf and printf takes $glm_times times as long as `projcalc`" .
-	    $avx2->($glm) . '.' : (), 'The other programs were compiled with',
-	    "-O3 -march=native, and all ran on one thread of an $processor.",
-	    'The option `-p double` saves little in text, where the default takes',
-	    ratio('text', 'text -p double'), 'times as long. In binary there are no',
-	    'digits to read or write: the default takes', ratio('f64', 'f64 -p double'),
-	    'times as long as `-p double`,', ratio('f64', 'f32'), 'times as long as',
-	    '`-p single` on floats, and', ratio('f64', $loop), 'times as long as a',
-	    'loop in doubles that reads, transforms in place and writes. On points in',
-	    "memory the default takes $ns{'projcalc, exact'} ns a point, and the loop in",
-	    "doubles $ns{'loop, double'} ns.");
-	programs(grep { $_ } @row{'text', $hand, $standard, $glm, 'numpy',
-	    'mawk'});
-	print "\n", fill('', '', "@words"), "\n";
+	print "\n", fill('', '', 'The rows "by hand" read and write text with the same',
+	    'code, the fastest that we could write, and those in wider types round their',
+	    'images to doubles. All ran in turn on one thread of an', processor() . ',',
+	    'the others compiled with -O3 -march=native. "1e9 away" are scenes as far',
+	    'as that from the origin.'), "\n";
 }
 
 # Returns the time of row $a as a multiple of that of row $b: CPU time, or that of
@@ -504,8 +524,8 @@ pixels, from MPFR.
 World to device. Floats start from the same numbers as all: they are floats in
 ordinary scenes. 1e9 away from the origin they have no room for them.
 
-| | ns a point | worst error | 1e9 away |\n|---|--:|--:|--:|\n";
-	print map { s/\t/ | /gr =~ s/(.*)/| $1 |/r } @memory;
+";
+	memory(@memory);
 	print "\n## Kinds of lines, one thread\n\n";
 	kinds();
 	print "\n## Other figures\n\n";
@@ -526,9 +546,8 @@ sub draw {
 	    grep { $_->{label} } @rows;
 	for (@memory) {
 		my ($name, @figures) = split /[\t\n]/;
-		my ($who, $what) = split /, /, $name;
-		push @points, ['memory', $who eq 'projcalc' ? ('ours', $what) :
-		    ($what, $who), @figures];
+		push @points, ['memory', $name =~ /^projcalc, (.*)/ ? ('ours', $1) :
+		    drawn($name), @figures];
 	}
 	spew('points.tsv', map { join("\t", @$_) . "\n" } @points);
 }

@@ -183,7 +183,7 @@ sub panel {
 	    'set xtics (' . join(', ', @steps) . ")\n";
 	print $axes 'set arrow from ', join(', ', $place_of->(@$_[0, 1])),
 	    ' to ', join(', ', $place_of->(@$_[2, 3])),
-	    " nohead linestyle 4\n" for grep { $_ } map { $_->{line} } @groups;
+	    " nohead linestyle 5\n" for grep { $_ } map { $_->{line} } @groups;
 }
 
 srand 1;
