@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* fast_float reads numbers, Dragonbox finds the shortest digits; where there is no header
- * of theirs, or PLAIN_NUMBERS is defined, the C++ library does so. Other digits come from
- * 128 bits of the number's fraction or, if those are too few, from printf. */
+/* fast_float reads numbers, Dragonbox finds the shortest digits; where there is no
+ * header of theirs, or PLAIN_NUMBERS is defined, the C++ library does so. Other digits
+ * come from 128 bits of the number's fraction or, if those are too few, from printf. */
 #include "number.h"
 
 /* NDEBUG removes the assertions of both libraries. */
@@ -69,8 +69,9 @@ static const char *read_exponent(const char *s, const char *end, long long *expo
 }
 
 /* Reads a number of any length by strtod, to which it gives an integer and an exponent,
- * so that neither the locale nor what follows matters. No middle of two doubles has more
- * than 768 digits, so that of the digits after 800 only counts whether one is not 0. */
+ * so that neither the locale nor what follows matters. No middle of two doubles has
+ * more than 768 digits, so that of the digits after 800 only counts whether one is not
+ * 0. */
 static const char *read_by_strtod(const char *s, const char *end, double *v)
 {
 	char text[832], *first = text, *last = text + 800;
@@ -110,8 +111,8 @@ static const char *read_by_strtod(const char *s, const char *end, double *v)
 }
 
 /* Where the C++ library has std::from_chars for doubles, it reads what is in range: of
- * other numbers it does not say whether they are too large or too small. A PLAIN_NUMBERS
- * of 2 hides it. */
+ * other numbers it does not say whether they are too large or too small. A
+ * PLAIN_NUMBERS of 2 hides it. */
 static const char *read_plain(const char *s, const char *end, double *v)
 {
 #if __cpp_lib_to_chars >= 201611L && PLAIN_NUMBERS < 2

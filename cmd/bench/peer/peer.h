@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Other people's libraries, and loops without one, each used as by a user who cares for speed: one
- * composed matrix, then a product and a division for each point, with points in
- * the layout in which the library is fastest. */
+/* Other people's libraries, and loops without one, each used as by a user who cares for
+ * speed: one composed matrix, then a product and a division for each point, with points
+ * in the layout in which the library is fastest. */
 #pragma once
 
 #include <stdbool.h>
