@@ -39,11 +39,10 @@ static bool project_prepare(const struct document *d, const struct options *o,
 	struct refusals *const faults = d->source.faults;
 
 	if (s->has_viewport && s->viewport.distance && o->plane.n == 0 &&
-	    (o->ray || from == SPACE_DEVICE || to == SPACE_DEVICE) &&
-	    (o->matrix || o->homogeneous || o->ray))
+	    (from == SPACE_DEVICE || to == SPACE_DEVICE) && !o->ray &&
+	    (o->matrix || o->homogeneous))
 		return document_refuse(d, "/viewport/depth",
-		    "is \"distance\", but -m, -H and --ray are about the depth of "
-		    "\"buffer\"",
+		    "is \"distance\", but -m and -H are about the depth of \"buffer\"",
 		    "write that");
 	j->rays = o->ray;
 	j->count_imageless = !needs_frustum && !o->homogeneous && to != SPACE_CLIP;

@@ -42,11 +42,6 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_OFF_CENTER] = { "/projection/intrinsics",
 	    "the principal point is at the edge of the viewport or outside",
 	    "intrinsics are fx, fy, cx and cy, in pixels of the viewport" },
-	[NOTE_VIEW_AXES] = { "/camera",
-	    "no convention is named, and the rotation is read for d3d, whose "
-	    "view space has x right, y up, z forward",
-	    "say \"convention\": \"webgpu\" for z backward (\"gl\" if pixels "
-	    "count from the bottom), \"opencv\" for y down, or \"d3d\"" },
 	[NOTE_UP_Z] = { "/camera/up",
 	    "no convention is named, and z is up: d3d is left-handed, and "
 	    "mirrors a right-handed world",
@@ -88,11 +83,9 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_MINUS_W] = { "", "scene is null, as w is negative between near and far",
 	    "negate every element of the matrix" },
 	[NOTE_NO_INTRINSICS] = { "",
-	    "scene is null, as x depends on y or there are no near and far "
-	    "planes: only \"intrinsics\" can say that, of a perspective that "
-	    "does not mirror and fills the viewport",
-	    "add a viewport, or give near and far, or a matrix with all 17 "
-	    "digits" },
+	    "scene is null, as x depends on y: only \"intrinsics\" can say that, "
+	    "of a perspective that does not mirror and fills the viewport",
+	    "add a viewport, or give the matrix with all 17 digits" },
 	[NOTE_OUT_OF_RANGE] = { "",
 	    "scene is null, as a plane lies behind the eye or a number is out "
 	    "of range",

@@ -34,7 +34,7 @@ struct json_source {
 	unsigned implied_type; /* type of a projection without "type"; or 0 */
 	enum task task;
 	bool flat;                    /* the document is of two dimensions */
-	bool has_axes;                /* a convention gives the view axes */
+	bool has_convention;          /* the document or the call names one */
 	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	/* For messages: the rows of a scene, and the row of the document itself, which
 	 * is a scene or one object of it. */

@@ -90,10 +90,12 @@ static void print_convention_member(struct printer *p, const struct member *row,
 const struct member_type type_convention = { "a name or an object",
 	read_convention_member, print_convention_member, 0 };
 
-bool convention_require(const struct value *object, const char *name)
+bool convention_require(const struct value *object, const char *name,
+    const char *or_else)
 {
-	if (object->unused || object->source->has_axes)
+	if (object->unused || object->source->has_convention)
 		return true;
 	return value_refuse(VALUE_MISSING(object, name), "needs a \"convention\"",
-	    "opencv has x right, y down, z forward, webgpu right, up, backward");
+	    text("opencv has x right, y down, z forward, webgpu right, up, backward%s",
+		or_else));
 }

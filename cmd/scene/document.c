@@ -8,6 +8,7 @@
 #include "../message/message.h"
 #include "convention_member.h"
 #include "projection_member.h"
+#include "types.h"
 
 /* The members that decide how others are read. */
 enum { FIRST = SCENE_CONVENTION | SCENE_ANGLE_UNIT };
@@ -104,14 +105,47 @@ static bool convention_gives(const struct value *v, const char *name)
 					  v->item != NULL;
 }
 
-/* Returns the member of a camera that needs the axes of a convention, or NULL. */
-static const char *find_needs_axes(const struct camera *c)
+/* The members of a camera that need a convention, which says where the axes of view
+ * space point. A gaze and up mean the same in all conventions. */
+static const char *const needs_convention[] = {
+	[CAMERA_ORIENTATION] = "orientation",
+	[CAMERA_RVEC] = "rvec",
+	[CAMERA_TRANSLATION] = "orientation",
+	[CAMERA_RVEC_TRANSLATION] = "rvec",
+	[CAMERA_ROTATION] = "rotation",
+	[CAMERA_ROTATION_TRANSLATION] = "rotation",
+	[CAMERA_POSE] = "pose",
+	[CAMERA_MATRIX] = "matrix",
+};
+
+/* Returns whether a camera's matrix or steps have a matrix of four rows of four numbers
+ * without "vectors", so that only a convention says which vectors its rows are for. */
+static bool has_bare_rows(const struct value *v)
 {
-	if (c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION)
-		return "rvec";
-	if (c->steps.step != NULL && c->way == CAMERA_POSE)
-		return "pose";
-	return c->steps.step != NULL && c->way == CAMERA_MATRIX ? "matrix" : NULL;
+	struct value e = value_child(v);
+
+	if (value_is(v, JSON_ARRAY) && value_count(v) == 4 && value_count(&e) == 4)
+		return true;
+	if (value_is(v, JSON_OBJECT) && has_member(v, step_members, "vectors"))
+		return false;
+	for (; e.item != NULL; value_next(&e))
+		if (has_bare_rows(&e))
+			return true;
+	return false;
+}
+
+/* Refuses a camera that needs a convention where none is named, unless axes stand in
+ * for it. */
+static void check_camera(const struct value *v, const struct camera *c)
+{
+	const char *name = needs_convention[c->way];
+
+	if (!c->has_axes)
+		convention_require(v, name, ", or give the camera \"axes\"");
+	else if (has_bare_rows(v))
+		convention_require(v, name,
+		    ", or write {\"matrix\": [...], \"vectors\": \"column\"} (or "
+		    "\"row\")");
 }
 
 static void check_distance(const struct value *viewport, const struct member *table)
@@ -127,13 +161,13 @@ static void check_distance(const struct value *viewport, const struct member *ta
 		}
 }
 
-/* A device without "origin" takes it from -c or, without -c, from the document's. */
+/* A device without "origin" takes it from -c or, without -c, from the document's;
+ * without either, y of the device points down if that of the window does. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_ROWS], unsigned seen)
 {
 	struct scene *s = &d->scene;
 	const struct convention *answer = w->convention;
-	const char *needs_axes = find_needs_axes(&s->camera);
 	const struct value *viewport = &m[SCENE_ROW_VIEWPORT],
 			   *camera = &m[SCENE_ROW_CAMERA];
 	const struct member *const table = scene_members[SCENE_ROW_VIEWPORT].members;
@@ -143,10 +177,14 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	d->written.angle_unit = (seen & SCENE_ANGLE_UNIT) != 0;
 	d->written.scale = s->has_viewport && has_member(viewport, table, "scale");
 	d->has_eye = s->has_camera &&
-	    (s->camera.way >= CAMERA_TRANSLATION ||
+	    (!camera_has_eye(&s->camera) ||
 		has_member(camera, scene_members[SCENE_ROW_CAMERA].members, "eye"));
-	if (needs_axes != NULL)
-		convention_require(camera, needs_axes);
+	s->camera.has_default_up = s->has_camera &&
+	    !has_member(camera, scene_members[SCENE_ROW_CAMERA].members, "up");
+	/* also one without members, which is d3d's, is written */
+	if (s->has_camera && !d->written.convention &&
+	    needs_convention[s->camera.way] != NULL)
+		check_camera(camera, &s->camera);
 	if (s->has_viewport && s->viewport.distance)
 		check_distance(viewport, table);
 	if (seen & SCENE_PROJECTION)
@@ -159,6 +197,10 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	    !has_member(&m[SCENE_ROW_DEVICE], scene_members[SCENE_ROW_DEVICE].members,
 		"origin"))
 		s->device.top_left = !answer->origin_bottom_left;
+	else if (s->has_device && answer == NULL && window_has_y_down(&s->window) &&
+	    !has_member(&m[SCENE_ROW_DEVICE], scene_members[SCENE_ROW_DEVICE].members,
+		"origin"))
+		s->device.top_left = true;
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
@@ -173,12 +215,13 @@ static void read_first(struct document *d, const struct document_wants *w,
 	d->scene.convention = w->convention != NULL ? *w->convention :
 						      conventions[CONVENTION_D3D];
 	read_members(d, m, seen & FIRST);
-	/* a wrong convention would give them */
-	source->has_axes = w->convention != NULL || source->faults->n != faults;
+	/* a wrong convention would be one; an object without members is none */
+	source->has_convention = w->convention != NULL || source->faults->n != faults;
 	for (const struct member *row = convention_members; row->name != NULL; row++)
-		source->has_axes |= convention_gives(&m[SCENE_ROW_CONVENTION],
+		source->has_convention |= convention_gives(&m[SCENE_ROW_CONVENTION],
 		    row->name);
-	d->written.convention = source->has_axes || (seen & SCENE_CONVENTION) != 0;
+	d->written.convention = source->has_convention ||
+	    (seen & SCENE_CONVENTION) != 0;
 	if (w->convention != NULL &&
 	    memcmp(w->convention, &d->scene.convention, sizeof d->scene.convention) !=
 		0)

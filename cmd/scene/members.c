@@ -9,6 +9,7 @@
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scale_names[] = { "fill", "uniform", NULL };
 static const char *const depth_names[] = { "buffer", "distance", NULL };
+static const char *const y_names[] = { "up", "down", NULL };
 static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 /* Rows of tables, and their bits. */
@@ -18,9 +19,11 @@ enum {
 	CAMERA_ROW_GAZE,
 	CAMERA_ROW_ORIENTATION,
 	CAMERA_ROW_RVEC,
+	CAMERA_ROW_ROTATION,
 	CAMERA_ROW_TRANSLATION,
 	CAMERA_ROW_POSE,
 	CAMERA_ROW_MATRIX,
+	CAMERA_ROW_AXES,
 	CAMERA_ROW_UP,
 	CAMERA_ROW_ROLL,
 	CAMERA_ROW_ORTHONORMALIZE,
@@ -43,6 +46,8 @@ static const struct member camera_members[] = {
 	[CAMERA_ROW_RVEC] = ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .unit = "radians",
 	    .about = "rotation vector that turns world axes into view axes"),
+	[CAMERA_ROW_ROTATION] = ROW(camera, "rotation", type_rotation, rotation,
+	    .about = "R of [R|t], from world to view axes, rows as in a book"),
 	[CAMERA_ROW_TRANSLATION] = ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .unit = "view units",
 	    .about = "origin of the world in view space, in place of the eye"),
@@ -50,6 +55,9 @@ static const struct member camera_members[] = {
 	    .about = "map from view to world: a matrix, or steps ('help world')"),
 	[CAMERA_ROW_MATRIX] = ROW(camera, "matrix", type_steps, steps,
 	    .about = "map from world to view: [R|t], or steps ('help world')"),
+	[CAMERA_ROW_AXES] = ROW(camera, "axes", type_axes, axes,
+	    .flag = FIELD(camera, has_axes),
+	    .about = "where x, y, z of the camera's own frame point: flu, rub, ..."),
 	[CAMERA_ROW_UP] = ROW(camera, "up", type_numbers, up, .n = 3,
 	    .fallback = "[0, 1, 0]", .aliases = "view_up up_vector vup", .shown = true,
 	    .about = "direction that points up in the image"),
@@ -62,23 +70,29 @@ static const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
+/* A turned camera may have axes, and a roll unless all of its matrix is given. */
+#define TURNED(members, way, ...) \
+	WAY(members, .optional = CAMERA(AXES) | CAMERA(ROLL), .value = way, __VA_ARGS__)
+#define GIVEN(members, more, way, ...)                                           \
+	WAY(members, .optional = CAMERA(AXES) | CAMERA(ORTHONORMALIZE) | (more), \
+	    .value = way, __VA_ARGS__)
+
 static const struct rule camera_rules[] = {
 	{ WAYS(WAY(CAMERA(EYE) | CAMERA(AT), .optional = CAMERA(UP) | CAMERA(ROLL),
 		   .value = CAMERA_AT),
 	      WAY(CAMERA(EYE) | CAMERA(GAZE), .optional = CAMERA(UP) | CAMERA(ROLL),
 		  .fitted = CAMERA(EYE), .value = CAMERA_GAZE),
-	      WAY(CAMERA(EYE) | CAMERA(ORIENTATION), .optional = CAMERA(ROLL),
-		  .fitted = CAMERA(EYE), .value = CAMERA_ORIENTATION),
-	      WAY(CAMERA(EYE) | CAMERA(RVEC), .optional = CAMERA(ROLL),
-		  .fitted = CAMERA(EYE), .value = CAMERA_RVEC),
-	      WAY(CAMERA(TRANSLATION) | CAMERA(ORIENTATION), .optional = CAMERA(ROLL),
-		  .value = CAMERA_TRANSLATION),
-	      WAY(CAMERA(TRANSLATION) | CAMERA(RVEC), .optional = CAMERA(ROLL),
-		  .value = CAMERA_RVEC_TRANSLATION),
-	      WAY(CAMERA(POSE), .optional = CAMERA(ORTHONORMALIZE),
-		  .value = CAMERA_POSE),
-	      WAY(CAMERA(MATRIX), .optional = CAMERA(ORTHONORMALIZE),
-		  .value = CAMERA_MATRIX)),
+	      TURNED(CAMERA(EYE) | CAMERA(ORIENTATION), CAMERA_ORIENTATION,
+		  .fitted = CAMERA(EYE)),
+	      TURNED(CAMERA(EYE) | CAMERA(RVEC), CAMERA_RVEC, .fitted = CAMERA(EYE)),
+	      GIVEN(CAMERA(EYE) | CAMERA(ROTATION), CAMERA(ROLL), CAMERA_ROTATION,
+		  .fitted = CAMERA(EYE)),
+	      TURNED(CAMERA(TRANSLATION) | CAMERA(ORIENTATION), CAMERA_TRANSLATION, ),
+	      TURNED(CAMERA(TRANSLATION) | CAMERA(RVEC), CAMERA_RVEC_TRANSLATION, ),
+	      GIVEN(CAMERA(TRANSLATION) | CAMERA(ROTATION), CAMERA(ROLL),
+		  CAMERA_ROTATION_TRANSLATION, ),
+	      GIVEN(CAMERA(POSE), 0, CAMERA_POSE, ),
+	      GIVEN(CAMERA(MATRIX), 0, CAMERA_MATRIX, )),
 	    .field = FIELD(camera, way) },
 	{ .n = 0 },
 };
@@ -143,18 +157,35 @@ static void print_scale(struct printer *p, const struct member *row, const void 
 static const struct member_type type_scale = { "fill, uniform or 2 sizes", read_scale,
 	print_scale, sizeof(unsigned) };
 
+enum {
+	VIEWPORT_ROW_MIN_Z = RECTANGLE_ROWS,
+	VIEWPORT_ROW_MAX_Z,
+	VIEWPORT_ROW_FULL,
+	VIEWPORT_ROW_OFFSET,
+	VIEWPORT_ROW_SCALE,
+	VIEWPORT_ROW_DEPTH,
+};
+
 static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
-	[RECTANGLE_ROWS] = ROW(viewport, "min_z", type_numbers, min_z,
+	[VIEWPORT_ROW_MIN_Z] = ROW(viewport, "min_z", type_numbers, min_z,
 	    .unit = "device units", .fallback = "0",
 	    .about = "device z of the least depth in ndc"),
-	ROW(viewport, "max_z", type_numbers, max_z, .unit = "device units",
-	    .fallback = "1", .about = "device z of the greatest depth in ndc"),
-	ROW(viewport, "scale", type_scale, scale, .words = scale_names,
-	    .fallback = "\"fill\"",
+	[VIEWPORT_ROW_MAX_Z] = ROW(viewport, "max_z", type_numbers, max_z,
+	    .unit = "device units", .fallback = "1",
+	    .about = "device z of the greatest depth in ndc"),
+	[VIEWPORT_ROW_FULL] = ROW(viewport, "full", type_numbers, full, .n = 2,
+	    .flag = FIELD(viewport, has_full), .range = &range_positive,
+	    .unit = "device units",
+	    .about = "size of the whole picture, of which this is a part"),
+	[VIEWPORT_ROW_OFFSET] = ROW(viewport, "offset", type_numbers, offset, .n = 2,
+	    .flag = FIELD(viewport, has_offset), .unit = "device units",
+	    .about = "where the part begins in the whole picture"),
+	[VIEWPORT_ROW_SCALE] = ROW(viewport, "scale", type_scale, scale,
+	    .words = scale_names, .fallback = "\"fill\"",
 	    .about = "device units (pixels) for one unit of ndc x and y"),
-	ROW(viewport, "depth", type_flag, distance, .words = depth_names,
-	    .fallback = "\"buffer\"",
+	[VIEWPORT_ROW_DEPTH] = ROW(viewport, "depth", type_flag, distance,
+	    .words = depth_names, .fallback = "\"buffer\"",
 	    .about = "device z: the depth, or the distance along the gaze"),
 	{ .name = NULL },
 };
@@ -174,6 +205,17 @@ static const struct rule rectangle_rules[] = {
 	{ .n = 0 },
 };
 
+static const struct rule viewport_rules[] = {
+	{ WAYS(
+	    WAY(MEMBER_BIT(RECTANGLE_ROW_WIDTH) | MEMBER_BIT(RECTANGLE_ROW_HEIGHT))) },
+	{ WAYS(WAY(0, .optional = MEMBER_BIT(VIEWPORT_ROW_SCALE)),
+	      WAY(0,
+		  .optional = MEMBER_BIT(VIEWPORT_ROW_FULL) |
+		      MEMBER_BIT(VIEWPORT_ROW_OFFSET))),
+	    .rivals = "a part fills its viewport" },
+	{ .n = 0 },
+};
+
 enum {
 	WINDOW_ROW_CENTER,
 	WINDOW_ROW_WIDTH,
@@ -182,6 +224,7 @@ enum {
 	WINDOW_ROW_RIGHT,
 	WINDOW_ROW_BOTTOM,
 	WINDOW_ROW_TOP,
+	WINDOW_ROW_Y,
 	WINDOW_ROW_PAN,
 	WINDOW_ROW_ZOOM,
 	WINDOW_ROW_ABOUT,
@@ -199,15 +242,19 @@ static const struct member window_members[] = {
 	[WINDOW_ROW_HEIGHT] = SIZE(window, "height", height, .unit = "window units",
 	    .about = "height of the window"),
 	[WINDOW_ROW_LEFT] = ROW(window, "left", type_numbers, left,
-	    .unit = "window units",
+	    .unit = "window units", .flag = FIELD(window, has_edge[0]),
 	    .about = "left edge of the window, with right, bottom and top"),
 	[WINDOW_ROW_RIGHT] = ROW(window, "right", type_numbers, right,
-	    .unit = "window units",
-	    .about = "right edge of the window, greater than left"),
+	    .unit = "window units", .flag = FIELD(window, has_edge[1]),
+	    .about = "right edge of the window, other than left"),
 	[WINDOW_ROW_BOTTOM] = ROW(window, "bottom", type_numbers, bottom,
-	    .unit = "window units", .about = "bottom edge of the window"),
+	    .unit = "window units", .flag = FIELD(window, has_edge[2]),
+	    .about = "bottom edge of the window"),
 	[WINDOW_ROW_TOP] = ROW(window, "top", type_numbers, top, .unit = "window units",
-	    .about = "top edge of the window, greater than bottom"),
+	    .flag = FIELD(window, has_edge[3]),
+	    .about = "top edge of the window, other than bottom"),
+	[WINDOW_ROW_Y] = ROW(window, "y", type_flag, y_down, .words = y_names,
+	    .fallback = "\"up\"", .about = "direction of the world's y in the picture"),
 	[WINDOW_ROW_PAN] = ROW(window, "pan", type_numbers, pan, .n = 2,
 	    .unit = "window units", .fallback = "[0, 0]",
 	    .about = "distance that the window moves along x and y"),
@@ -225,6 +272,7 @@ static const struct member window_members[] = {
 /* The values are those of window.by_edges. */
 static const struct rule window_rules[] = {
 	{ WAYS(WAY(WINDOW(CENTER) | WINDOW(WIDTH) | WINDOW(HEIGHT),
+		   .optional = WINDOW(Y),
 		   .fitted = WINDOW(CENTER) | WINDOW(WIDTH) | WINDOW(HEIGHT),
 		   .value = 0),
 	      WAY(WINDOW(LEFT) | WINDOW(RIGHT) | WINDOW(BOTTOM) | WINDOW(TOP),
@@ -323,7 +371,7 @@ const struct member scene_members[] = {
 	    .about = "how the camera projects (map from view to clip space)",
 	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
 	[SCENE_ROW_VIEWPORT] = SCENE_OBJECT("viewport", viewport, viewport_members,
-	    RECTANGLE_EXAMPLE, .rules = rectangle_rules,
+	    RECTANGLE_EXAMPLE, .rules = viewport_rules,
 	    .about = "rectangle on the screen that shows the camera's image",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),

@@ -28,6 +28,9 @@ static const struct value_range near_ratio_range = { .min = SCENE_SIZE_MIN,
 	.wanted = "a number above 0 and below 1 is wanted",
 	.max_excluded = true };
 
+static const struct value_range far_range = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
+	.wanted = "a number from 1e-150 to 1e150, or \"infinity\", is wanted" };
+
 #define TYPE(type) (PROJECTION_##type - 1)
 
 const char *const projection_type_names[] = {
@@ -96,6 +99,7 @@ enum {
 	ROW_TOP,
 	ROW_ANGLES,
 	ROW_INTRINSICS,
+	ROW_INTRINSICS_SIZE,
 	ROW_EDGES_AT,
 	ROW_NEAR,
 	ROW_PARALLEL_NEAR,
@@ -171,13 +175,17 @@ const struct member projection_members[] = {
 	[ROW_INTRINSICS] = MEMBER(PERSP, "intrinsics", type_intrinsics,
 	    section.intrinsics, .unit = "device units",
 	    .about = "numbers of a camera: [fx, fy, cx, cy], matrix K or P"),
+	[ROW_INTRINSICS_SIZE] = NUMBER(PERSP, "intrinsics_size",
+	    section.intrinsics_size, .n = 2, .range = &range_positive,
+	    .flag = FIELD(projection, section.is_sized), .unit = "device units",
+	    .about = "size of the picture that intrinsics are for"),
 	[ROW_EDGES_AT] = SIZE(PERSP, "edges_at", section.edges_at,
 	    .about = "distance from the eye where edges are; if absent, near"),
 	[ROW_NEAR] = SIZE(PERSP, "near", near, .aliases = NEAR_NAMES,
 	    .about = "distance of the near plane from the eye"),
 	[ROW_PARALLEL_NEAR] = LENGTH(PARALLEL, "near", near, .aliases = NEAR_NAMES,
 	    .about = "distance of the near plane from the eye"),
-	[ROW_FAR] = MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
+	[ROW_FAR] = MEMBER(PERSP, "far", type_far, far, .range = &far_range,
 	    .unit = "view units", .aliases = FAR_NAMES,
 	    .about = "distance of the far plane from the eye"),
 	[ROW_PARALLEL_FAR] = LENGTH(PARALLEL, "far", far, .aliases = FAR_NAMES,
@@ -216,9 +224,12 @@ const struct member projection_members[] = {
 	WAY(HAS(member) | HAS(ASPECT), .by_viewport = HAS(ASPECT), .value = way)
 #define EDGES (HAS(LEFT) | HAS(RIGHT) | HAS(BOTTOM) | HAS(TOP))
 
-/* The command fit computes the width and height of every parallel projection. Near and
- * far are needed neither with intrinsics nor for --plane, but a cross-section on the
- * near plane always needs near. fit refuses every matrix itself. */
+/* A cross-section by one of these is on the near plane, unless edges_at is given. */
+#define AT_NEAR (HAS(WIDTH) | HAS(HEIGHT) | EDGES)
+
+/* The command fit computes the width and height of every parallel projection. A
+ * perspective needs neither near nor far, but a cross-section on the near plane always
+ * needs near, and for --plane only this. fit refuses every matrix itself. */
 const struct rule projection_rules[] = {
 	{ RULE(PERSP, WITH_ASPECT(FOVY, SECTION_FOVY), WITH_ASPECT(FOVX, SECTION_FOVX),
 	      WITH_ASPECT(VIEW_ANGLE, SECTION_VIEW_ANGLE),
@@ -231,7 +242,8 @@ const struct rule projection_rules[] = {
 		  .by_viewport = HAS(ASPECT), .value = SECTION_HEIGHT),
 	      WAY(EDGES, .optional = HAS(EDGES_AT), .value = SECTION_EDGES),
 	      WAY(HAS(ANGLES), .value = SECTION_ANGLES),
-	      WAY(HAS(INTRINSICS), .value = SECTION_INTRINSICS)),
+	      WAY(HAS(INTRINSICS), .optional = HAS(INTRINSICS_SIZE),
+		  .value = SECTION_INTRINSICS)),
 	    .field = FIELD(projection, section.way),
 	    .rivals = "one way is enough: \"fovy\" and \"aspect\", \"fovx\" and "
 		      "\"aspect\", or \"width\" and \"height\" at \"edges_at\"; both "
@@ -248,19 +260,18 @@ const struct rule projection_rules[] = {
 	{ RULE(OBLIQUE, WAY(HAS(KIND)), WAY(HAS(ANGLE))),
 	    .hint = "give \"kind\", or \"angle\" of the projectors; lines along the "
 		    "gaze have the \"direction\" in the picture" },
-	{ RULE(PERSP, WAY(HAS(NEAR) | HAS(FAR))), .tasks = TASK(WHOLE),
-	    .without = HAS(INTRINSICS),
-	    .hint = "give \"near\" and \"far\", which may be \"infinity\"" },
+	{ RULE(PERSP, WAY(HAS(NEAR) | HAS(FAR))), .tasks = TASK(WHOLE), .with = AT_NEAR,
+	    .without = HAS(EDGES_AT),
+	    .hint = "give \"near\" and \"far\", which may be \"infinity\"; with "
+		    "\"edges_at\", where the edges are, both may be absent" },
 	{ RULE(PARALLEL, WAY(HAS(PARALLEL_NEAR) | HAS(PARALLEL_FAR))),
 	    .tasks = TASK(WHOLE) },
 	{ RULE(PERSP, WAY(HAS(NEAR), .optional = HAS(FAR) | HAS(REVERSE_Z)), WAY(0)),
-	    .tasks = TASK(WHOLE) | TASK(PLANE), .with = HAS(INTRINSICS) },
-	{ RULE(PERSP, WAY(HAS(NEAR), .optional = HAS(FAR) | HAS(REVERSE_Z)), WAY(0)),
-	    .tasks = TASK(PLANE),
+	    .tasks = TASK(WHOLE) | TASK(PLANE),
 	    .with = HAS(FOVY) | HAS(FOVX) | HAS(VIEW_ANGLE) | HAS(FIELD) | HAS(ANGLES) |
-		HAS(EDGES_AT) },
+		HAS(INTRINSICS) | HAS(EDGES_AT) },
 	{ RULE(PERSP, WAY(HAS(NEAR))), .tasks = TASK(FIT) | TASK(PLANE),
-	    .with = HAS(WIDTH) | HAS(HEIGHT) | HAS(LEFT), .without = HAS(EDGES_AT),
+	    .with = AT_NEAR, .without = HAS(EDGES_AT),
 	    .hint =
 		"the section is on the near plane, unless \"edges_at\" says where" },
 	{ RULE(VOLUME, WAY(HAS(HALF_WIDTH) | HAS(HALF_HEIGHT)),
@@ -358,12 +369,17 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 	return is_right;
 }
 
-/* Sets the image size of intrinsics to the viewport's, whose scale must be fill. */
+/* Sets the image size of intrinsics to that of the viewport's full picture. Its scale
+ * must be fill. */
 static bool set_image_size(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
+	double full[2] = { 0 };
 	bool is_right = true;
+
+	if (viewport != NULL)
+		viewport_full(viewport, full);
 
 	if (viewport == NULL)
 		is_right = value_refuse(given,
@@ -372,9 +388,12 @@ static bool set_image_size(const struct value *v, const struct viewport *viewpor
 	else if (viewport->scale != SCALE_FILL)
 		is_right = value_refuse(given, "excludes the viewport's \"scale\"",
 		    "omit that");
-	p->section.width = viewport != NULL ? viewport->width : 0;
-	p->section.height = viewport != NULL ? viewport->height : 0;
-	return convention_require(v, "intrinsics") && is_right;
+	/* a picture of another size that fills the same is enlarged to the full one */
+	p->section.width = p->section.is_sized ? p->section.intrinsics_size[0] :
+						 full[0];
+	p->section.height = p->section.is_sized ? p->section.intrinsics_size[1] :
+						  full[1];
+	return convention_require(v, "intrinsics", "") && is_right;
 }
 
 bool projection_complete(const struct value *v, const struct viewport *viewport,
@@ -396,8 +415,7 @@ bool projection_complete(const struct value *v, const struct viewport *viewport,
 		    "give it, or a \"viewport\"");
 	p->aspect[0] = p->aspect[1] = 1;
 	if (viewport != NULL && viewport->scale != SCALE_UNIFORM) {
-		p->aspect[0] = viewport->width;
-		p->aspect[1] = viewport->height;
+		viewport_full(viewport, p->aspect);
 	}
 	return is_right;
 }

@@ -2,6 +2,7 @@
 #include "types.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../../core/scene/scene.h"
@@ -94,6 +95,7 @@ static const struct member matrix_members[] = { { .name = "matrix" },
 
 #define MATRIX_FORMS "16 numbers or 4 rows of 4"
 #define AFFINE_FORMS "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
+#define STEP_FORMS AFFINE_FORMS " or 3"
 
 static const struct rule matrix_rules[] = {
 	{ WAYS(WAY(1, .optional = 2)) },
@@ -105,17 +107,22 @@ static const struct member matrix_row = { .members = matrix_members,
 /* The forms of a matrix: an array of rows or, with no rows, of all numbers. */
 static const struct form {
 	size_t rows, columns;
-	enum { BY_DOCUMENT, FOR_ROWS, FOR_COLUMNS } vectors; /* that the rows are for */
-	bool affine_only;
+	/* the vectors that the rows are for, always or if "vectors" does not say */
+	enum { BY_DOCUMENT, FOR_ROWS, FOR_COLUMNS, MOSTLY_FOR_COLUMNS } vectors;
+	enum matrix_use { ANY_MATRIX, AFFINE_MATRIX, STEP_MATRIX_ONLY } least;
 } forms[] = {
-	{ 4, 3, FOR_ROWS, true },
-	{ 4, 4, BY_DOCUMENT, false },
-	{ 3, 4, FOR_COLUMNS, true },
-	{ 0, 16, BY_DOCUMENT, false },
+	{ 4, 3, FOR_ROWS, AFFINE_MATRIX },
+	{ 4, 4, BY_DOCUMENT, ANY_MATRIX },
+	{ 3, 3, MOSTLY_FOR_COLUMNS, STEP_MATRIX_ONLY },
+	{ 3, 4, FOR_COLUMNS, AFFINE_MATRIX },
+	{ 0, 16, BY_DOCUMENT, ANY_MATRIX },
 };
 
+/* The forms of the uses, for messages. */
+static const char *const form_names[] = { MATRIX_FORMS, AFFINE_FORMS, STEP_FORMS };
+
 /* Returns the form of the array v, or NULL after a refusal. */
-static const struct form *find_form(const struct value *v, bool affine)
+static const struct form *find_form(const struct value *v, enum matrix_use use)
 {
 	const struct value first = value_child(v);
 	const size_t n = value_count(v), columns = value_count(&first);
@@ -123,14 +130,14 @@ static const struct form *find_form(const struct value *v, bool affine)
 	for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
 		const struct form *f = &forms[i];
 
-		if ((affine || !f->affine_only) &&
-		    n == (f->rows > 0 ? f->rows : f->columns) &&
+		if (use >= f->least && n == (f->rows > 0 ? f->rows : f->columns) &&
 		    (f->columns != 3 || columns == 3))
 			return f;
 	}
 	value_refuse(v, text("has %zu element%s", n, n == 1 ? "" : "s"),
-	    text("%s are wanted%s", affine ? AFFINE_FORMS : MATRIX_FORMS,
-		affine ? "" : "; K and P are \"intrinsics\" of type \"persp\""));
+	    text("%s are wanted%s", form_names[use],
+		use != ANY_MATRIX ? "" :
+				    "; K and P are \"intrinsics\" of type \"persp\""));
 	return NULL;
 }
 
@@ -142,12 +149,13 @@ static bool read_vectors(const struct value *v, const struct form *f, bool *colu
 	unsigned index;
 
 	*columns = f->vectors == BY_DOCUMENT ? v->source->column_vectors :
-					       f->vectors == FOR_COLUMNS;
+					       f->vectors != FOR_ROWS;
 	if (!value_is(v, JSON_OBJECT) || !object_member(v, &matrix_members[1], &given))
 		return true;
 	if (!value_word(&given, vector_names, NULL, &index))
 		return false;
-	if (f->vectors != BY_DOCUMENT && (index == 1) != *columns)
+	if ((f->vectors == FOR_ROWS || f->vectors == FOR_COLUMNS) &&
+	    (index == 1) != *columns)
 		return value_refuse(&given, text("is \"%s\"", vector_names[index]),
 		    text("%zu rows of %zu are for %s vectors", f->rows, f->columns,
 			vector_names[*columns]));
@@ -202,7 +210,10 @@ static void set_matrix(const struct form *f, bool columns, const double e[16],
 
 static bool read_matrix(const struct value *v, const struct member *row, void *out)
 {
-	const bool affine = row->type != &type_matrix;
+	const enum matrix_use use = row->type == &type_matrix ? ANY_MATRIX :
+	    row->type == &type_affine                         ? STEP_MATRIX_ONLY :
+								AFFINE_MATRIX;
+	const bool affine = use != ANY_MATRIX;
 	double(*m)[4] = out, e[16] = { 0 };
 	struct value all = *v;
 	bool columns;
@@ -212,16 +223,16 @@ static bool read_matrix(const struct value *v, const struct member *row, void *o
 		!object_member(v, &matrix_members[0], &all)))
 		return false;
 	if (!value_is(&all, JSON_ARRAY))
-		return value_refuse_type(&all,
-		    affine ? "an array of " AFFINE_FORMS : "an array of " MATRIX_FORMS);
-	if (affine && value_count(&all) == 3) {
+		return value_refuse_type(&all, text("an array of %s", form_names[use]));
+	if (use == AFFINE_MATRIX && value_count(&all) == 3) {
 		const struct value first = value_child(&all);
 
 		if (value_count(&first) == 3)
 			return value_refuse(&all, "is 3x3",
-			    "append t to its rows: [R|t]; t is -R C of an eye C");
+			    "append t to its rows: [R|t]; R alone is \"rotation\" of "
+			    "a camera, with \"eye\" or \"translation\"");
 	}
-	const struct form *f = find_form(&all, affine);
+	const struct form *f = find_form(&all, use);
 
 	if (f == NULL || !read_vectors(v, f, &columns) ||
 	    !read_rows(&all, f->rows > 0 ? f->rows : 4, f->rows > 0 ? f->columns : 4,
@@ -250,6 +261,85 @@ static void print_affine(struct printer *p, const struct member *row, const void
 	put_close(p, "]");
 }
 
+static bool read_rotation(const struct value *v, const struct member *row, void *out)
+{
+	const struct value first = value_child(v);
+
+	(void)row;
+	if (!value_is(v, JSON_ARRAY))
+		return value_refuse_type(v, "an array of 3 rows of 3 numbers");
+	if (value_count(v) != 3 || !value_is(&first, JSON_ARRAY))
+		return value_refuse(v,
+		    text("has %zu element%s", value_count(v),
+			value_count(v) == 1 ? "" : "s"),
+		    "3 rows of 3 numbers are wanted");
+	if (value_count(&first) == 4)
+		return value_refuse(v, "is 3x4", "[R|t] is \"matrix\"");
+	return read_rows(v, 3, 3, out);
+}
+
+static void print_rotation(struct printer *p, const struct member *row, const void *at)
+{
+	const double(*m)[3] = at;
+
+	(void)row;
+	put_open(p, "[");
+	for (int i = 0; i < 3; i++)
+		put_numbers(p, m[i], 3);
+	put_close(p, "]");
+}
+
+/* The letters of the directions from AXIS_BACK on; 0 is none. */
+static const char axis_letters[] = "bdl ruf";
+
+/* Writes the word of three directions. */
+static void write_axes(const enum camera_axis axes[3], char word[4])
+{
+	for (int i = 0; i < 3; i++)
+		word[i] = axis_letters[axes[i] - AXIS_BACK];
+	word[3] = '\0';
+}
+
+/* Reads one of the 48 words that have a letter each of rl, ud and fb. */
+static bool read_axes(const struct value *v, const struct member *row, void *out)
+{
+	static const int directions[] = { -3, -2, -1, 1, 2, 3 };
+	const char *s = value_string(v);
+	enum camera_axis *axes = out;
+	char word[4];
+
+	(void)row;
+	if (s == NULL)
+		return value_refuse_type(v, "a word such as \"flu\"");
+	for (int k = 0; k < 6 * 6 * 6; k++) {
+		unsigned lines = 0;
+
+		for (int i = 0, n = k; i < 3; i++, n /= 6) {
+			axes[i] = (enum camera_axis)directions[n % 6];
+			lines |= 1u << abs(axes[i]);
+		}
+		write_axes(axes, word);
+		if (lines == (1u << 1 | 1u << 2 | 1u << 3) && word_equals(s, word))
+			return true;
+	}
+	return value_refuse(v, text("is \"%.60s\"", s),
+	    "write where x, y and z point, one each of r or l, u or d, f or b: "
+	    "\"flu\" of ROS and Waymo, \"rub\" of GL, \"rdf\" of OpenCV");
+}
+
+static void print_axes(struct printer *p, const struct member *row, const void *at)
+{
+	char word[4];
+
+	(void)row;
+	write_axes(at, word);
+	put_string(p, word);
+}
+
+const struct member_type type_axes = { "a word as flu", read_axes, print_axes, 0 };
+
+const struct member_type type_rotation = { "3 rows of 3 numbers", read_rotation,
+	print_rotation, 0 };
 const struct member_type type_matrix = { "matrix", read_matrix, NULL, 0 };
 const struct member_type type_affine = { "matrix", read_matrix, print_affine, 0 };
 
@@ -257,10 +347,17 @@ const struct member_type type_affine = { "matrix", read_matrix, print_affine, 0 
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
+/* The remedy for negative focal lengths. */
+#define AS_P "write P, 3 rows of 4 that end in 0, in which they may be negative"
+
 static bool check_k(const struct value *v, const double k[3][4])
 {
-	if (k[1][0] == 0 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 1 &&
-	    scene_is_size(k[0][0]) && scene_is_size(k[1][1]))
+	const bool shaped = k[1][0] == 0 && k[2][0] == 0 && k[2][1] == 0 &&
+	    k[2][2] == 1;
+
+	if (shaped && (k[0][0] < 0 || k[1][1] < 0))
+		return value_refuse(v, "has a negative focal length", AS_P);
+	if (shaped && scene_is_size(k[0][0]) && scene_is_size(k[1][1]))
 		return true;
 	return value_refuse(v,
 	    "is not [[fx, skew, cx], [0, fy, cy], [0, 0, 1]], fx and fy positive",
@@ -290,8 +387,12 @@ static bool read_four(const struct value *v, double k[3][4])
 	for (int i = 0; i < 2; i++, value_next(&element)) {
 		double size;
 
-		good &= !value_is(&element, JSON_NUMBER) ||
-		    value_number(&element, &range_positive, &size);
+		if (e[i] < 0 && good && !v->unused)
+			good = value_refuse(&element, "is a negative focal length",
+			    AS_P);
+		else
+			good &= !value_is(&element, JSON_NUMBER) ||
+			    value_number(&element, &range_positive, &size);
 		k[i][i] = e[i];
 		k[i][2] = e[2 + i];
 	}

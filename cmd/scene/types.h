@@ -27,7 +27,8 @@ extern const char *const vector_names[];
 /* A matrix: 16 numbers, by rows for row vectors or by columns for column vectors; or 4
  * rows, for row vectors unless source->column_vectors is set; or an object with members
  * "matrix" and "vectors". type_affine may also be 3 rows of 4 for column vectors, or 4
- * rows of 3 for row vectors. In the struct a double[4][4] for row vectors. */
+ * rows of 3 for row vectors, and in a row of its own, of a step, 3 rows of 3 for column
+ * vectors unless "vectors" says row. In the struct a double[4][4] for row vectors. */
 extern const struct member_type type_matrix, type_affine;
 
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
@@ -36,6 +37,12 @@ extern const struct member_type type_intrinsics;
 
 /* A number, or "infinity"; in the struct a double. */
 extern const struct member_type type_far;
+
+/* Three rows of three numbers, for column vectors; in the struct a double[3][3]. */
+extern const struct member_type type_rotation;
+
+/* The directions of three axes, as "flu"; in the struct an enum camera_axis[3]. */
+extern const struct member_type type_axes;
 
 /* A matrix as type_affine's, or a list of steps; in the struct a struct steps. */
 extern const struct member_type type_steps;

@@ -41,6 +41,10 @@ static bool make_gaze_camera(struct scene *s, struct refusals *faults)
 		*c = (struct camera){ .way = CAMERA_ORIENTATION,
 			.orientation = { [3] = 1 } };
 	s->has_camera = true;
+	if (camera_mirrors(c, convention))
+		return refuse(faults, "/camera/axes",
+		    "are of the other handedness than the convention",
+		    "name a convention of theirs, as no gaze and up mirror");
 	struct camera turned = *c;
 
 	if (!camera_map(c, convention, true, &to_world, faults))
@@ -61,6 +65,7 @@ static bool make_gaze_camera(struct scene *s, struct refusals *faults)
 	if (c->way == CAMERA_AT)
 		gaze_from_at(c);
 	c->way = CAMERA_GAZE;
+	c->has_axes = false;
 	return true;
 }
 
@@ -490,18 +495,32 @@ static bool fit_family(struct scene *s, bool has_eye, bool is_points,
 	return true;
 }
 
+/* Makes the viewport that of the full picture, which is fitted. */
+static void show_all(struct viewport *v)
+{
+	double full[2];
+
+	viewport_full(v, full);
+	v->width = full[0];
+	v->height = full[1];
+	v->has_full = v->has_offset = false;
+}
+
 bool fit_scene(struct scene *s, bool has_eye, const struct bounds *b,
     struct refusals *faults)
 {
 	const struct projection_section given = s->projection.section;
+	const struct viewport part = s->viewport;
 	struct hull h;
 
+	show_all(&s->viewport);
 	if (!hull_of(b, 3, &h, faults) || !fit_prepare(s, faults) ||
 	    (!has_eye && !eye_to_middle(s, &h, faults)) ||
 	    !fit_family(s, has_eye, b->n > 0, &given, &h, faults))
 		return false;
 	if (ex_has_overflowed())
 		return scene_refuse_too_wide(s, false, faults);
+	s->viewport = part;
 	return scene_is_valid(s) || refuse_range(faults);
 }
 
@@ -517,6 +536,7 @@ bool fit_directions(const struct scene *given, bool has_eye, struct directions *
 	bool to_middle = !has_eye && family == FAMILY_VOLUME;
 	struct map xy, depth, sides, ends, world;
 
+	show_all(&s.viewport);
 	if (!fit_prepare(&s, faults))
 		return false;
 	for (int k = 0; k < 3 && !has_eye; k++)
@@ -550,10 +570,14 @@ static void enclose_axis(const struct extents *r, int j, double margin, double *
 bool fit_window(struct scene *s, const struct bounds *b, struct refusals *faults)
 {
 	struct window *w = &s->window;
+	const bool *has = w->has_edge, down = window_has_y_down(w);
 	struct map identity;
 	struct extents r;
 	struct hull h;
 
+	if (w->by_edges && has[0] && has[1] && w->right < w->left)
+		return refuse(faults, "/window/right", "less than left",
+		    "fit does not mirror x; swap them");
 	if (!hull_of(b, 2, &h, faults))
 		return false;
 	map_identity(&identity);
@@ -561,7 +585,7 @@ bool fit_window(struct scene *s, const struct bounds *b, struct refusals *faults
 		extents_set(&r, k, &h, &identity);
 	if (!extents_widen(&r, 2, faults))
 		return false;
-	*w = (struct window){ .zoom = 1 };
+	*w = (struct window){ .zoom = 1, .y_down = down };
 	enclose_axis(&r, 0, s->margin, &w->center[0], &w->width);
 	enclose_axis(&r, 1, s->margin, &w->center[1], &w->height);
 	if (s->has_device)

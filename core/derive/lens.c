@@ -89,7 +89,8 @@ bool lens_of(const struct scene *s, struct lens *l, struct refusals *faults)
 		l->clip[i % 4][i / 4] = sum_negated_if(i % 4 == 1 && c->ndc_y_down,
 		    l->to_clip.m[i / 4][i % 4]);
 	frustum_limits(s, l->half, l->scale);
-	l->mirrors = s->convention.right_handed != c->right_handed;
+	l->mirrors = (s->convention.right_handed != c->right_handed) !=
+	    (s->has_camera && camera_mirrors(&s->camera, &s->convention));
 	l->parallel = vec3_is_zero(l->clip[3]);
 	l->reversed = projection_is_reversed(&s->projection, &s->convention);
 	set_points(l);

@@ -25,7 +25,9 @@ struct lens {
 	struct sum corner[8][4], eye[4]; /* in view space */
 	struct sum world_corner[8][4], world_eye[4];
 	bool parallel, reversed; /* reversed: near has the larger ndc depth */
-	bool mirrors;            /* the answer's handedness is not the document's */
+	/* The answer's handedness is not the world's, which is that of the document's
+	 * convention or, if the camera has axes, theirs. */
+	bool mirrors;
 };
 
 /* Makes the lens of a scene. */

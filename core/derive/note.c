@@ -3,17 +3,6 @@
 
 #include <math.h>
 
-/* Returns whether the camera has no convention but needs one: view axes of d3d are a
- * guess where a rotation is given. A gaze and up say what they mean
- * in all conventions. */
-static bool has_guessed_axes(const struct scene *s)
-{
-	return s->has_camera &&
-	    (s->camera.way == CAMERA_ORIENTATION ||
-		s->camera.way == CAMERA_TRANSLATION || s->camera.way == CAMERA_POSE ||
-		s->camera.way == CAMERA_MATRIX);
-}
-
 /* Returns whether z is up: worlds with z up are right-handed, and d3d would show them
  * mirrored. If the gaze is within a degree of the y axis, it is a plan or an elevation,
  * whose up is z in a world with y up, too. */
@@ -76,7 +65,7 @@ static bool has_radians(const struct scene *s)
 	double view = 0;
 
 	if (s->has_camera && s->camera.unit == ANGLE_DEGREES &&
-	    s->camera.way <= CAMERA_RVEC_TRANSLATION)
+	    s->camera.way < CAMERA_POSE)
 		found |= is_radians(s->camera.roll);
 	if (p->unit != ANGLE_DEGREES)
 		return found;
@@ -121,8 +110,11 @@ static bool is_cot_of_degrees(double x, double y)
 static bool has_matrix_of_radians(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
-	const double aspect = s->has_viewport ? s->viewport.width / s->viewport.height :
-						1;
+	double full[2] = { 1, 1 };
+
+	if (s->has_viewport)
+		viewport_full(&s->viewport, full);
+	const double aspect = full[0] / full[1];
 	const double(*m)[4] = p->matrix, xs = m[0][0], ys = m[1][1];
 	const bool parallel = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0;
 
@@ -146,7 +138,10 @@ static bool has_other_aspect(const struct scene *s)
 	if (projection_is_none(p) || !s->has_viewport || v->scale != SCALE_FILL ||
 	    height == 0)
 		return false;
-	const double share = width / height * v->height / v->width;
+	double full[2];
+
+	viewport_full(v, full);
+	const double share = width / height * full[1] / full[0];
 
 	return share > 1.01 || share < 0.99;
 }
@@ -164,6 +159,12 @@ static bool has_colmap_order(const struct projection *p)
 	    fabs(k[0][2] - half[1]) <= 0.1 * half[1];
 }
 
+bool note_judges_center(const struct scene *s)
+{
+	return s->projection.section.is_sized || s->viewport.has_full ||
+	    !s->viewport.has_offset;
+}
+
 bool note_principal_point_is_inside(double coordinate, double viewport_size)
 {
 	return 0.01 * viewport_size < coordinate && coordinate < 0.99 * viewport_size;
@@ -171,8 +172,7 @@ bool note_principal_point_is_inside(double coordinate, double viewport_size)
 
 unsigned note_of_members(const struct scene *s, const struct written *w)
 {
-	return (unsigned)(!w->convention && has_guessed_axes(s)) << NOTE_VIEW_AXES |
-	    (unsigned)(!w->convention && has_up_z(s)) << NOTE_UP_Z |
+	return (unsigned)(!w->convention && has_up_z(s)) << NOTE_UP_Z |
 	    (unsigned)(!w->angle_unit && has_radians(s)) << NOTE_RADIANS |
 	    (unsigned)has_matrix_of_radians(s) << NOTE_MATRIX_RADIANS |
 	    (unsigned)(!w->scale && has_other_aspect(s)) << NOTE_ASPECT |
@@ -238,6 +238,9 @@ bool note_is_plain(const struct scene *s)
 	    (!projection_has_intrinsics(p) ||
 		(!projection_is_tilted(p) && c->intrinsics[0][0] > 0 &&
 		    c->intrinsics[1][1] > 0 &&
-		    note_principal_point_is_inside(c->intrinsics[0][2], c->width) &&
-		    note_principal_point_is_inside(c->intrinsics[1][2], c->height)));
+		    (!note_judges_center(s) ||
+			(note_principal_point_is_inside(c->intrinsics[0][2],
+			     c->width) &&
+			    note_principal_point_is_inside(c->intrinsics[1][2],
+				c->height)))));
 }

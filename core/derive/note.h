@@ -16,7 +16,6 @@ enum note {
 	NOTE_DEPTH_FALLS,  /* depth decreases along the convention's gaze */
 	NOTE_RADIANS,      /* an angle in degrees may be in radians */
 	NOTE_OFF_CENTER, /* the principal point is at the viewport's edge or outside */
-	NOTE_VIEW_AXES,  /* a rotation to view axes that no convention names */
 	NOTE_UP_Z,       /* z is up, and no convention names the handedness */
 	NOTE_BEHIND,     /* all points are behind an eye that may look along -z */
 	NOTE_MATRIX_RADIANS, /* a matrix of an angle whose degrees were radians */
@@ -48,6 +47,10 @@ unsigned note_of_members(const struct scene *, const struct written *);
  * that the scene gives mirror it, which it thereby says. If not, picture_notes of
  * picture.h finds out. */
 bool note_is_plain(const struct scene *);
+
+/* Returns whether the size of the picture that intrinsics are for is known: not if the
+ * viewport has an offset alone. */
+bool note_judges_center(const struct scene *);
 
 /* Returns whether a coordinate of a principal point is between 1 % and 99 % of the
  * viewport's width or height. */

@@ -31,7 +31,7 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 /* The length of a normal is that in view space if the camera is a rotation. */
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
-	const bool rotates = l->scene.camera.way < CAMERA_POSE;
+	const bool rotates = l->scene.camera.way < CAMERA_ROTATION;
 
 	for (int k = 0; k < 6; k++) {
 		const struct map *m = k < 4 ? &l->sides : &l->ends;
@@ -114,14 +114,18 @@ static void set_intrinsics(const struct lens *l, const struct upright *u,
 
 /* Sets left, right, bottom and top: X or Y where the side plane x = -w, x = w, y = -w
  * or y = w meets a plane of constant D. In a perspective it is near or, if `far` is
- * set, far; in a parallel projection, the plane that the shear does not move. */
+ * set, far, or D = 1 without these; in a parallel projection, the plane that the shear
+ * does not move. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
 	struct sum n = sum_of_double(p->shear.plane), d = sum_of_double(1);
 
 	p->section.way = SECTION_EDGES;
-	if (projection_family(p) == FAMILY_PERSP)
+	p->section.edges_at = projection_is_open(p);
+	if (projection_is_open(p))
+		sum_copy(&n, &d);
+	else if (projection_family(p) == FAMILY_PERSP)
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
 		const struct sum *x = u->clip_xy[k / 2];
@@ -176,6 +180,16 @@ static void set_shear(const struct upright *u, const struct projection *given,
 	}
 }
 
+/* Returns whether intrinsics can say what the picture is: of a perspective that does
+ * not mirror and fills the viewport. */
+static bool may_have_intrinsics(const struct lens *l, const struct upright *u)
+{
+	const struct scene *s = &l->scene;
+
+	return !l->parallel && s->has_viewport && s->viewport.scale == SCALE_FILL &&
+	    sum_sign(u->clip_xy[0][0]) > 0;
+}
+
 /* Sets the projection p. In a perspective p->near becomes the plane nearer to the eye,
  * even if r->near is the other plane. */
 static void set_projection(const struct lens *l, const struct upright *u,
@@ -207,8 +221,33 @@ static void set_projection(const struct lens *l, const struct upright *u,
 		p->section.intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
 	/* if l->mirrors, X of K and x of r->scene's view space are opposite */
 	p->section.intrinsics[0][0] = fabs(p->section.intrinsics[0][0]);
-	if (!open && sum_sign(u->clip_xy[0][1]) == 0)
+	if (sum_sign(u->clip_xy[0][1]) == 0 && !(open && may_have_intrinsics(l, u)))
 		set_edges(u, &r->depth, swap, p);
+}
+
+/* Returns whether the principal point is at the edge of the full picture or outside.
+ * With another origin both sides change places. */
+static bool is_off_center(const struct scene *s, const struct picture *r)
+{
+	const struct viewport *v = &s->viewport;
+	const bool other = s->convention.origin_bottom_left !=
+	    scene_answer_convention(s)->origin_bottom_left;
+	double full[2];
+
+	if (!note_judges_center(s))
+		return false;
+	viewport_full(v, full);
+	for (int k = 0; k < 2; k++) {
+		const double offset = v->has_offset ? v->offset[k] : 0;
+		const double side = k == 0 ? v->width : v->height;
+		const double before = k == 1 && other ? full[k] - offset - side :
+							offset;
+
+		if (!note_principal_point_is_inside(r->intrinsics[k][2] + before,
+			full[k]))
+			return true;
+	}
+	return false;
 }
 
 /* Returns the notes. `transposed` says whether the matrix, as it was read, makes no
@@ -219,10 +258,9 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	const struct scene *s = &l->scene;
 	const struct projection *p = &s->projection;
 	bool parallel = l->parallel, behind = true;
-	bool by_intrinsics = sum_sign(u->clip_xy[0][1]) != 0 || projection_is_open(p);
+	bool by_intrinsics = sum_sign(u->clip_xy[0][1]) != 0;
 	bool mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0) !=
 	    l->mirrors;
-	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool volume = projection_family(p) == FAMILY_VOLUME;
 	/* a document gives a volume an eye beyond far only on purpose */
 	bool reverse = volume && r->taxonomy.taxon == TAXON_REVERSE;
@@ -249,17 +287,12 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		    fmin(r->taxonomy.fov[0], r->taxonomy.fov[1]) < 3.2 &&
 		    (p->section.way <= SECTION_VIEW_ANGLE ||
 			p->section.way == SECTION_ANGLES),
-		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) &&
-		    !(note_principal_point_is_inside(r->intrinsics[0][2],
-			  p->section.width) &&
-			note_principal_point_is_inside(r->intrinsics[1][2],
-			    p->section.height)),
-		[NOTE_NO_ROTATION] = s->camera.way >= CAMERA_POSE &&
+		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) && is_off_center(s, r),
+		[NOTE_NO_ROTATION] = s->camera.way >= CAMERA_ROTATION &&
 		    !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->clip_w[1]) < 0),
-		[NOTE_NO_INTRINSICS] = by_intrinsics &&
-		    (parallel || !fills || sum_sign(u->clip_xy[0][0]) < 0),
+		[NOTE_NO_INTRINSICS] = by_intrinsics && !may_have_intrinsics(l, u),
 	};
 	unsigned notes = 0;
 
@@ -287,6 +320,7 @@ static void set_parameters(const struct scene *s, const struct lens *l,
 	r->notes = notes_of(l, &u, r, false);
 	r->scene = *s;
 	r->scene.answer = NULL;
+	r->scene.viewport.has_full = r->scene.viewport.has_offset = false;
 	r->scene.convention = *scene_answer_convention(s);
 	r->has_scene = r->notes >> NOTES_PRINTED == 0;
 	if (r->has_scene) {

@@ -43,7 +43,8 @@ static void set_program(const struct scene *s, struct program *g)
 	const bool turns = from->view_y_down != to->view_y_down ||
 	    convention_looks_back(from) != convention_looks_back(to);
 	const bool has[3] = { s->has_world, s->has_camera || turns,
-		!projection_is_none(&s->projection) };
+		!projection_is_none(&s->projection) ||
+		    (s->has_viewport && viewport_is_part(&s->viewport)) };
 	double a[4][4], b[4][4];
 	struct map m;
 

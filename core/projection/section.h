@@ -26,7 +26,11 @@ struct projection_section {
 	enum section_way way;
 	double angle;
 	double field;         /* half the larger side at unit distance */
-	double width, height; /* with intrinsics, the viewport's */
+	double width, height; /* with intrinsics, those of their picture */
+	/* The size of the picture that the intrinsics are for, or is_sized is false.
+	 * Then `width` and `height` are these. */
+	bool is_sized;
+	double intrinsics_size[2];
 	union {
 		double edges[4];
 		struct {

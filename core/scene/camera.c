@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #include "../exact/rotation.h"
@@ -43,8 +44,12 @@ static bool axes_of_gaze(const struct camera *c, const struct convention *conven
 
 	/* up and z count as parallel if the sine |x| / (|up| |z|) is below 2^-50 */
 	if (sum_compare(xx, sum_scale(product, 0x1p-100)) < 0)
-		return refuse(faults, "/camera/up", "parallel to the gaze",
-		    "choose another up vector");
+		return c->has_default_up ?
+		    refuse(faults, "/camera/up",
+			"is 0 1 0 by default, parallel to the gaze",
+			"give one, such as [0, 0, 1]") :
+		    refuse(faults, "/camera/up", "parallel to the gaze",
+			"choose another up vector");
 	struct sum x_length = sum_sqrt(xx), z_length = sum_sqrt(zz);
 
 	a->divisor = sum_mul(x_length, z_length);
@@ -139,6 +144,44 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse, struct 
 	map_multiply(r, &turn, inverse);
 }
 
+bool camera_mirrors(const struct camera *c, const struct convention *convention)
+{
+	bool odd = false,
+	     right_handed = true; /* right, up and forward are left-handed */
+
+	for (int i = 0; i < 3; i++)
+		for (int k = 0; k <= i; k++)
+			odd ^= abs(c->axes[k]) > abs(c->axes[i]);
+	for (int i = 0; i < 3; i++)
+		right_handed ^= c->axes[i] > 0;
+	return c->has_axes && (right_handed != odd) != convention->right_handed;
+}
+
+/* Appends to a map to the camera's own frame the map from there to view space or, if
+ * inverse, puts the map back before r, which leads from this frame: permutes columns or
+ * rows, and negates those that point the other way. */
+static void append_axes(const struct camera *c, const struct convention *convention,
+    bool inverse, struct map *r)
+{
+	const int view[3] = { AXIS_RIGHT, convention->view_y_down ? AXIS_DOWN : AXIS_UP,
+		convention_looks_back(convention) ? AXIS_BACK : AXIS_FORWARD };
+	struct map own;
+
+	map_copy(&own, r);
+	for (int i = 0; i < 3; i++) {
+		const int k = abs(c->axes[i]) - 1;
+		const bool minus = c->axes[i] != view[k];
+
+		for (int j = 0; j < 5; j++)
+			if (!inverse)
+				r->m[j][k] = sum_negated_if(minus, own.m[j][i]);
+			else if (j < 4)
+				r->m[k][j] = sum_negated_if(minus, own.m[i][j]);
+		if (inverse)
+			r->origin[k] = minus ? 0 - own.origin[i] : own.origin[i];
+	}
+}
+
 const char *camera_steps_pointer(const struct camera *c)
 {
 	return c->way == CAMERA_POSE ? "/camera/pose" : "/camera/matrix";
@@ -179,21 +222,49 @@ static bool orthonormalize(const char *pointer, struct map *r, bool inverts,
 	return true;
 }
 
-/* Computes, by the camera's matrix or pose, the map from world to view space or, if
- * inverse, back. */
-static bool camera_matrix_map(const struct camera *c, bool inverse, struct map *r,
+/* Computes a map of a matrix or of steps or, if `inverts`, its inverse. If `regular`, a
+ * singular matrix is refused in both directions. */
+static bool matrix_map(const struct camera *c, const struct steps *s,
+    const char *pointer, bool inverts, bool regular, struct map *r,
     struct refusals *faults)
 {
-	const bool pose = c->way == CAMERA_POSE, inverts = inverse != pose;
 	const bool whole = !c->orthonormalize;
-	const char *pointer = camera_steps_pointer(c);
 
-	return steps_map(&c->steps, pointer, whole && inverts, whole && pose, r,
-		   faults) &&
+	return steps_map(s, pointer, whole && inverts, whole && regular, r, faults) &&
 	    (whole || orthonormalize(pointer, r, inverts, faults));
 }
 
-bool camera_map(const struct camera *c, const struct convention *convention,
+/* Computes, by the camera's rotation with the translation or the eye, the map from
+ * world to view space or, if inverse, back. */
+static bool camera_rotation_map(const struct camera *c, bool inverse, struct map *r,
+    struct refusals *faults)
+{
+	const bool by_eye = c->way == CAMERA_ROTATION;
+	struct steps s = { .matrix = { { 0 }, { 0 }, { 0 }, { 0, 0, 0, 1 } } };
+	struct sum minus[3];
+
+	for (int i = 0; i < 9; i++)
+		s.matrix[i / 3][i % 3] = c->rotation[i % 3][i / 3];
+	for (int k = 0; k < 3 && !by_eye; k++)
+		s.matrix[3][k] = c->eye[k];
+	if (!matrix_map(c, &s, "/camera/rotation", inverse, true, r, faults))
+		return false;
+	for (int k = 0; k < 3; k++)
+		sum_set(&minus[k], -c->eye[k]);
+	for (int k = 0; k < 3 && by_eye; k++)
+		if (inverse)
+			r->m[3][k] = sum_scale(r->divisor, c->eye[k]);
+		else
+			sum_dot(3, minus, &r->m[0][k], 4, &r->m[3][k]);
+	if (by_eye)
+		map_set_origin(r, inverse ? NULL : c->eye);
+	for (int k = 0; k < 3 && by_eye && !inverse; k++)
+		sum_set(&r->m[4][k], 0);
+	return true;
+}
+
+/* Computes the map from the world to the camera's own frame or, if inverse, back. */
+static bool own_map(const struct camera *c, const struct convention *convention,
     bool inverse, struct map *r, struct refusals *faults)
 {
 	bool is_translation = c->way == CAMERA_TRANSLATION ||
@@ -202,12 +273,26 @@ bool camera_map(const struct camera *c, const struct convention *convention,
 	struct axes axes;
 
 	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
-		return camera_matrix_map(c, inverse, r, faults);
+		return matrix_map(c, &c->steps, camera_steps_pointer(c),
+		    inverse != (c->way == CAMERA_POSE), c->way == CAMERA_POSE, r,
+		    faults);
+	if (c->way >= CAMERA_ROTATION)
+		return camera_rotation_map(c, inverse, r, faults);
 	if (!(c->way <= CAMERA_GAZE ? axes_of_gaze(c, convention, &axes, faults) :
 				      axes_of_rotation(c, by_rvec, &axes, faults)))
 		return false;
 	map_of_axes(&axes, c->eye, is_translation, inverse, r);
-	if (c->roll != 0)
+	return true;
+}
+
+bool camera_map(const struct camera *c, const struct convention *convention,
+    bool inverse, struct map *r, struct refusals *faults)
+{
+	if (!own_map(c, convention, inverse, r, faults))
+		return false;
+	if (c->has_axes)
+		append_axes(c, convention, inverse, r);
+	if (c->roll != 0 && c->way < CAMERA_POSE)
 		camera_roll(convention->view_y_down ? -c->roll : c->roll, c->unit,
 		    inverse, r);
 	return true;

@@ -83,6 +83,8 @@ static bool map_to_next(const struct scene *s, enum space first, bool inverse,
 	case SPACE_VIEW:
 		if (!projection_map(&s->projection, c, inverse, r, faults))
 			return false;
+		if (s->has_viewport)
+			viewport_part(&s->viewport, c, inverse, r);
 		break;
 	case SPACE_NDC:
 		if (!s->has_viewport)

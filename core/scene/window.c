@@ -19,24 +19,26 @@ static void ndc_axis(struct map *r, int i, struct sum n, double d, struct sum of
 	r->origin[i] = inverse ? sum_double(offset) : 0;
 }
 
+/* Sets the magnitudes of the sides, the centre, and whether the axes are mirrored. */
 static bool window_shape(const struct window *w, struct sum size[2],
-    struct sum center[2], struct refusals *faults)
+    struct sum center[2], bool mirrors[2], struct refusals *faults)
 {
 	const double low[2] = { w->left, w->bottom };
 	const double high[2] = { w->right, w->top };
 
-	if (w->by_edges && !(w->left < w->right))
-		return refuse(faults, "/window/right", "not greater than left",
-		    "swap them");
-	if (w->by_edges && !(w->bottom < w->top))
-		return refuse(faults, "/window/top", "not greater than bottom",
-		    "swap them; what turns y is the \"origin\" of the device");
+	if (w->by_edges && w->left == w->right)
+		return refuse(faults, "/window/right", "equal to left",
+		    "the edges must differ");
+	if (w->by_edges && w->bottom == w->top)
+		return refuse(faults, "/window/top", "equal to bottom",
+		    "the edges must differ");
 	sum_set(&size[0], w->width);
 	sum_set(&size[1], w->height);
 	for (int i = 0; i < 2; i++) {
 		sum_set(&center[i], w->center[i]);
+		mirrors[i] = w->by_edges ? high[i] < low[i] : i == 1 && w->y_down;
 		if (w->by_edges) {
-			size[i] = sum_difference(high[i], low[i]);
+			size[i] = sum_abs(sum_difference(high[i], low[i]));
 			center[i] = sum_scale(sum_difference(low[i], -high[i]), 0.5);
 		}
 		center[i] = sum_add(center[i], sum_of_double(w->pan[i]));
@@ -61,8 +63,9 @@ bool window_map(const struct window *w, const struct device *d, bool inverse,
 {
 	struct sum size[2], center[2];
 	double divisor[2] = { 1, 1 }, origin[3] = { 0 };
+	bool mirrors[2];
 
-	if (!window_shape(w, size, center, faults))
+	if (!window_shape(w, size, center, mirrors, faults))
 		return false;
 	if (w->adapt != ADAPT_STRETCH && d == NULL)
 		return refuse(faults, "/window/adapt", "there is no device to adapt to",
@@ -80,6 +83,8 @@ bool window_map(const struct window *w, const struct device *d, bool inverse,
 
 		window_axis(r, i, sum_scale(n, w->zoom), sum_neg(sum_mul(c, n)),
 		    sum_scale(size[i], w->zoom), inverse);
+		r->m[i][i] = sum_negated_if(mirrors[i], r->m[i][i]);
+		r->m[3][i] = sum_negated_if(mirrors[i] && !inverse, r->m[3][i]);
 		origin[i] = sum_ratio(c, sum_of_double(w->zoom));
 	}
 	map_set_origin(r, inverse ? NULL : origin);
@@ -96,6 +101,45 @@ void viewport_limits(const struct viewport *v, double half[2], double scale[2])
 						     half[k];
 }
 
+void viewport_full(const struct viewport *v, double full[2])
+{
+	full[0] = v->has_full ? v->full[0] : v->width;
+	full[1] = v->has_full ? v->full[1] : v->height;
+}
+
+/* Returns whether device y falls as y of ndc grows. */
+static bool falls(const struct convention *c)
+{
+	return c->ndc_y_down == c->origin_bottom_left;
+}
+
+/* The point x of ndc is at full (x + 1) / 2 in the full picture, and at size (x' + 1) /
+ * 2 + offset in the part, both counted from the origin's corner: x' = (x full + full -
+ * 2 offset - size) / size. If device y falls, y and y' are negated. */
+void viewport_part(const struct viewport *v, const struct convention *c, bool inverse,
+    struct map *r)
+{
+	const double size[2] = { v->width, v->height };
+	double full[2];
+	struct map part;
+
+	if (!viewport_is_part(v))
+		return;
+	viewport_full(v, full);
+	map_identity(&part);
+	for (int k = 0; k < 2; k++) {
+		const double offset = v->has_offset ? v->offset[k] : 0;
+		const struct sum off = sum_add(sum_difference(full[k], size[k]),
+		    sum_of_double(-2 * offset));
+
+		window_axis(&part, k, sum_of_double(full[k]),
+		    sum_negated_if(k == 1 && falls(c), off), sum_of_double(size[k]),
+		    inverse);
+	}
+	map_set_origin(&part, NULL);
+	map_multiply(r, &part, inverse);
+}
+
 bool viewport_map(const struct viewport *v, const struct convention *c, bool inverse,
     struct map *r, struct refusals *faults)
 {
@@ -107,7 +151,7 @@ bool viewport_map(const struct viewport *v, const struct convention *c, bool inv
 		return refuse(faults, "/viewport/max_z", "equal to min_z",
 		    "depth can't be inverted then");
 	viewport_limits(v, half, scale);
-	if (c->ndc_y_down == c->origin_bottom_left)
+	if (falls(c))
 		scale[1] = -scale[1];
 	if (c->depth_minus_one)
 		min = sum_scale(sum_difference(v->min_z, -v->max_z), 0.5);
@@ -124,8 +168,11 @@ bool viewport_map(const struct viewport *v, const struct convention *c, bool inv
 bool device_map(const struct device *d, bool inverse, struct map *r,
     struct refusals *faults)
 {
-	const struct viewport v = { d->x, d->y, d->width, d->height, 0, 1, SCALE_FILL,
-		{ 0 }, false };
+	const struct viewport v = { .x = d->x,
+		.y = d->y,
+		.width = d->width,
+		.height = d->height,
+		.max_z = 1 };
 	const struct convention c = { .origin_bottom_left = !d->top_left };
 
 	return viewport_map(&v, &c, inverse, r, faults);

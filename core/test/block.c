@@ -32,8 +32,7 @@ static double sample_coordinate(const struct scene *s, enum space from, int j)
 		d = sample_between(-1, 2);
 	if (sample_below(6) == 0)
 		d = rint(d);
-	if (j < 3 && from <= SPACE_WORLD && s->has_camera &&
-	    s->camera.way < CAMERA_TRANSLATION)
+	if (j < 3 && from <= SPACE_WORLD && s->has_camera && camera_has_eye(&s->camera))
 		d += s->camera.eye[j];
 	return d;
 }

@@ -210,9 +210,8 @@ static void sample_bounds(const struct scene *s, struct bounds *b)
 		.radius = sample_size(e) };
 	for (int i = 0; i < 3; i++) {
 		b->center[i] = sample_number(e) +
-		    (s->has_camera && s->camera.way < CAMERA_TRANSLATION ?
-			    s->camera.eye[i] :
-			    0);
+		    (s->has_camera && camera_has_eye(&s->camera) ? s->camera.eye[i] :
+								   0);
 		b->min[i] = b->center[i];
 		b->max[i] = b->min[i] + (sample_below(5) > 0 ? sample_size(e) : 0);
 	}

@@ -292,6 +292,7 @@ static void pose_is_the_inverse(void **state)
 
 		sample_orthonormalize(&c, i % 2 ? 5 : 0);
 		c.way = CAMERA_MATRIX;
+		c.has_axes = false;
 		c.orthonormalize = i % 4 < 2;
 		pose = c;
 		pose.way = CAMERA_POSE;
@@ -406,6 +407,13 @@ static void refused_cameras(void **state)
 	    STEPS_NOT_AFFINE_REMEDY);
 	set_diagonal(&c, 1, 1e-140, 1e-150);
 	assert_camera_refused(c, false, "/camera/matrix", NULL, NULL);
+	for (int i = 0; i < 4; i++) {
+		c.way = i < 2 ? CAMERA_ROTATION : CAMERA_ROTATION_TRANSLATION;
+		c.orthonormalize = false;
+		assert_camera_refused(c, i % 2, "/camera/rotation", "singular", NULL);
+		c.orthonormalize = true;
+		assert_camera_refused(c, i % 2, "/camera/rotation", NULL, NULL);
+	}
 }
 
 int main(void)

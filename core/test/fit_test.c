@@ -407,6 +407,7 @@ static void sample_calibrated(struct scene *s)
 
 	*v = (struct viewport){ .width = 640, .height = 480, .max_z = 1 };
 	s->has_viewport = true;
+	p->section.is_sized = false;
 	p->section.width = v->width;
 	p->section.height = v->height;
 	memset(k, 0, sizeof p->section.intrinsics);
@@ -425,6 +426,8 @@ static void sample_fit(struct scene *s, int e)
 
 	sample_scene(s, e);
 	s->has_camera = sample_below(8) > 0;
+	/* others are refused */
+	s->camera.has_axes &= !camera_mirrors(&s->camera, &s->convention);
 	s->has_viewport = sample_below(2);
 	s->margin = sample_below(2) ? 0 : sample_between(0, 0.49);
 	if (p->aspect[1] == 0)
@@ -486,6 +489,8 @@ static int fit_many(int n, int e, bool points)
 			continue;
 		if (!fit_scene(&f.s, has_eye, &b, NULL))
 			continue;
+		/* the full picture is fitted */
+		f.s.viewport.has_full = f.s.viewport.has_offset = false;
 		measure_gaps(&f);
 		assert_true(contains_bounds(&f));
 		assert_int_equal(out_bits(&f.s, &f), 0);

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { REALS_MAX = 1 << 16 };
+enum { REALS_MAX = 1 << 17 };
 
 /* A bound of the error of low parts that underflow, which lose bits below 2^-1074. */
 #define LOW_PART_LOSS 0x1p-1068

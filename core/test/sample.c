@@ -178,11 +178,23 @@ static void sample_rotation_vector(double v[3], int e)
 			v[i] *= length / sqrt(square);
 }
 
+/* Samples one of the 48 frames. */
+static void sample_axes(enum camera_axis axes[3])
+{
+	const unsigned first = sample_below(3), second = sample_below(2);
+
+	for (unsigned i = 0; i < 3; i++) {
+		const int line = 1 + (int)((first + (second ? i : 2 * i)) % 3);
+
+		axes[i] = sample_below(2) ? line : -line;
+	}
+}
+
 void sample_camera(struct camera *c, int e)
 {
 
 	memset(c, 0, sizeof *c);
-	c->way = sample_below(8);
+	c->way = sample_below(CAMERA_MATRIX + 1);
 	camera_now = (int)c->way;
 	magnitude_now = e;
 	sample_vector(c->eye, e);
@@ -195,6 +207,10 @@ void sample_camera(struct camera *c, int e)
 	if (c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION)
 		sample_rotation_vector(c->rvec, e);
 	sample_affine(c->steps.matrix, e);
+	for (int i = 0; i < 3 && c->way >= CAMERA_ROTATION && c->way < CAMERA_POSE; i++)
+		sample_vector(c->rotation[i], e);
+	c->has_axes = c->way >= CAMERA_ORIENTATION && sample_below(3) == 0;
+	sample_axes(c->axes);
 	if (e > 0 && c->way == CAMERA_AT && sample_below(2))
 		place_far(c);
 	if (e > 0 && c->way < CAMERA_ORIENTATION && sample_below(2))
@@ -216,8 +232,10 @@ void sample_orthonormalize(struct camera *c, int e)
 	double drift = sample_below(2) ? 1e-7 : 0.5;
 
 	memset(c, 0, sizeof *c);
-	c->way = sample_below(2) ? CAMERA_MATRIX : CAMERA_POSE;
+	c->way = CAMERA_ROTATION + sample_below(4);
 	c->orthonormalize = true;
+	c->has_axes = sample_below(3) == 0;
+	sample_axes(c->axes);
 	for (int i = 0; i < 4; i++) {
 		q[i] = sample_between(-1, 1);
 		norm += q[i] * q[i];
@@ -239,6 +257,9 @@ void sample_orthonormalize(struct camera *c, int e)
 		    (e > 0 ? stretch[i % 3] : 1 + drift * sample_between(-1, 1));
 	}
 	sample_vector(c->steps.matrix[3], e > 0 ? 20 : 0);
+	sample_vector(c->eye, e > 0 ? 20 : 0);
+	for (int i = 0; i < 9; i++)
+		c->rotation[i / 3][i % 3] = c->steps.matrix[i % 3][i / 3];
 	c->steps.matrix[3][3] = 1;
 }
 
@@ -407,8 +428,19 @@ static void sample_p_rows(double k[3][4], int e)
 			k[i][j] = e > 0 ? sample_number(e) : ordinary_number();
 }
 
-/* Samples fx, fy, cx and cy, or a matrix K or P, with near and far planes, without
- * planes, or with an infinite far plane. */
+/* Leaves near and far out of one perspective in four, unless its cross-section is on
+ * the near plane. */
+static void sample_open(struct projection *p)
+{
+	if (projection_family(p) != FAMILY_PERSP || projection_is_given_at_near(p) ||
+	    sample_below(4) > 0)
+		return;
+	p->near = 0;
+	p->far = HUGE_VAL;
+	p->reverse_z = true;
+}
+
+/* Samples fx, fy, cx and cy, or a matrix K or P. */
 static void sample_intrinsics(struct projection *p, int e)
 {
 	double(*k)[4] = p->section.intrinsics;
@@ -432,11 +464,6 @@ static void sample_intrinsics(struct projection *p, int e)
 		sample_p_rows(k, e);
 	if (k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0)
 		k[2][2] = 1;
-	if (sample_below(4) > 0)
-		return;
-	p->near = 0;
-	p->far = HUGE_VAL;
-	p->reverse_z = true;
 }
 
 void sample_remember(const struct projection *p)
@@ -474,6 +501,7 @@ void sample_projection(struct projection *p, int e)
 		sample_intrinsics(p, e);
 	if (projection_family(p) == FAMILY_PERSP && sample_below(3) == 0)
 		s->edges_at = e > 0 ? sample_size(e) : 1 + sample_below(9);
+	sample_open(p);
 	for (int i = 0; i < 4; i++) {
 		sample_vector(p->matrix[i], e);
 		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary_number();
@@ -492,6 +520,16 @@ void sample_viewport(struct viewport *v, int e)
 	v->min_z = sample_below(2) ? 0 : sample_unit();
 	v->max_z = sample_below(2) ? 1 : sample_unit();
 	v->scale = sample_below(3);
+	v->has_full = sample_below(3) == 0 && v->scale == SCALE_FILL;
+	v->has_offset = sample_below(3) == 0 && v->scale == SCALE_FILL;
+	for (int k = 0; k < 2; k++) {
+		const double side = k == 0 ? v->width : v->height;
+
+		v->full[k] = e > 0 ? side * sample_between(0.1, 10) :
+				     1 + sample_below(4000);
+		v->offset[k] = e > 0 ? side * sample_between(-2, 2) :
+				       whole_number(400) / 8;
+	}
 	v->scales[0] = e > 0 ? sample_size(e) : 1 + sample_below(4000);
 	v->scales[1] = e > 0 ? sample_size(e) : 1 + sample_below(4000);
 }
@@ -509,9 +547,11 @@ void sample_flat(struct window *w, struct device *d, int e)
 	w->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
 	w->height = e > 0 ? sample_size(e) : 1 + sample_below(20);
 	w->left = w->center[0];
-	w->right = w->left + w->width;
+	w->right = w->left + (sample_below(3) ? w->width : -w->width);
 	w->bottom = w->center[1];
-	w->top = w->bottom + w->height;
+	w->top = w->bottom + (sample_below(3) ? w->height : -w->height);
+	w->y_down = sample_below(3) == 0;
+	memset(w->has_edge, true, sizeof w->has_edge);
 	w->zoom = sample_below(2) ? 1 :
 	    e > 0                 ? sample_size(e) :
 				    sample_between(0.1, 10);
@@ -526,6 +566,9 @@ void sample_flat(struct window *w, struct device *d, int e)
 
 void sample_scene(struct scene *s, int e)
 {
+	struct projection_section *section = &s->projection.section;
+	double full[2];
+
 	memset(s, 0, sizeof *s);
 	sample_convention(&s->convention);
 	s->has_world = sample_below(2);
@@ -540,8 +583,13 @@ void sample_scene(struct scene *s, int e)
 	sample_viewport(&s->viewport, e);
 	if (s->projection.section.way == SECTION_INTRINSICS) {
 		s->viewport.scale = SCALE_FILL;
-		s->projection.section.width = s->viewport.width;
-		s->projection.section.height = s->viewport.height;
+		viewport_full(&s->viewport, full);
+		section->is_sized = sample_below(4) == 0;
+		for (int k = 0; k < 2 && section->is_sized; k++)
+			full[k] *= sample_between(0.1, 4);
+		memcpy(section->intrinsics_size, full, sizeof full);
+		section->width = full[0];
+		section->height = full[1];
 	}
 	sample_flat(&s->window, &s->device, e);
 }

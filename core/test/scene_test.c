@@ -55,6 +55,7 @@ static void models_far_from_the_origin(void **state)
 		sample_scene(&s, 0);
 		s.has_world = true;
 		s.camera.way = CAMERA_AT;
+		s.camera.has_axes = false;
 		for (int k = 0; k < 3; k++) {
 			s.world.matrix[3][k] = 1e15 * sample_between(-1, 1);
 			s.camera.eye[k] = s.world.matrix[3][k] +

@@ -18,7 +18,7 @@ struct truth_stage {
 struct truth {
 	int n;
 	bool irrational; /* an angle or the length of a vector occurs */
-	struct truth_stage stage[60];
+	struct truth_stage stage[80];
 	struct truth_stage product; /* of the stages, by truth_compose */
 };
 

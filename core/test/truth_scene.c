@@ -220,31 +220,67 @@ static void camera_by_matrix(struct truth *t, const struct camera *c)
 	add_stages(t, &r);
 }
 
+/* Adds the stage from the camera's own frame to view space: of the vectors right, up
+ * and forward, the rows are their coordinates in the frame, and the columns those in
+ * view. */
+static void own_axes(struct truth *t, const struct camera *c,
+    const struct convention *convention)
+{
+	struct truth_stage *s = truth_stage(t);
+	const double view[3] = { 1, convention->view_y_down ? -1 : 1,
+		truth_gaze_sign(convention) };
+
+	for (int i = 0; i < 3 && c->has_axes; i++)
+		for (int k = 0; k < 3; k++)
+			s->m[i][k] = real_of(c->axes[i] == k + 1 ? view[k] :
+				c->axes[i] == -k - 1             ? -view[k] :
+								   0);
+}
+
+/* Adds the stages of R of [R|t]. */
+static void camera_by_rotation(struct truth *t, const struct camera *c)
+{
+	struct truth r = { 0 };
+	double m[4][4] = { 0 };
+
+	for (int i = 0; i < 9; i++)
+		m[i % 3][i / 3] = c->rotation[i / 3][i % 3];
+	affine(&r, m);
+	if (c->orthonormalize)
+		nearest_rotation(&r);
+	add_stages(t, &r);
+}
+
 /* Adds the stages from world to view space. The roll turns the image while y is up. */
 static void camera(struct truth *t, const struct camera *c,
     const struct convention *convention)
 {
 	if (c->way >= CAMERA_POSE) {
 		camera_by_matrix(t, c);
+		own_axes(t, c, convention);
 		return;
 	}
 	bool down = convention->view_y_down, by_axes = c->way > CAMERA_GAZE;
-	bool by_eye = c->way < CAMERA_TRANSLATION;
+	bool by_eye = camera_has_eye(c);
 	bool by_rvec = c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION;
-	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
-	struct truth_stage *origin = truth_stage(t);
+	struct truth_stage *eye = truth_stage(t);
 
 	if (!by_axes || by_rvec || c->roll != 0)
 		t->irrational = true;
+	if (c->way >= CAMERA_ROTATION)
+		camera_by_rotation(t, c);
+	else if (by_rvec)
+		rodrigues(c->rvec, truth_stage(t));
+	else if (by_axes)
+		quaternion_matrix(c->orientation, truth_stage(t)->m);
+	else
+		look_at(c, convention->right_handed, truth_stage(t)->m);
+	struct truth_stage *origin = truth_stage(t);
+
 	for (int i = 0; i < 3; i++)
 		(by_eye ? eye : origin)->m[3][i] = real_of(
 		    by_eye ? -c->eye[i] : c->eye[i]);
-	if (by_rvec)
-		rodrigues(c->rvec, view);
-	else if (by_axes)
-		quaternion_matrix(c->orientation, view->m);
-	else
-		look_at(c, convention->right_handed, view->m);
+	own_axes(t, c, convention);
 	if (down && by_axes)
 		truth_half_turn(t);
 	struct truth_stage *roll = truth_stage(t);
@@ -295,6 +331,31 @@ static void viewport(struct truth *t, const struct viewport *v,
 	}
 }
 
+/* Adds the stage from clip space of the full picture to that of the part: by way of
+ * units of the device from the corner of the origin, of the whole and of the part. */
+static void part(struct truth *t, const struct viewport *v, const struct convention *c)
+{
+	const double size[2] = { v->width, v->height };
+	const double *whole = v->has_full ? v->full : size;
+
+	if (!v->has_full && !v->has_offset)
+		return;
+	for (int k = 0; k < 2; k++) {
+		const bool up = c->origin_bottom_left != c->ndc_y_down;
+		const double sign = k == 1 && !up ? -1 : 1;
+		real half = divide(real_of(whole[k]), TWO);
+		real side = divide(real_of(size[k]), TWO);
+		struct truth_stage *to = truth_stage(t), *move = truth_stage(t),
+				   *back = truth_stage(t);
+
+		to->m[k][k] = mul(half, real_of(sign));
+		to->m[3][k] = half;
+		move->m[3][k] = real_of(v->has_offset ? -v->offset[k] : 0);
+		back->m[k][k] = divide(real_of(sign), side);
+		back->m[3][k] = real_of(-sign);
+	}
+}
+
 static void device(struct truth *t, const struct device *d)
 {
 	struct truth_stage *s = truth_stage(t);
@@ -325,6 +386,7 @@ static void window(struct truth *t, const struct window *w, const struct device 
 {
 	struct truth_stage *s = truth_stage(t);
 	real c[2], size[2], from[2], to[2], about[2], zoom = real_of(w->zoom);
+	double sign[2] = { 1, w->y_down && !w->by_edges ? -1 : 1 };
 
 	set_reals(c, 2, w->center);
 	set_reals(size, 2, (double[]){ w->width, w->height });
@@ -335,6 +397,8 @@ static void window(struct truth *t, const struct window *w, const struct device 
 		if (w->by_edges) {
 			c[i] = divide(add(from[i], to[i]), TWO);
 			size[i] = sub(to[i], from[i]);
+			sign[i] = mpfr_sgn(size[i]);
+			size[i] = magnitude(size[i]);
 		}
 		c[i] = add(c[i], real_of(w->pan[i]));
 		if (w->has_about)
@@ -343,7 +407,7 @@ static void window(struct truth *t, const struct window *w, const struct device 
 	}
 	adapt(w, d, size);
 	for (int i = 0; i < 2; i++) {
-		s->m[i][i] = divide(TWO, size[i]);
+		s->m[i][i] = divide(real_of(2 * sign[i]), size[i]);
 		s->m[3][i] = negative(mul(c[i], s->m[i][i]));
 	}
 }
@@ -461,6 +525,8 @@ void truth_scene(const struct scene *s, enum space from, enum space to, struct t
 	if (crosses(from, to, SPACE_VIEW)) {
 		convert_view(t, s);
 		truth_projection(t, &s->projection, c);
+		if (s->has_viewport)
+			part(t, &s->viewport, c);
 		convert_clip(t, s);
 	}
 	if (crosses(from, to, SPACE_NDC))

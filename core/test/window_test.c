@@ -143,7 +143,7 @@ static void refusals(void **state)
 	assert_refusal(window_map(&w, NULL, false, &m, &faults), &faults,
 	    "/window/right", NULL, NULL);
 	w.right = 2;
-	w.top = -1;
+	w.top = 0;
 	assert_refusal(window_map(&w, NULL, true, &m, &faults), &faults, "/window/top",
 	    NULL, NULL);
 	w.top = 1;
