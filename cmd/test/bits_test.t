@@ -82,6 +82,7 @@ my %projections = (
 );
 my @types = sort keys %projections;
 my @conventions = qw(d3d gl vulkan webgpu);
+my @d3d = ('-c', 'd3d');
 
 sub projection {
 	my ($type) = @_;
@@ -188,7 +189,7 @@ sub make_points {
 sub make_options {
 	my @formats = qw(text csv json f64 f32);
 	for my $in (@formats) {
-		my @c = ('project', '-i', $in, '--keep-going', scene('persp'),
+		my @c = ('project', @d3d, '-i', $in, '--keep-going', scene('persp'),
 		    "$tmp/3.$in");
 		add('formats', @c, '-o', $_) for @formats;
 		add('formats', @c, '--flags', '-o', 'text');
@@ -196,25 +197,26 @@ sub make_options {
 	}
 	for my $type (@types) {
 		my $scene = scene($type);
-		add('styles', 'project', $scene, "$tmp/3.text", @$_)
+		add('styles', 'project', @d3d, $scene, "$tmp/3.text", @$_)
 		    for ['-d', 3], ['-d', 40], ['--digits', 4],
 		    ['--digits', 25], ['-H'], ['--flags'], ['--visible'];
-		add('rays', 'project', '--ray', $scene, "$tmp/2.text");
-		add('pick', 'pick', '--at', '1,1', '--radius', 10, $scene,
-		    "$tmp/3.text", @$_) for [], ['-o', 'json'];
+		add('rays', 'project', @d3d, '--ray', $scene, "$tmp/2.text");
+		add('pick', 'pick', @d3d, '--at', '1,1', '--radius', 10,
+		    $scene, "$tmp/3.text", @$_) for [], ['-o', 'json'];
 		add('inspect', 'inspect', '-c', $_, $scene) for @conventions;
 		add('fit', 'fit', '-c', $_, $scene, '[[1,2,3],[4,6,8]]')
 		    for @conventions;
-		add('any bits', 'project', '-i', 'f64', '--keep-going', $scene,
-		    "$tmp/any.f64", @$_) for [], ['-p', 'double'], ['-p', 'single'],
+		add('any bits', 'project', @d3d, '-i', 'f64', '--keep-going',
+		    $scene, "$tmp/any.f64", @$_) for [], ['-p', 'double'], ['-p', 'single'],
 		    ['-o', 'f32'], ['--flags', '-o', 'text'];
 	}
 }
 
 sub make_streams {
 	my $scene = scene('persp');
-	add('text stream', 'project', $scene, "$tmp/many");
-	add('binary stream', 'project', '-i', 'f64', $scene, "$tmp/many.f64");
+	add('text stream', 'project', @d3d, $scene, "$tmp/many");
+	add('binary stream', 'project', @d3d, '-i', 'f64', $scene,
+	    "$tmp/many.f64");
 }
 
 sub make_windows {

@@ -34,12 +34,13 @@ static void test_missing(void **state)
 	assert_numbers(d.scene.projection.aspect, 2, 4.0, 3.0);
 	assert_true(!d.has_eye && d.scene.camera.way == CAMERA_GAZE);
 	d = read_fit("\"projection\":{\"type\":\"ortho\",\"height\":1,"
-		     "\"aspect\":2},\"camera\":{\"eye\":[1,2,3],"
-		     "\"orientation\":[0,0,0,1]}");
+		     "\"aspect\":2},\"convention\":\"d3d\",\"camera\":{"
+		     "\"eye\":[1,2,3],\"orientation\":[0,0,0,1]}");
 	assert_numbers(d.scene.projection.aspect, 2, 2.0, 1.0);
 	assert_true(d.has_eye);
 	d = read_fit("\"projection\":{\"type\":\"persp\",\"view_angle\":1,"
-		     "\"aspect\":2},\"camera\":{\"matrix\":[1,0,0,0,0,1,0,0,"
+		     "\"aspect\":2},\"convention\":\"d3d\",\"camera\":{"
+		     "\"matrix\":[1,0,0,0,0,1,0,0,"
 		     "0,0,1,0,0,0,0,1]}");
 	assert_true(d.has_eye);
 	d = read_as(&fit,

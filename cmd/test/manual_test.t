@@ -194,8 +194,8 @@ for my $type (@$types) {
 	    "the formula of $type");
 }
 # The message about a wrong member lists the members.
-like((run('projcalc lookat \'{"camera": {"xyzzyxyzzy": 0}}\''))[2],
-    qr/unknown member; there are "eye", "at", .* and "orthonormalize"$/m,
+like((run('projcalc n2d \'{"device": {"xyzzyxyzzy": 0}}\''))[2],
+    qr/unknown member; there are "x", "y", .* and "origin"$/m,
     'members in a message');
 
 for my $page (qw(projcalc.1 projcalc-scene.5)) {

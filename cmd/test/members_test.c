@@ -6,7 +6,8 @@
 
 static void test_camera(void **state)
 {
-#define CAMERA(members) scene_of("{\"camera\":{" members "}}").camera
+#define CAMERA(members) \
+	scene_of("{\"convention\":\"d3d\",\"camera\":{" members "}}").camera
 	struct camera c = CAMERA("\"at\":[4,5,6],\"eye\":[1,2,-1e150]");
 
 	(void)state;
@@ -36,6 +37,12 @@ static void test_camera(void **state)
 	c = CAMERA("\"pose\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]");
 	assert_int_equal(c.way, CAMERA_POSE);
 	assert_numbers(c.steps.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
+	c = CAMERA("\"rotation\":[[1,2,3],[4,5,6],[7,8,0]],\"translation\":[5,6,7],"
+		   "\"axes\":\"F-Lu\"");
+	assert_int_equal(c.way, CAMERA_ROTATION_TRANSLATION);
+	assert_numbers(c.rotation[1], 3, 4.0, 5.0, 6.0);
+	assert_true(c.has_axes && c.axes[0] == AXIS_FORWARD && c.axes[1] == AXIS_LEFT &&
+	    c.axes[2] == AXIS_UP);
 	/* 3 rows of 4 are for column vectors and 4 rows of 3 for row vectors, in every
 	 * convention */
 	static const char *const shapes[] = { "\"camera\":{\"matrix\":" M34 "}",
@@ -46,7 +53,7 @@ static void test_camera(void **state)
 		char text[200] = "{\"convention\":\"gl\",";
 
 		if (i % 2)
-			strcpy(text, "{");
+			strcpy(text, "{\"convention\":\"d3d\",");
 		c = scene_of(strcat(strcat(text, shapes[i / 2]), "}")).camera;
 		assert_numbers(c.steps.matrix[0], 16, 1.0, 5.0, 9.0, 0.0, 2.0, 6.0,
 		    10.0, 0.0, 3.0, 7.0, 11.0, 0.0, 4.0, 8.0, 12.0, 1.0);

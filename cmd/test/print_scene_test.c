@@ -21,6 +21,7 @@ static void sample_fitted(struct document *d)
 	s->has_device = sample_below(2);
 	s->convention.column_vectors = sample_below(2);
 	s->camera.way = CAMERA_GAZE;
+	s->camera.has_axes = false;
 	s->has_camera = true;
 	while (projection_family(p) == FAMILY_FIXED)
 		p->type = 1 + sample_below(PROJECTION_TYPES - 1);

@@ -37,7 +37,7 @@ END
 # Messages about faults that no schema finds: it cannot compare numbers, count
 # members or invert matrices, and knows neither the command nor the operands.
 my $beyond = qr{
-	equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
+	other\ handedness | does\ not\ mirror | equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
 	less\ than\ min | no\ extent | parallel\ to | does\ not\ run | does\ not\ begin |
 	that\ fit\ computes | all\ of\ the\ bounds | takes\ z\ to\ w | about\ the\ depth\ of | no\ points$ | not\ in\ order | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
