@@ -78,6 +78,8 @@ my %values = (
 	matrix => matrix(ref_to('numbers')),
 	affine_numbers => {anyOf => [list(list($number, 4), 3),
 	    list(list($number, 3), 4), ref_to('numbers')]},
+	step_numbers => {anyOf => [list(list($number, 3), 3),
+	    ref_to('affine_numbers')]},
 	affine => matrix(ref_to('affine_numbers'), only_for('column', {maxItems => 3}),
 	    only_for('row', {minItems => 4, maxItems => 4, items => {maxItems => 3}})),
 	steps => {type => 'array', items => ref_to('step'), maxItems => 64},
@@ -105,6 +107,9 @@ my %values = (
 
 # The schemas of the types of values that are not one of the definitions above.
 my %shapes = (
+	'3 rows of 3 numbers' => list(list($number, 3), 3),
+	'a word as flu' => {type => 'string',
+	    pattern => '^(?=.*[rlRL])(?=.*[udUD])(?=.*[fbFB])[rludfbRLUDFB]{3}$'},
 	'matrix or steps' => ref_to('affine_or_steps'),
 	'steps' => ref_to('steps'),
 	'number or 3 numbers' => either('array', list($factor, 3), $factor),
@@ -126,7 +131,7 @@ sub shape {
 	return list(shape($one, $row), 0 + $count) if $count;
 	return $shapes{$type} if $shapes{$type};
 	return $size if $type eq 'size';
-	return ref_to($row->{in} eq 'projection' ? 'matrix' : 'affine_numbers')
+	return ref_to($row->{in} eq 'projection' ? 'matrix' : 'step_numbers')
 	    if $type eq 'matrix';
 	return object($row->{name}) if $type eq 'object' && $row->{in};
 	return {enum => $row->{words}} if $type eq join ' or ',
