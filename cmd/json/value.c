@@ -343,6 +343,28 @@ static bool begin_text(struct json_source *source, char *begin, size_t size,
 	return look_over(k) || value_refuse_text(source, k->s, k->what, k->remedy);
 }
 
+/* Returns the first number that cJSON reads though it is none of JSON, as 010 and 1.
+ * are, or NULL. Those of points are read elsewhere. */
+static const char *find_wrong_number(const char *s, const char *end, struct span points)
+{
+	while (s < end) {
+		const char *const at = s;
+
+		if (s == points.s) {
+			s = points.end;
+		} else if (*s == '"') {
+			s = json_string_end(s, end);
+		} else if (*s == '-' || (*s >= '0' && *s <= '9')) {
+			s = json_number(s, end, NULL);
+			if (s == NULL)
+				return at;
+		} else {
+			s++;
+		}
+	}
+	return NULL;
+}
+
 bool value_parse_document(struct json_source *source, char *begin, size_t size,
     struct value *root, struct span *points)
 {
@@ -363,6 +385,9 @@ bool value_parse_document(struct json_source *source, char *begin, size_t size,
 	    (stop == end || k.in_string || (stop == end - 1 && k.level > 0)))
 		return refuse_end(source, &k);
 	if (stop < end || parsed == NULL)
+		return refuse_no_json(source, stop, end);
+	stop = find_wrong_number(begin, end, k.points);
+	if (stop != NULL)
 		return refuse_no_json(source, stop, end);
 	*root = (struct value){ .source = source, .item = parsed };
 	*points = k.points;
