@@ -93,6 +93,10 @@ void operands_check(const struct options *o)
 			die_at(EXIT_USAGE, &place,
 			    text("numbers of POINTS are in brackets: '%s'", list),
 			    NULL);
+		if (input_first_char(place.file) == '{')
+			die_at(EXIT_USAGE, &place, "is an object",
+			    "a scene comes first, and POINTS are a file, - or an "
+			    "array");
 		if (input_first_char(place.file) != '[' && !input_check(place.file) &&
 		    !input_is_stdin(place.file))
 			die_at(EXIT_USAGE, &place, strerror(errno),
@@ -100,8 +104,9 @@ void operands_check(const struct options *o)
 				2 * options_coordinates(o) + 1, "1.5,2,3,4",
 				o->columns.n == 1 ?
 				    "; --columns takes a list such as 1,2,3" :
-				    o->command->kind == COMMAND_PICK ? POSITION_HINT :
-								       ""));
+				    o->command->kind == COMMAND_PICK ?
+				    "; " POSITION_HINT :
+				    ""));
 	}
 }
 

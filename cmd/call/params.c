@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "../json/text.h"
@@ -153,10 +154,23 @@ static bool begins_point(const char *s)
 	return isdigit((unsigned char)s[strspn(s, "+-.(\"")]);
 }
 
-/* Returns whether the text at s holds points in place of a scene: it is no object, and
- * one of its first lines begins like a point, or the first has fields with
- * separators. */
-static bool holds_points(const char *s)
+/* Returns whether the object at s is a point: it has x and y, and nothing that is in
+ * brackets, as all objects of a scene but a device are. */
+static bool is_point(const char *s)
+{
+	const char *const end = s + 1 + strcspn(s + 1, "[]{}");
+	bool has[2] = { false };
+
+	for (const char *name = s; *end == '}' && name < end; name++)
+		for (int i = 0; i < 2; i++)
+			has[i] |= strncasecmp(name, i == 0 ? "\"x\"" : "\"y\"", 3) == 0;
+	return has[0] && has[1];
+}
+
+/* Returns whether the text at s holds points in place of a scene: it is an object that
+ * is a point; or none, and one of its first lines begins like a point, or the first has
+ * fields with separators. A device has x and y, too. */
+static bool holds_points(const char *s, bool may_be_device)
 {
 	enum { LINES = 4 };
 
@@ -166,6 +180,8 @@ static bool holds_points(const char *s)
 
 		if (*line == '#')
 			continue;
+		if (i == 0 && *line == '{' && !may_be_device && is_point(line))
+			return true;
 		if (i == 0 && (*line == '{' || strchr("%<-", *line) != NULL) &&
 		    !begins_point(line))
 			return false;
@@ -183,13 +199,16 @@ static bool check_not_points(const struct options *o, struct document *d)
 	const char *s = params.text.s + params.begin;
 	const enum format f = format_of_name(params.name);
 	const bool table = (f == FORMAT_OBJ || format_rows[f].table) && *s != '{';
-	const bool binary = o->n_points > 0 && format_is_binary(o->in) && *s != '{';
+	const bool may_be_device = o->command->wants.lone_member == SCENE_DEVICE;
+	const bool binary = format_is_binary(o->in) && *s != '{';
 
-	if (params.begin == params.end || (!table && !binary && !holds_points(s)))
+	if (params.begin == params.end ||
+	    (!table && !binary && !holds_points(s, may_be_device)))
 		return true;
 	d->is_usage = true;
 	return document_refuse(d, NULL, "holds points",
-	    params_points_remedy(o, params.name));
+	    params_points_remedy(o,
+		input_first_char(o->params) == '{' ? "points.json" : params.name));
 }
 
 /* Returns a hint for points of two numbers, which may be positions; or NULL. */
@@ -200,7 +219,7 @@ static const char *find_two_numbers_hint(const struct options *o)
 	if (o->command->kind != COMMAND_PROJECT || o->from != SPACE_DEVICE ||
 	    o->homogeneous || (o->has_to && o->to != SPACE_WORLD))
 		return NULL;
-	return "; for x y, --ray prints rays, and --plane A,B,C,D where they meet it";
+	return "for x y, --ray prints rays, and --plane A,B,C,D where they meet it";
 }
 
 bool params_read_document(const struct options *o, struct document *d,

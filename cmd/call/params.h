@@ -6,7 +6,7 @@
 #include "options.h"
 
 /* Ends messages of the command pick that refuse a point of two numbers. */
-#define POSITION_HINT "; --at 320,240 is the position"
+#define POSITION_HINT "--at 320,240 is the position"
 
 /* Moves to the next document of PARAMS and returns whether there is one. With --scenes,
  * PARAMS may have several, and messages begin with the number of the document. */

@@ -99,6 +99,10 @@ static const struct member *refuse_unknown(const struct value *v,
 	const char *names[MEMBERS_MAX + 1];
 	const char *remark = word_remark(v->name, WORD_MEMBER);
 	const char *remedy = remark != NULL ? remark : find_owner(v, table);
+	/* a document may be one object of a scene, such as a camera */
+	const char *object = v->parent->parent == NULL && v->parent->name == NULL ?
+	    v->source->row->name :
+	    v->parent->name;
 	char list[LIST_ROOM];
 
 	list_names(table, variant, ALL_MEMBERS, names);
@@ -106,8 +110,8 @@ static const struct member *refuse_unknown(const struct value *v,
 
 	if (remedy == NULL)
 		remedy = word_remedy(list, v->name, WORD_MEMBER, names, "\"");
-	if (*remedy == '\0' && v->parent->name != NULL)
-		remedy = text("'projcalc help %s' lists them", v->parent->name);
+	if (*remedy == '\0' && object != NULL)
+		remedy = text("'projcalc help %s' lists them", object);
 	value_refuse(v, "unknown member", remedy);
 	return near != NULL ? member_named(table, variant, near) : NULL;
 }

@@ -87,20 +87,24 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 			return refuse_byte(v->source, p, "a value");
 		check_element(&e, p, stop, e.index < (size_t)coordinates);
 		p = json_skip_blanks(stop, end);
-		if (*p == ']' && ++e.index > 0)
+		if (*p == ']') {
+			e.index++;
 			break;
+		}
 		if (*p != ',')
 			return refuse_byte(v->source, p, "',' or ']'");
 		p = json_skip_blanks(p + 1, end);
 	}
 	*s = p + 1;
+	const char *hint = e.index == 2 && v->source->two_numbers_hint != NULL ?
+	    v->source->two_numbers_hint :
+	    "";
+
 	if (e.index < (size_t)coordinates)
 		value_refuse(v,
 		    text("has %zu element%s", e.index, e.index == 1 ? "" : "s"),
-		    text("%d coordinates are wanted%s", coordinates,
-			e.index == 2 && v->source->two_numbers_hint != NULL ?
-			    v->source->two_numbers_hint :
-			    ""));
+		    text("%d coordinates are wanted%s%s", coordinates,
+			*hint != '\0' ? "; " : "", hint));
 	return true;
 }
 

@@ -231,7 +231,9 @@ static const char *find_wrong(const char *begin, const char *at, const char *end
 
 	if (at > begin && look_over(&before) && before.level > 0 &&
 	    *before.open[before.level - 1] == '{' && at[-1] != '"' &&
-	    !json_is_blank(at[-1]) && strchr("{,", byte_before(begin, at - 1)) != NULL)
+	    !json_is_blank(at[-1]) &&
+	    strchr("{,", byte_before(begin, at - 1)) != NULL &&
+	    !(at[-1] == '}' && byte_before(begin, at - 1) == '{'))
 		return at - 1;
 	return json_skip_blanks(at, end);
 }
@@ -320,6 +322,17 @@ static const cJSON *parse_without(const char *begin, const char *end,
 	}
 	const cJSON *parsed = cJSON_ParseWithLengthOpts(s, n, &at, false);
 
+	if (parsed == NULL && n > 0 && at == s + n - 1) {
+		/* cJSON stops at the last byte also where the text ends too early: then
+		 * it passes the byte if a blank follows */
+		char *longer = xrealloc(NULL, n + 1);
+
+		memcpy(longer, s, n);
+		longer[n] = ' ';
+		cJSON_ParseWithLengthOpts(longer, n + 1, &at, false);
+		at = s + (at - longer);
+		free(longer);
+	}
 	*stop = begin + (at - s) + (cut > 0 && (size_t)(at - s) >= before ? cut : 0);
 	free(copy);
 	return parsed;
@@ -380,9 +393,7 @@ bool value_parse_document(struct json_source *source, char *begin, size_t size,
 
 	stop = parsed == NULL ? find_wrong(begin, stop, end) :
 				json_skip_blanks(stop, end);
-	/* cJSON's place of an error at the end of a text is the last byte */
-	if (parsed == NULL &&
-	    (stop == end || k.in_string || (stop == end - 1 && k.level > 0)))
+	if (parsed == NULL && (stop == end || k.in_string))
 		return refuse_end(source, &k);
 	if (stop < end || parsed == NULL)
 		return refuse_no_json(source, stop, end);

@@ -430,7 +430,7 @@ static const char *remark_on_value(const char *word, const char *const *words)
 const char *word_remedy(char out[LIST_ROOM], const char *word, enum word_place place,
     const char *const *words, const char *quote)
 {
-	const int most = 13;
+	const int most = 12;
 	const char *remark = place == WORD_VALUE ? remark_on_value(word, words) :
 						   word_remark(word, place);
 	const char *near = word_nearest(word, words);

@@ -27,7 +27,7 @@ unsigned document_used_members(const struct document_wants *w)
 /* Sets m[i] to the member with bit i, *seen to the members of the document as bits, and
  * *meant to those that unknown ones may mean. If it has none, or only angle_unit, the
  * document itself is w->lone_member. Returns false if the document is no object. */
-static bool find_members(struct json_source *source, const struct value *root,
+static bool find_scene_members(struct json_source *source, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_ROWS], unsigned *seen,
     unsigned *meant)
 {
@@ -262,7 +262,7 @@ bool document_read(struct document *d, const char *name, char *begin, size_t siz
 	source->row = &scene_row;
 	d->ends_run = !value_parse_document(source, begin, size, &root, &points);
 	source->root = d->ends_run ? NULL : root.item;
-	if (d->ends_run || !find_members(source, &root, wants, m, &seen, &meant))
+	if (d->ends_run || !find_scene_members(source, &root, wants, m, &seen, &meant))
 		return false;
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat_members) != 0;
 	source->flat = d->flat;

@@ -123,7 +123,8 @@ static struct list {
 	int n;
 } lists[2], *reading;
 
-static struct value given_world;
+/* The lists as they are in the document, for printing. */
+static struct value given[2];
 
 /* Reads the step v, an object with one operation, to *s. */
 static bool read_step(const struct value *v, struct step *s)
@@ -229,8 +230,7 @@ static bool read_steps(const struct value *v, const struct member *row, void *ou
 			lone->name));
 	if (!value_is(v, JSON_ARRAY) || !is_list(v))
 		return type_affine.read(v, row, steps->matrix);
-	if (is_world)
-		given_world = *v;
+	given[is_world] = *v;
 	reading = &lists[is_world];
 	reading->n = 0;
 	const bool is_right = read_list(v);
@@ -278,7 +278,8 @@ static void print_steps(struct printer *p, const struct member *row, const void 
 	const struct steps *steps = at;
 
 	if (steps->step != NULL)
-		put_step_value(p, &given_world, step_members);
+		put_step_value(p, &given[steps->step == lists[true].step],
+		    step_members);
 	else
 		type_affine.print(p, row, steps->matrix);
 }

@@ -9,7 +9,8 @@
 
 const char *const angle_unit_names[] = { "degrees", "radians", NULL };
 
-static bool read_numbers(const struct value *v, const struct member *row, void *out)
+static bool read_number_member(const struct value *v, const struct member *row,
+    void *out)
 {
 	const struct value_range *range = row->range != NULL ? row->range : &range_any;
 
@@ -39,7 +40,7 @@ static void print_numbers(struct printer *p, const struct member *row, const voi
 		put_numbers(p, at, (int)row->n);
 }
 
-const struct member_type type_numbers = { NULL, read_numbers, print_numbers,
+const struct member_type type_numbers = { NULL, read_number_member, print_numbers,
 	sizeof(double) };
 const struct member_type type_far = { "size or \"infinity\"", read_far, print_numbers,
 	sizeof(double) };
@@ -68,7 +69,7 @@ static void print_flag(struct printer *p, const struct member *row, const void *
 
 const struct member_type type_flag = { NULL, read_flag, print_flag, sizeof(bool) };
 
-static bool read_word(const struct value *v, const struct member *row, void *out)
+static bool read_word_member(const struct value *v, const struct member *row, void *out)
 {
 	unsigned index;
 	const bool good = value_word(v, row->words, row->word_aliases, &index);
@@ -83,7 +84,8 @@ static void print_word(struct printer *p, const struct member *row, const void *
 	put_string(p, row->words[*(const unsigned *)at - row->word_0]);
 }
 
-const struct member_type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
+const struct member_type type_word = { NULL, read_word_member, print_word,
+	sizeof(unsigned) };
 
 const struct member_type type_points = { "a point or a list", NULL, NULL, 0 };
 

@@ -93,7 +93,7 @@ static void add_progress(const struct chunk *c)
 		show_progress(time);
 }
 
-static void end_line(void)
+static void print_newline(void)
 {
 	if (answer.lacks_newline)
 		output_write("\n", 1);
@@ -105,7 +105,7 @@ void answer_refused_scene(bool prints_null)
 	answer.bad_scene = true;
 	if (!prints_null)
 		return;
-	end_line();
+	print_newline();
 	output_write("null\n", 5);
 }
 
@@ -113,7 +113,7 @@ static void print_text(const struct job *j, const char *s, size_t n)
 {
 	if (n == 0)
 		return;
-	end_line();
+	print_newline();
 	answer.lacks_newline = !format_is_binary(j->layout.out.format) &&
 	    s[n - 1] != '\n';
 	output_write(s, n);

@@ -143,7 +143,7 @@ static void copy_to(struct splice *w, const char *s)
 	}
 }
 
-static void put_name(struct splice *w, int k)
+static void put_output_name(struct splice *w, int k)
 {
 	char name[2 * NAME_ROOM];
 
@@ -159,7 +159,7 @@ static void put_name(struct splice *w, int k)
 static void put_value(struct splice *w, int k)
 {
 	if (w->n.v == NULL)
-		put_name(w, k);
+		put_output_name(w, k);
 	else if (k < COORDINATES_MAX)
 		w->out = put_coordinate(w->l, w->n, k, w->out);
 	else
@@ -175,7 +175,7 @@ static void put_values(struct splice *w, int k)
 		if (w->fields++ > 0)
 			*w->out++ = w->separator;
 		if (w->members) {
-			put_name(w, k);
+			put_output_name(w, k);
 			*w->out++ = ':';
 		}
 		put_value(w, k);
@@ -197,7 +197,7 @@ static void replace_field(struct splice *w, const struct field *f, int k)
 {
 	if (w->members && w->l->plan.in_space) {
 		copy_to(w, f->name.s);
-		put_name(w, k);
+		put_output_name(w, k);
 		w->done = f->name.end;
 	}
 	if (w->n.v == NULL && !w->l->plan.in_space)
@@ -261,7 +261,7 @@ static void append_values(struct splice *w, struct cursor c)
 }
 
 /* Writes the numbers alone. */
-static char *put_numbers(const struct layout *l, struct image_numbers n,
+static char *put_point(const struct layout *l, struct image_numbers n,
     const struct flags *flags, char *out)
 {
 	const struct format_row *to = format_of(l->out);
@@ -275,7 +275,7 @@ static char *put_numbers(const struct layout *l, struct image_numbers n,
 }
 
 /* Writes an object that can't be read, with the names of the output. */
-static void put_object(struct splice *w)
+static void put_lost_object(struct splice *w)
 {
 	*w->out++ = '{';
 	put_values(w, 0);
@@ -306,9 +306,9 @@ static char *emit_line(const struct emit *e, const struct line *line,
 	if (copy) {
 		copy_to(&w, text.end);
 	} else if (line->kind == LINE_LOST && w.members) {
-		put_object(&w);
+		put_lost_object(&w);
 	} else if (!e->same || line->kind == LINE_LOST) {
-		w.out = put_numbers(l, n, l->output.flags ? flags : NULL, w.out);
+		w.out = put_point(l, n, l->output.flags ? flags : NULL, w.out);
 	} else {
 		if (format_of(l->out)->blanks)
 			w.separator = added_separator(l, line);
@@ -439,7 +439,7 @@ static inline char *emit_point(const struct emit *e, const struct line *line,
 			return end;
 	}
 	if (!e->same) {
-		out = put_numbers(l, n, flags, out);
+		out = put_point(l, n, flags, out);
 		*out = '\n';
 		return out + line->newline;
 	}

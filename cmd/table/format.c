@@ -8,6 +8,7 @@
 
 #include "../json/text.h"
 #include "../message/message.h"
+#include "../message/words.h"
 #include "../number/number.h"
 
 #define LINES .open = "", .close = "", .nan_text = "nan"
@@ -38,28 +39,12 @@ struct dialect dialect_of(enum format f, char separator)
 		row->separator != 0 ? row->separator : separator };
 }
 
-/* Returns whether `word` is one of the words of a list with blanks between. */
-static bool is_listed(const char *list, const char *word)
-{
-	const size_t n = strlen(word);
-
-	for (const char *s = list; *s != '\0'; s += strspn(s, " ")) {
-		const size_t size = strcspn(s, " ");
-
-		if (size == n && strncasecmp(s, word, n) == 0)
-			return true;
-		s += size;
-	}
-	return false;
-}
-
 enum format format_of_name(const char *name)
 {
 	const char *dot = strrchr(name, '.');
 
 	for (int f = 0; dot != NULL && f < FORMAT_SNIFF; f++)
-		if (format_rows[f].ends != NULL &&
-		    is_listed(format_rows[f].ends, dot + 1))
+		if (word_is_one_of(dot + 1, format_rows[f].ends))
 			return (enum format)f;
 	return FORMAT_SNIFF;
 }

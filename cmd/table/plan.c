@@ -14,7 +14,7 @@
 #include "../message/message.h"
 
 /* The fields that are sought in a line: the first of each coordinate, and how many. */
-struct found {
+struct sought {
 	struct field field[4];
 	int times[4];
 	size_t n;          /* fields of the line */
@@ -90,11 +90,11 @@ static const char *name_of(const struct names *n, int i)
 
 /* Counts the fields of each name, and keeps the first and its index. */
 static void find_names(struct cursor c, const struct names *n, int reads,
-    struct found *found, int index[4])
+    struct sought *found, int index[4])
 {
 	struct field f;
 
-	*found = (struct found){ 0 };
+	*found = (struct sought){ 0 };
 	for (int k = 0; cursor_next(&c, &f); k++, found->n++) {
 		for (int i = 0; i < reads; i++)
 			if (*name_of(n, i) != '\0' &&
@@ -107,7 +107,7 @@ static void find_names(struct cursor c, const struct names *n, int reads,
 	}
 }
 
-static bool finds_all(const struct found *found, int reads)
+static bool finds_all(const struct sought *found, int reads)
 {
 	for (int i = 0; i < reads; i++)
 		if (found->times[i] == 0)
@@ -119,7 +119,7 @@ static bool finds_all(const struct found *found, int reads)
  * has all of them; else x, y, z and w in either case. Returns whether the second. */
 static bool choose_names(const struct layout *l, struct cursor c, struct names *n)
 {
-	struct found found;
+	struct sought found;
 	int index[4];
 
 	*n = (struct names){ .either_case = l->columns.n == 0 };
@@ -154,7 +154,7 @@ void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
 /* Returns a name of the output that a field of the line has, too; or NULL. Names of
  * coordinates that stay are no new ones, and those that change are not there. */
 static const char *find_clash(const struct layout *l, struct cursor c,
-    const struct found *found)
+    const struct sought *found)
 {
 	const struct output *o = &l->output;
 	const bool changes = l->plan.in_space && !o->append;
@@ -247,8 +247,8 @@ static const char *other_separator(struct span f)
 	return NULL;
 }
 
-/* Writes the names of a line, such as "; it has x, y", or nothing if there are none. */
-static void list_names(struct cursor c, char all[512])
+/* Writes the names of a line, such as "x, y", or nothing if there are none. */
+static void list_fields(struct cursor c, char all[512])
 {
 	char escaped[ESCAPED_MAX];
 	struct field f;
@@ -261,8 +261,7 @@ static void list_names(struct cursor c, char all[512])
 		    header_name(f.value);
 
 		if (name.s < name.end)
-			n += (size_t)sprintf(all + n, "%s%s",
-			    n > 0 ? ", " : "; it has ",
+			n += (size_t)sprintf(all + n, "%s%s", n > 0 ? ", " : "",
 			    escape_short(escaped, name.s, span_size(name)));
 	}
 	if (c.s != NULL)
@@ -271,7 +270,7 @@ static void list_names(struct cursor c, char all[512])
 
 /* Says that the line has no field of coordinate i, or several, and which it has. */
 static void refuse_name(const struct layout *l, struct cursor c,
-    const struct names *names, const struct found *found, int i, struct refusal *r)
+    const struct names *names, const struct sought *found, int i, struct refusal *r)
 {
 	const char *name = name_of(names, i);
 	const char *subject = c.members ? "has" : "the header has";
@@ -291,18 +290,19 @@ static void refuse_name(const struct layout *l, struct cursor c,
 					   remedy);
 		return;
 	}
-	list_names(c, all);
+	list_fields(c, all);
 	if (other != NULL)
 		remedy = other;
 	else if (i == 2 && l->z_hint != NULL && l->columns.n == 0)
-		remedy = l->z_hint + strlen("; ");
-	refusal_set(r, NULL, text("%s no %s '%s'", subject, what, name),
-	    text("%s%s",
-		l->columns.n > 0 && *all != '\0' && other == NULL ? "" : remedy,
-		l->columns.n > 0 && *all != '\0' && other == NULL ? all + 2 : all));
+		remedy = l->z_hint;
+	if (*all != '\0' && l->columns.n > 0 && other == NULL)
+		remedy = text("it has %s", all); /* --columns is used already */
+	else if (*all != '\0')
+		remedy = text("%s; it has %s", remedy, all);
+	refusal_set(r, NULL, text("%s no %s '%s'", subject, what, name), remedy);
 }
 
-/* Returns the header without BOM and line end, as the headers of sources are
+/* Returns the header without a carriage return at its end, as headers of sources are
  * compared. */
 static struct span header_text(struct span line)
 {
@@ -380,7 +380,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 	struct plan *p = &l->plan;
 	struct cursor at = c;
 	struct names names;
-	struct found found;
+	struct sought found;
 	struct field f;
 
 	line->kind = LINE_REFUSED;
@@ -415,7 +415,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 /* Law 5: rows. */
 
 /* Returns whether the row has as many fields as it should; if not, says so. */
-static bool has_its_fields(const struct layout *l, const struct found *found,
+static bool has_its_fields(const struct layout *l, const struct sought *found,
     struct refusal *r)
 {
 	const struct plan *p = &l->plan;
@@ -434,14 +434,14 @@ static bool has_its_fields(const struct layout *l, const struct found *found,
 }
 
 /* Finds the coordinates of a row that is no object. */
-static void find_fields(const struct layout *l, struct cursor c, struct found *found)
+static void find_fields(const struct layout *l, struct cursor c, struct sought *found)
 {
 	/* of text without a header nothing after the last coordinate counts */
 	const bool whole = l->plan.fields > 0 || !format_of(l->in)->blanks;
 	int left = l->reads;
 	struct field f;
 
-	*found = (struct found){ 0 };
+	*found = (struct sought){ 0 };
 	for (; (whole || left > 0) && cursor_next(&c, &f); found->n++) {
 		for (int i = 0; i < l->reads; i++)
 			if ((size_t)l->plan.field[i] == found->n) {
@@ -455,8 +455,8 @@ static void find_fields(const struct layout *l, struct cursor c, struct found *f
 
 /* Finds the coordinates of an object. The first row decides their names; if it has not
  * all, they are the names by default. */
-static void find_members(struct layout *l, struct cursor c, bool first,
-    struct found *found, struct names *names)
+static void find_object_fields(struct layout *l, struct cursor c, bool first,
+    struct sought *found, struct names *names)
 {
 	struct plan *p = &l->plan;
 	const bool in_space = first && choose_names(l, c, names);
@@ -526,12 +526,13 @@ static void refuse_missing(const struct layout *l, int i, struct refusal *r)
 	    l->columns.n == 0 ? text("%s is missing", coordinate_name(i)) :
 				text("%s is missing: there is no field %d",
 				    coordinate_name(i), l->plan.field[i] + 1),
-	    text("%d numbers are wanted%s", l->reads, hint));
+	    text("%d numbers are wanted%s%s", l->reads, *hint != '\0' ? "; " : "",
+		hint));
 }
 
 /* Reads the coordinates; if one is wrong, says in which column of the line. */
-static bool read_numbers(const struct layout *l, const struct line *line,
-    const struct found *found, double v[4], struct refusal *r)
+static bool read_coordinates(const struct layout *l, const struct line *line,
+    const struct sought *found, double v[4], struct refusal *r)
 {
 	for (int i = 0; i < l->reads; i++) {
 		const struct span f = found->field[i].value;
@@ -648,7 +649,7 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 	const bool json = l->in.format == FORMAT_JSON;
 	struct plan *p = &l->plan;
 	struct names names;
-	struct found found;
+	struct sought found;
 
 	line->kind = LINE_LOST;
 	line->object = json && *skip_blanks(l->in, text.s, text.end) == '{';
@@ -676,7 +677,7 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 		return false;
 	}
 	if (c.members)
-		find_members(l, c, first, &found, &names);
+		find_object_fields(l, c, first, &found, &names);
 	else
 		find_fields(l, c, &found);
 	if (first && p->fields == 0 && format_of(l->in)->table)
@@ -698,13 +699,13 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 		line->kind = LINE_LOST; /* a name would be there twice */
 		return false;
 	}
-	return has_its_fields(l, &found, r) && read_numbers(l, line, &found, v, r);
+	return has_its_fields(l, &found, r) && read_coordinates(l, line, &found, v, r);
 }
 
 /* Law 1: returns whether an empty field is where a coordinate should be. */
 static bool has_empty_coordinate(const struct layout *l, struct span text)
 {
-	struct found found;
+	struct sought found;
 	bool empty = false;
 
 	find_fields(l, line_cursor(l->in, text), &found);

@@ -69,7 +69,7 @@ struct layout {
 	enum header header;
 	struct columns columns;
 	int record;         /* numbers in a binary record; 0: the coordinates alone */
-	const char *z_hint; /* ends the message that z is missing; or NULL */
+	const char *z_hint; /* a further remedy if z is missing; or NULL */
 	const char *from;   /* the input space, such as world; or NULL */
 	struct output output;
 	struct common_header common;

@@ -29,17 +29,13 @@ void walk_set_stops(struct walk *w)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* stops with the same upper four bits share one of 8 bits */
-		uint8_t *bit = &set.high[b >> 4];
 		const char c = (char)b;
 
 		if (c != '\n' && !is_blank(c) &&
 		    !((csv || json) && (c == d.separator || c == '"')) &&
 		    !(json && (b < ' ' || strchr("[]{}\\", c) != NULL)))
 			continue;
-		if (*bit == 0)
-			*bit = (uint8_t)(1 << bits++);
-		set.low[b & 15] |= *bit;
+		byte_set_add(&set, &bits, (uint8_t)b);
 	}
 	w->stops = set;
 }

@@ -175,6 +175,12 @@ static const struct {
 	{ "[\"\xe2\x82",
 	    "1:3: a byte is not UTF-8; iconv -f LATIN1 -t UTF-8 makes UTF-8 of "
 	    "Latin-1" },
+	/* an empty object is no name, and the last byte may be what is wrong */
+	{ "{\"a\":{}\"b\":1}", "1:8: expected ',' or '}', not '\"'" },
+	{ "{\"a\":[{}5]}", "1:9: expected ',' or ']', not '5'" },
+	{ "{\"a\":[1}", "1:8: expected ',' or ']', not '}'" },
+	{ "{\"a\":[1,]", "1:9: expected a value, not ']'; remove the comma before it" },
+	{ "{\"a\":t", "1:6: expected a value, not 't'" },
 	{ "{}", "" },
 	{ "[]", "" },
 	{ "null", "" },

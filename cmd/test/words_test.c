@@ -111,7 +111,7 @@ static void test_remedy(void **state)
 	static const char *const twelve[] = { "a", "b", "c", "d", "e", "f", "g", "h",
 		"i", "j", "k", "l", NULL };
 	static const char *const more[] = { "a", "b", "c", "d", "e", "f", "g", "h", "i",
-		"j", "k", "l", "m", "n", NULL };
+		"j", "k", "l", "m", NULL };
 	static const struct {
 		const char *word;
 		const char *const *words;

@@ -224,7 +224,7 @@ static bool orthonormalize(const char *pointer, struct map *r, bool inverts,
 
 /* Computes a map of a matrix or of steps or, if `inverts`, its inverse. If `regular`, a
  * singular matrix is refused in both directions. */
-static bool matrix_map(const struct camera *c, const struct steps *s,
+static bool map_of_steps(const struct camera *c, const struct steps *s,
     const char *pointer, bool inverts, bool regular, struct map *r,
     struct refusals *faults)
 {
@@ -247,7 +247,7 @@ static bool camera_rotation_map(const struct camera *c, bool inverse, struct map
 		s.matrix[i / 3][i % 3] = c->rotation[i % 3][i / 3];
 	for (int k = 0; k < 3 && !by_eye; k++)
 		s.matrix[3][k] = c->eye[k];
-	if (!matrix_map(c, &s, "/camera/rotation", inverse, true, r, faults))
+	if (!map_of_steps(c, &s, "/camera/rotation", inverse, true, r, faults))
 		return false;
 	for (int k = 0; k < 3; k++)
 		sum_set(&minus[k], -c->eye[k]);
@@ -273,7 +273,7 @@ static bool own_map(const struct camera *c, const struct convention *convention,
 	struct axes axes;
 
 	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
-		return matrix_map(c, &c->steps, camera_steps_pointer(c),
+		return map_of_steps(c, &c->steps, camera_steps_pointer(c),
 		    inverse != (c->way == CAMERA_POSE), c->way == CAMERA_POSE, r,
 		    faults);
 	if (c->way >= CAMERA_ROTATION)

@@ -30,6 +30,17 @@ struct byte_set {
 	uint8_t low[16], high[16];
 };
 
+/* Adds a byte to a set that was 0 with *bits 0. Bytes with the same upper four bits
+ * share one of 8 bits, so that at most eight such groups fit. */
+static inline void byte_set_add(struct byte_set *set, int *bits, uint8_t b)
+{
+	uint8_t *bit = &set->high[b >> 4];
+
+	if (*bit == 0)
+		*bit = (uint8_t)(1 << (*bits)++);
+	set->low[b & 15] |= *bit;
+}
+
 /* The most characters of a plain number; bytes before its end that may be read. */
 enum { PLAIN_MAX = 32, PLAIN_READABLE = 37 };
 enum { PLAIN_BATCH = NUMBER_BATCH, PLAIN_GROUP = 8 }; /* a group is read as a whole */
