@@ -22,6 +22,19 @@ void check_project(const struct options *o)
 	if (plane && o->plane.v[0] == 0 && o->plane.v[1] == 0 && o->plane.v[2] == 0)
 		die(EXIT_USAGE, "--plane: A, B and C are 0",
 		    "z = 0 is --plane 0,0,1,0");
+	if (o->directions &&
+	    (o->matrix || o->homogeneous || o->ray || plane || o->flags || o->visible))
+		die(EXIT_USAGE,
+		    "--directions excludes -m, -H, --ray, --plane, --flags and "
+		    "--visible",
+		    NULL);
+	if (o->directions && !o->has_to)
+		die(EXIT_USAGE, "--directions needs --to",
+		    "say --to world, view or model");
+	if (o->directions &&
+	    (o->to > SPACE_VIEW || (o->has_from && o->from > SPACE_VIEW)))
+		die(EXIT_USAGE, "--directions goes among model, world and view",
+		    "a direction has no image of its own in clip, ndc and device");
 	if ((o->ray && (plane || o->matrix)) ||
 	    ((o->ray || plane) && (o->homogeneous || o->flags || o->visible)))
 		die(EXIT_USAGE,
@@ -49,6 +62,8 @@ static bool project_prepare(const struct document *d, const struct options *o,
 	if (o->plane.n > 0)
 		return ray_plane_transform(s, from, to, o->plane.v, &j->transform,
 		    faults);
+	if (o->directions)
+		return transform_of_directions(s, from, to, &j->transform, faults);
 	if (o->ray)
 		return ray_maker_of(s, &j->ray, faults);
 	if (!(o->matrix ? transform_of_matrix(s, from, to, &j->transform, faults) :

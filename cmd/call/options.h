@@ -34,8 +34,8 @@ struct options {
 	struct number_list tolerance, distances;
 	bool has_from, has_to;
 	enum space from, to;
-	bool homogeneous, matrix, unit_w, textbook, ray, append, flags, visible,
-	    keep_going, progress, quiet;
+	bool homogeneous, matrix, unit_w, textbook, ray, directions, append, flags,
+	    visible, keep_going, progress, quiet;
 	struct number_list jobs, pick_at, plane, radius;
 	/* the name of a given option that is for points only; or NULL */
 	const char *points_only_option;

@@ -214,3 +214,19 @@ bool transform_of_scene(const struct scene *s, enum space from, enum space to,
 		choose_depth_kernel(&t->from_view, t);
 	return transform_check(s, t, faults);
 }
+
+bool transform_of_directions(const struct scene *s, enum space from, enum space to,
+    struct transform *t, struct refusals *faults)
+{
+	struct map *m = &t->map;
+
+	if (!scene_map_factor(s, from, to, m, faults))
+		return false;
+	for (int j = 0; j < 3; j++)
+		sum_set(&m->m[3][j], 0);
+	map_set_origin(m, NULL);
+	if (!scene_map_refuse_range(s, false, m, faults))
+		return false;
+	transform_init(t, from, to, false);
+	return transform_check(s, t, faults);
+}

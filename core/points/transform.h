@@ -42,6 +42,11 @@ bool transform_of_scene(const struct scene *, enum space from, enum space to,
 bool transform_of_matrix(const struct scene *, enum space from, enum space to,
     struct transform *, struct refusals *faults);
 
+/* Computes the transform of directions, vectors in place of points, among model, world
+ * and view space: the map without its translation. */
+bool transform_of_directions(const struct scene *, enum space from, enum space to,
+    struct transform *, struct refusals *faults);
+
 /* Sets all members of the transform except map, which the caller has set. But if `from`
  * is SPACE_CLIP, also sets the origin of map to 0. */
 void transform_init(struct transform *, enum space from, enum space to,

@@ -189,6 +189,43 @@ static void points_near_the_axis(void **state)
 	assert_true(tally.n[NEAREST] > 40000);
 }
 
+/* Directions: the truth without its translations. */
+static void directions_have_no_translation(void **state)
+{
+	static struct block b;
+	struct tally tally = { 0 };
+	int n = 0;
+
+	(void)state;
+	kernels_choose(NULL);
+	SAMPLES(i, 400) {
+		const enum space from = (enum space)(i % 3);
+		const enum space to = (enum space)((i + 1 + i / 3 % 2) % 3);
+		int mark = real_mark();
+		struct truth truth = { 0 };
+		struct transform t;
+		struct scene s;
+
+		sample_scene(&s, i % 2 ? 0 : 8);
+		sample_answer(&s);
+		if (!transform_of_directions(&s, from, to, &t, NULL))
+			continue;
+		for (size_t k = 0; k < 3 * POINTS; k++)
+			b.in[k % 3][k / 3] = sample_number(i % 2 ? 1 : 8);
+		truth_scene(&s, from, to, &truth);
+		for (int j = 0; j < 3; j++)
+			truth.product.m[3][j] = truth.product.size[3][j] = real_of(0);
+		map_block_exactly(&t, &b, POINTS);
+		judge_block(&truth, &t, &b, POINTS, false, &tally);
+		real_release(mark);
+		n++;
+	}
+	print_message("%d maps of directions: %zu numbers, %zu within the tolerance\n",
+	    n, tally.n[NEAREST], tally.n[WITHIN_TOLERANCE]);
+	assert_true(n > 200);
+	assert_int_equal(tally.n[WRONG], 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -197,6 +234,7 @@ int main(void)
 		cmocka_unit_test(points_do_not_depend_on_blocks),
 		cmocka_unit_test(exact_terms_keep_the_noise_of_others),
 		cmocka_unit_test(points_near_the_axis),
+		cmocka_unit_test(directions_have_no_translation),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
