@@ -140,6 +140,119 @@ static void find_rectangle(const struct map *to_screen, const struct corners *c,
 		r->min[k] = r->max[k] = (double)NAN;
 }
 
+/* A sphere: its centre, and how a step by the radius along x, y and z of model space
+ * moves it, all homogeneous, in view space. So of a linear function the value v at the
+ * centre, and its slopes along the steps, whose length is g, give v - g and v + g as
+ * the least and the greatest value on the sphere, or ellipsoid. */
+struct ball {
+	struct sum center[4], step[3][4];
+};
+
+static void set_ball(const struct bounds *b, const struct map *m, struct ball *s)
+{
+	struct sum p[4] = { [3] = sum_one };
+
+	for (int i = 0; i < 3; i++)
+		sum_set(&p[i], b->center[i]);
+	for (int j = 0; j < 4; j++) {
+		map_image(m, j, p, &s->center[j]);
+		for (int i = 0; i < 3; i++)
+			s->step[i][j] = sum_scale(m->m[i][j], b->radius);
+	}
+}
+
+/* Sets the slopes of a linear function, whose coefficients are `stride` apart. */
+static void ball_slopes(const struct ball *s, const struct sum *column, int stride,
+    struct sum slope[3])
+{
+	for (int i = 0; i < 3; i++)
+		sum_dot(4, s->step[i], column, stride, &slope[i]);
+}
+
+/* Replaces distances and planes of the corners by those of the sphere. Returns whether
+ * the sphere lies beyond the near plane, if there is one, and in front of the eye. */
+static bool set_ball_planes(const struct scene *s, const struct ball *ball,
+    const struct map *sides, const struct map *ends, struct box *r)
+{
+	struct sum slope[3], v;
+	unsigned some = 0, all = 0;
+	struct distance d;
+
+	for (int i = 0; i < 7; i++) {
+		const struct map *m = i < 4 ? sides : ends;
+
+		map_image(m, i % 4, ball->center, &v);
+		ball_slopes(ball, &m->m[0][i % 4], 4, slope);
+		const struct sum reach = vec3_length(slope);
+		const int limit = 1 << i == OUT_BEHIND;
+
+		some |= (unsigned)(sum_sign(sum_sub(v, reach)) < limit) << i;
+		all |= (unsigned)(sum_sign(sum_add(v, reach)) < limit) << i;
+	}
+	r->behind = (all & OUT_BEHIND) != 0;
+	r->out = (all & ~(unsigned)OUT_BEHIND) != 0;
+	r->outside = some & ~(unsigned)OUT_BEHIND;
+	distance_of(s, &d, NULL);
+	sum_dot(4, ball->center, d.column, 1, &v);
+	ball_slopes(ball, d.column, 1, slope);
+	const struct sum reach = vec3_length(slope);
+	const struct sum length = sum_mul(d.length, ball->center[3]);
+
+	r->distance[0] = sum_ratio_or_nan(sum_sub(v, reach), length);
+	r->distance[1] = sum_ratio_or_nan(sum_add(v, reach), length);
+	return (some & (OUT_NEAR | OUT_BEHIND)) == 0;
+}
+
+/* Returns whether six products of such numbers could exceed EX_WORDS. */
+static bool has_many_digits(const struct sum v[3])
+{
+	return v[0].value.n > 12 || v[1].value.n > 12 || v[2].value.n > 12;
+}
+
+/* Finds the rectangle of a sphere's image from its dual conic C = M Q M', of which the
+ * lines x = t are tangents: t = (C13 +- sqrt(C13^2 - C11 C33)) / C33. Let X and W be x
+ * and w at the centre, a and b their slopes, and H = W a - X b. Then, without the
+ * cancellation of a small sphere,
+ *
+ *	t = (X (W^2 - b^2) - H b +- sqrt(W^2 H^2 - (H x b)^2)) / (W (W^2 - b^2)),
+ *
+ * where W > |b| as the sphere is in front of the eye. If the elements have many digits,
+ * they are divided by W first, which costs an error of 2^-698 but keeps products
+ * short. */
+static void find_ball_rectangle(const struct map *to_screen, const struct ball *ball,
+    struct box *r)
+{
+	struct sum w, b[3], x, a[3], h[3], across[3];
+
+	for (int j = 0; j < 2; j++) {
+		map_image(to_screen, 3, ball->center, &w);
+		ball_slopes(ball, &to_screen->m[0][3], 4, b);
+		map_image(to_screen, j, ball->center, &x);
+		ball_slopes(ball, &to_screen->m[0][j], 4, a);
+		if (has_many_digits(a) || has_many_digits(b) || w.value.n > 12) {
+			for (int i = 0; i < 3; i++) {
+				a[i] = sum_quotient(a[i], w);
+				b[i] = sum_quotient(b[i], w);
+			}
+			x = sum_quotient(x, w);
+			sum_set(&w, 1);
+		}
+		for (int i = 0; i < 3; i++)
+			h[i] = sum_minor(w, a[i], x, b[i]);
+		vec3_cross(h, b, across);
+		const struct sum ww = sum_mul(w, w);
+		const struct sum rest = sum_sub(ww, vec3_dot(b, b));
+		const struct sum middle = sum_sub(sum_mul(x, rest), vec3_dot(h, b));
+		const struct sum square = sum_minor(ww, vec3_dot(h, h), sum_one,
+		    vec3_dot(across, across));
+		const struct sum reach = sum_sqrt(sum_snap_zero(square));
+		const struct sum den = sum_mul(w, rest);
+
+		r->min[j] = sum_ratio(sum_sub(middle, reach), den);
+		r->max[j] = sum_ratio(sum_add(middle, reach), den);
+	}
+}
+
 bool box_of(const struct scene *given, const struct bounds *b, bool flat, struct box *r,
     struct refusals *faults)
 {
@@ -151,6 +264,8 @@ bool box_of(const struct scene *given, const struct bounds *b, bool flat, struct
 					 SPACE_NDC;
 	struct corners c;
 	struct map m, ends, to_clip, to_screen;
+	struct ball ball;
+	const bool is_ball = b->sphere && b->n == 0 && !flat;
 
 	for (int k = 0; k < 2; k++)
 		r->distance[k] = r->min[k] = r->max[k] = (double)NAN;
@@ -162,11 +277,16 @@ bool box_of(const struct scene *given, const struct bounds *b, bool flat, struct
 		s->known[SPACE_VIEW][false] = &to_clip;
 		set_distances(s, &c, r->distance);
 	}
+	if (is_ball)
+		set_ball(b, &m, &ball);
 	if (!scene_map_factor(s, view, screen, &to_screen, faults) ||
 	    !frustum_planes(s, view, &m, &ends, faults))
 		return false;
 	set_planes(&m, &ends, flat, &c, r);
-	find_rectangle(&to_screen, &c, r);
+	if (is_ball && set_ball_planes(s, &ball, &m, &ends, r))
+		find_ball_rectangle(&to_screen, &ball, r);
+	else
+		find_rectangle(&to_screen, &c, r);
 	return !ex_has_overflowed() ||
 	    refuse(faults, "/bounds", SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
 }

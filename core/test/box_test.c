@@ -243,6 +243,7 @@ static void boxes_are_true(void **state)
 			    s.projection.near;
 			b.max[2] = b.min[2] + sample_size(1);
 		}
+		b.sphere &= flat;
 		if (!box_of(&s, &b, flat, &r, NULL))
 			continue;
 		if (flat)
@@ -276,10 +277,198 @@ static void boxes_are_true(void **state)
 	assert_true(verdicts[WITHIN_TOLERANCE] <= verdicts[NEAREST] / 100);
 }
 
+/* A sphere: functions at its centre and their slopes times its radius. */
+struct truth_ball {
+	struct sized image[3], plane[7], distance, last;
+	struct sized image_slope[3][3], plane_slope[3][7], distance_slope[3];
+};
+
+/* Sets the functions of point or, if i < 3, of the step i. */
+static void set_ball_truth(const struct scene *s, const struct bounds *b,
+    struct truth_ball *t)
+{
+	static struct truth clip, view, device;
+	const real radius = real_of(b->radius);
+	real column[4];
+
+	truth_scene(s, SPACE_MODEL, SPACE_CLIP, &clip);
+	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &view);
+	truth_scene(s, SPACE_MODEL, s->has_viewport ? SPACE_DEVICE : SPACE_NDC,
+	    &device);
+	truth_distance(s, column);
+	for (int i = 0; i < 4; i++) {
+		const bool step = i < 3;
+		struct sized p[4], q[4], plane[7], distance = sized_of(0);
+
+		for (int k = 0; k < 4; k++)
+			p[k] = step ? scaled(sized_of(k == i), radius) :
+				      sized_of(k < 3 ? b->center[k] : 1);
+		for (int j = 0; j < 4; j++) {
+			q[j] = row_times(p, &clip, j);
+			t->last = row_times(p, &view, j);
+			distance = sized_add(distance, scaled(t->last, column[j]));
+			if (j != 2)
+				(step ? t->image_slope[i] :
+					t->image)[j < 2 ? j : 2] = row_times(p, &device,
+				    j);
+		}
+		truth_planes(s, q, plane);
+		for (int k = 4; k < W && projection_is_open(&s->projection); k++)
+			plane[k] = sized_of(!step);
+		plane[W] = q[3];
+		memcpy(step ? t->plane_slope[i] : t->plane, plane, sizeof plane);
+		*(step ? &t->distance_slope[i] : &t->distance) = distance;
+	}
+}
+
+/* Returns v plus, if i is 1, or minus, the length of three slopes. */
+static struct sized reach(struct sized v, const struct sized slope[3], int i)
+{
+	return i ? sized_add(v, sized_length(slope)) :
+		   sized_sub(v, sized_length(slope));
+}
+
+/* Checks flags; returns whether one is doubtful. Sets *beyond to whether the sphere is
+ * beyond near and in front of the eye. */
+static bool check_ball_planes(const struct truth_ball *t, const struct box *r,
+    bool *beyond)
+{
+	unsigned bits[2] = { 0 };
+	bool any = false, doubtful;
+
+	for (int k = 0; k <= W; k++) {
+		const struct sized slope[3] = { t->plane_slope[0][k],
+			t->plane_slope[1][k], t->plane_slope[2][k] };
+
+		for (int i = 0; i < 2; i++) {
+			struct sized v = reach(t->plane[k], slope, i);
+
+			const int sign = truth_sign(v, &doubtful);
+
+			bits[i] |= (unsigned)(sign < (k == W)) << k;
+			any |= sign != 0 && doubtful;
+		}
+	}
+	*beyond = (bits[0] & (OUT_NEAR | OUT_BEHIND)) == 0;
+	if (any)
+		return true;
+	assert_int_equal(r->behind, bits[1] >> W & 1);
+	assert_int_equal(r->out, (bits[1] & 63) != 0);
+	assert_int_equal(r->outside, bits[0] & 63);
+	return false;
+}
+
+/* The dual conic as in a textbook: C = r^2 M D M' - M c c' M', with D the identity of
+ * directions. */
+static void judge_ball_rectangle(const struct truth_ball *t, const struct box *r,
+    int verdicts[VERDICTS])
+{
+	for (int j = 0; j < 2; j++) {
+		const int at[3][2] = { { j, j }, { j, 2 }, { 2, 2 } };
+		real c[3];
+
+		for (int k = 0; k < 3; k++) {
+			const int a = at[k][0], b = at[k][1];
+
+			c[k] = negative(mul(t->image[a].value, t->image[b].value));
+			for (int i = 0; i < 3; i++)
+				c[k] = add(c[k],
+				    mul(t->image_slope[i][a].value,
+					t->image_slope[i][b].value));
+		}
+		const real off = root(sub(mul(c[1], c[1]), mul(c[0], c[2])));
+
+		for (int i = 0; i < 2; i++) {
+			/* C33 is negative */
+			const real n = i ? sub(c[1], off) : add(c[1], off);
+			const struct sized size = { n,
+				add(magnitude(c[1]), magnitude(off)) };
+
+			verdicts[truth_verdict(i ? r->max[j] : r->min[j], size,
+			    (struct sized){ c[2], magnitude(c[2]) }, false)]++;
+		}
+	}
+}
+
+static void spheres_are_true(void **state)
+{
+	int verdicts[VERDICTS] = { 0 }, balls = 0, whole = 0;
+	static struct truth_ball t;
+	struct bounds b;
+	struct scene s;
+	struct box r;
+
+	(void)state;
+	SAMPLES(k, 1200) {
+		const int mark = real_mark();
+		bool beyond;
+
+		if (k % 4 == 1)
+			sample_round_scene(&s);
+		else
+			sample_scene(&s, 0);
+		sample_answer(&s);
+		sample_bounds(&s, &b);
+		b.sphere = 1;
+		if (k % 3 == 0)
+			b.radius *= k % 2 ? 1e-12 : 1e-3;
+		if (!box_of(&s, &b, false, &r, NULL))
+			continue;
+		set_ball_truth(&s, &b, &t);
+		if (check_ball_planes(&t, &r, &beyond)) {
+			real_release(mark);
+			continue;
+		}
+		for (int i = 0; i < 2; i++)
+			verdicts[truth_verdict(r.distance[i],
+			    reach(t.distance, t.distance_slope, i), t.last, false)]++;
+		if (beyond)
+			judge_ball_rectangle(&t, &r, verdicts);
+		if (verdicts[WRONG] > 0)
+			fail_msg("came %.17g to %.17g, %.17g to %.17g", r.min[0],
+			    r.max[0], r.min[1], r.max[1]);
+		balls++;
+		whole += beyond;
+		real_release(mark);
+	}
+	print_message("%d spheres, %d beyond near: %d numbers, %d within the "
+		      "tolerance\n",
+	    balls, whole, verdicts[NEAREST], verdicts[WITHIN_TOLERANCE]);
+	assert_true(balls > 400 && whole > 100);
+	assert_true(verdicts[WITHIN_TOLERANCE] <= verdicts[NEAREST] / 100);
+}
+
+/* A sphere of gl beside the gaze, by hand: its outline's tangents. */
+static void sphere_beside_the_gaze(void **state)
+{
+	struct scene s = { .has_viewport = true,
+		.convention = { .right_handed = true, .depth_minus_one = true },
+		.viewport = { .width = 800, .height = 600, .max_z = 1 },
+		.projection = { .type = PROJECTION_PERSP,
+		    .near = 0.1,
+		    .far = 100,
+		    .aspect = { 4, 3 } } };
+	const struct bounds b = { .sphere = 1, .center = { 3, 0, -5 }, .radius = 1 };
+	struct box r;
+
+	(void)state;
+	s.projection.section.angle = 60;
+	assert_true(box_of(&s, &b, false, &r, NULL));
+	/* (15 -+ sqrt(33)) / 24 is the tangent of the angle of a tangent in the
+	 * plane */
+	for (int i = 0; i < 2; i++)
+		assert_true(
+		    fabs((i ? r.max[0] : r.min[0]) -
+			(400 + 300 * sqrt(3) * (15 + (i ? 1 : -1) * sqrt(33)) / 24)) <
+		    1e-10);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(boxes_are_true),
+		cmocka_unit_test(spheres_are_true),
+		cmocka_unit_test(sphere_beside_the_gaze),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
