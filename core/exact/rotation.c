@@ -205,3 +205,41 @@ void rotation_of_quaternion(const struct sum q[4], struct sum r[3][3], struct su
 		r[k][i] = sum_scale(sum_sub(p[i][k], p[j][3]), 2);
 	}
 }
+
+/* Four times the products of q's numbers are sums of elements: 4 q[k] q[k] has the
+ * trace, and 4 q[k] q[n] two elements off the diagonal. The largest q[k] is at least
+ * 1/2, so that its root and the quotients by it have the errors of the elements, no
+ * larger. */
+void rotation_quaternion(const struct sum r[3][3], struct sum q[4])
+{
+	struct sum p[4][4];
+	int best = 3;
+
+	for (int i = 0; i < 4; i++) {
+		const int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		p[i][i] = sum_one;
+		for (int n = 0; n < 3; n++)
+			p[i][i] = sum_add(p[i][i],
+			    sum_negated_if(i < 3 && n != i, r[n][n]));
+		for (int n = i + 1; n < 3; n++)
+			p[i][n] = p[n][i] = sum_add(r[i][n], r[n][i]);
+		if (i < 3)
+			p[i][3] = p[3][i] = sum_sub(r[k][j], r[j][k]);
+	}
+	for (int i = 0; i < 3; i++)
+		if (sum_compare(p[i][i], p[best][best]) > 0)
+			best = i;
+	const struct sum twice = sum_scale(sum_sqrt(p[best][best]), 2);
+	int first = 3;
+
+	for (int i = 0; i < 4; i++)
+		q[i] = sum_snap_zero(sum_quotient(p[best][i], twice));
+	for (int i = 2; i >= 0 && sum_sign(q[3]) == 0; i--)
+		if (sum_sign(q[i]) != 0)
+			first = i;
+	const bool minus = sum_sign(q[first]) < 0;
+
+	for (int i = 0; i < 4; i++)
+		q[i] = sum_negated_if(minus, q[i]);
+}

@@ -20,6 +20,11 @@ bool rotation_by_angle(const double axis[3], double angle, enum angle_unit,
  * r / *d, where d is the square of the norm. */
 void rotation_of_quaternion(const struct sum q[4], struct sum r[3][3], struct sum *d);
 
+/* Computes the unit quaternion x y z w of a rotation's matrix for column vectors. w is
+ * positive or, if it is 0, the first number that is not 0 is. A number whose magnitude
+ * is at most its error becomes 0. */
+void rotation_quaternion(const struct sum r[3][3], struct sum q[4]);
+
 /* ROTATION_NONE: the determinant is not positive, as in a matrix that mirrors.
  * ROTATION_MANY: two singular values are so near 0 that no one rotation is nearest. */
 enum rotation_result { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };

@@ -23,6 +23,10 @@ struct sum trig_cot(double angle, enum angle_unit);
  * of x radians from square, which is exactly x^2. Returns false if x is above 2 pi. */
 bool trig_rodrigues(struct sum square, struct sum *a, struct sum *b);
 
+/* Returns atan2(y, x), from 0 to pi or 180; y must be >= 0, and not both are 0. Its
+ * relative error is that of x and y and at most 2^-245 more. */
+struct sum trig_angle(struct sum y, struct sum x, enum angle_unit);
+
 /* Returns the double nearest to atan2(y, x), from 0 to 180 degrees; y must be >= 0.
  * Returns nan if x and y are 0. */
 double trig_atan2(struct sum y, struct sum x, enum angle_unit);
