@@ -93,7 +93,9 @@ bool run_fit(const struct options *o, struct document *d, struct job *j)
 		return document_refuse(d, "/bounds", "missing",
 		    "add it ('projcalc help bounds'), POINTS or -");
 	if (!d->flat)
-		notes_say(d, notes_of_document(d, 0));
+		notes_say(d,
+		    notes_of_document(d, 0) |
+			notes_of_spaces(d, SPACE_MODEL, SPACE_DEVICE));
 	if (!d->has_bounds && !fit_read_points(o, d, j))
 		return false;
 	if (!(d->flat ? fit_window(&d->scene, &d->bounds, faults) :

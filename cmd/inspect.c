@@ -47,6 +47,22 @@ static void put_object(struct printer *p, const char *name, const char *const *n
 	put_close(p, "}");
 }
 
+static void put_camera(struct printer *p, const struct rigid *r)
+{
+	put_name(p, "camera");
+	if (!r->exists) {
+		put_literal(p, "null");
+		return;
+	}
+	put_open(p, "{");
+	put_numbers(put_name(p, "eye"), r->eye, 3);
+	put_numbers(put_name(p, "orientation"), r->orientation, 4);
+	put_numbers(put_name(p, "rvec"), r->rvec, 3);
+	put_numbers(put_name(p, "translation"), r->translation, 3);
+	put_rows(p, "rotation", r->rotation[0], 3, 3, false);
+	put_close(p, "}");
+}
+
 static void put_picture(struct printer *p, const struct picture *r)
 {
 	const struct taxonomy *t = &r->taxonomy;
@@ -61,6 +77,8 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_number(put_name(p, "fovy"), t->fov[1]);
 	put_numbers(put_name(p, "eye"), t->eye, 3);
 	put_numbers(put_name(p, "gaze"), t->gaze, 3);
+	put_numbers(put_name(p, "up"), r->up, 3);
+	put_camera(p, &r->rigid);
 	put_distance(put_name(p, "near"), r->near);
 	put_distance(put_name(p, "far"), r->far);
 	put_number(put_name(p, "aspect"), r->aspect);
@@ -184,13 +202,31 @@ static void put_found_scene(struct printer *p, const struct picture *r)
 		put_literal(p, "null");
 }
 
-static void put_notes(struct printer *p, unsigned notes, bool needs_planes)
+/* Returns what a note says, with the numbers of the picture that it is about. */
+static const char *note_text(enum note note, const struct picture *r)
+{
+	const struct note_row *row = &note_rows[note];
+
+	if (row->remedy == NULL)
+		return row->what;
+	if (note == NOTE_RESIDUAL)
+		return text(
+		    "%s of up to %.2g of a clip coordinate's greatest number; %s",
+		    row->what, r->residual, row->remedy);
+	if (note == NOTE_FAR_RANGE)
+		return text("%s from %.5g to %s; %s", row->what, r->far_range[0],
+		    isinf(r->far_range[1]) ? "infinity" : text("%.5g", r->far_range[1]),
+		    row->remedy);
+	return text("%s; %s", row->what, row->remedy);
+}
+
+static void put_notes(struct printer *p, unsigned notes, const struct picture *r,
+    bool needs_planes)
 {
 	put_open(put_name(p, "notes"), "[");
 	for (unsigned i = 0; i < NOTES; i++)
 		if (notes >> i & 1)
-			put_string(p,
-			    text("%s; %s", note_rows[i].what, note_rows[i].remedy));
+			put_string(p, note_text(i, r));
 	if (needs_planes)
 		put_string(p,
 		    "depth_step and textbook_error need \"near\" and \"far\"");
@@ -219,7 +255,10 @@ static bool put_projection(struct printer *p, const struct document *d,
 	if (!put_bounds(p, d))
 		return false;
 	put_found_scene(p, &r);
-	put_notes(p, notes_of_document(d, r.notes),
+	put_notes(p,
+	    notes_of_document(d, r.notes) |
+		(o->quiet ? 0 : notes_of_spaces(d, SPACE_MODEL, SPACE_DEVICE)),
+	    &r,
 	    (o->textbook || o->distances.n > 0) &&
 		projection_is_open(&d->scene.projection));
 	return true;
@@ -227,7 +266,7 @@ static bool put_projection(struct printer *p, const struct document *d,
 
 bool run_inspect(const struct options *o, struct document *d, struct job *j)
 {
-	static char out[(320 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
+	static char out[(360 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = out,
 		.style = options_matrix_style(o),
 		.compact = o->out == FORMAT_JSON };

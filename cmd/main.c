@@ -44,17 +44,18 @@ static const struct command commands[] = {
 	    COMMAND_MATRIX_3D, run_matrix,
 	    .wants = { NEEDS_ONE(CAMERA, 0) },
 	    .from = SPACE_WORLD, .to = SPACE_VIEW,
-	    .example = "'{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
+	    .example = "-c d3d '{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
 	{ "persp", "print the matrix from view to clip of a perspective",
 	    VIEW_TO_CLIP(PROJECTION_PERSP),
 	    .example = "-c gl '{\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, "
 	    "\"far\": 10}'" },
 	{ "ortho", "print the matrix from view to clip of an orthographic projection",
 	    VIEW_TO_CLIP(PROJECTION_ORTHO),
-	    .example = "'{\"height\": 2, \"aspect\": 1.5, \"near\": 0, \"far\": 10}'" },
+	    .example = "-c d3d '{\"height\": 2, \"aspect\": 1.5, \"near\": 0, "
+		       "\"far\": 10}'" },
 	{ "oblique", "print the matrix from view to clip of an oblique projection",
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
-	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, "
+	    .example = "-c d3d '{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, "
 	    "\"near\": 0, \"far\": 10}'" },
 	{ "w2n", "take 2D points from the window to ndc, or print the matrix",
 	    FLAT_MAP(WINDOW, NDC, WINDOW),
@@ -77,23 +78,23 @@ static const struct command commands[] = {
 	{ "volume",
 	    "print the matrix from view to clip of a view volume of seven numbers",
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
-	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, "
+	    .example = "-c d3d '{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, "
 	    "\"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "take points from any space to any other: to pixels, or back",
 	    COMMAND_PROJECT, run_project, check_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
-	    .example = "'" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
+	    .example = "-c d3d '" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "trace",
 	    "print points in every space, and the planes that they are outside of",
 	    COMMAND_TRACE, run_trace,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
-	    .example = "'" SCENE_EXAMPLE "' '[1,1,1]'" },
+	    .example = "-c d3d '" SCENE_EXAMPLE "' '[1,1,1]'" },
 	{ "pick",
 	    "print the points within a radius of a device position, nearest first",
 	    COMMAND_PICK, run_pick, check_pick,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
-	    .example = "--at 320,240 --radius 3 '" SCENE_EXAMPLE
+	    .example = "-c d3d --at 320,240 --radius 3 '" SCENE_EXAMPLE
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "print the scene with a camera that holds bounds or points tightly",
 	    COMMAND_FIT, run_fit,
@@ -101,14 +102,14 @@ static const struct command commands[] = {
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
 		    SCENE_MARGIN },
-	    .example = "'{\"projection\": {\"type\": \"persp\", \"fovy\": 60, "
+	    .example = "-c d3d '{\"projection\": {\"type\": \"persp\", \"fovy\": 60, "
 		"\"aspect\": 1.5}}' '[[-1,-1,-1], [1,1,1]]'" },
 	{ "inspect",
 	    "describe the projection or 2D window: angles, edges, error bounds",
 	    COMMAND_INSPECT, run_inspect,
 	    .wants = { .flat_members = SCENE_WINDOW,
 		.used = SCENE_SPATIAL | SCENE_BOUNDS },
-	    .example = "'" SCENE_EXAMPLE "'" },
+	    .example = "-c d3d '" SCENE_EXAMPLE "'" },
 	{ "help", "describe a command, or a member of the scene", COMMAND_HELP,
 	    .example = "camera" },
 	{ .name = NULL },

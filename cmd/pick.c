@@ -228,7 +228,6 @@ bool run_pick(const struct options *o, struct document *d, struct job *j)
 	j->collect_chunk = hits_collect_chunk;
 	j->flush = print_hits;
 	j->data = &hits;
-	j->behind.image = &j->transform;
 	hits.json = o->has_out && o->out == FORMAT_JSON;
 	hits.style = options_matrix_style(o);
 	hits.n = hits.size = 0;

@@ -4,11 +4,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../core/derive/picture.h"
 #include "../core/points/distance.h"
 #include "../core/points/points.h"
 #include "call/notes.h"
 #include "call/operands.h"
 #include "call/option_row.h"
+#include "json/print.h"
 #include "message/message.h"
 
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
@@ -17,6 +19,7 @@ struct trace {
 	int n_spaces;                /* 6, or 5 without a viewport */
 	struct transform to[SPACES]; /* from the points' space to each space */
 	char label[2][SPACES][16];   /* before the image in a space: text, JSON */
+	char axes[8 * NUMBER_MAX];   /* the end of each JSON object, with gaze and up */
 	bool printed;                /* a point was printed */
 };
 
@@ -86,7 +89,8 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 
 	if (j->visible && outside != 0)
 		return;
-	at = chunk_reserve(c, SPACES * 4 * (NUMBER_MAX + 16) + FLAG_MAX + 16);
+	at = chunk_reserve(c,
+	    SPACES * 4 * (NUMBER_MAX + 16) + sizeof trace->axes + FLAG_MAX + 16);
 	*at++ = json ? '{' : '\n';
 	for (int s = 0; s < (json ? SPACES : trace->n_spaces); s++) {
 		at = trace_put_image(stpcpy(at, trace->label[json][s]), j, m, s, p);
@@ -96,7 +100,7 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 		at = stpcpy(at, "\"flags\":\"");
 	memcpy(at, word->s, word->size);
 	at += word->size;
-	at = stpcpy(at, json ? "\"}\n" : "\n");
+	at = stpcpy(stpcpy(at, json ? trace->axes : ""), "\n");
 	c->size = (size_t)(at - c->out);
 }
 
@@ -136,6 +140,26 @@ static void trace_collect_chunk(const struct job *j, const struct chunk *c)
 	trace->printed = true;
 }
 
+/* Writes what follows the flags in JSON: where the gaze and the camera's up point in
+ * the world. */
+static void trace_set_axes(const struct options *o, const struct scene *s,
+    struct trace *trace)
+{
+	struct printer p = { .at = trace->axes,
+		.compact = true,
+		.style = options_style(o, 0),
+		.floats = o->precision == PRECISION_SINGLE,
+		.separator = "," };
+	double gaze[3], up[3];
+
+	picture_axes(s, gaze, up);
+	put_text(&p, "\"");
+	put_numbers(put_name(&p, "gaze"), gaze, 3);
+	put_numbers(put_name(&p, "up"), up, 3);
+	put_text(&p, "}");
+	*p.at = '\0';
+}
+
 bool run_trace(const struct options *o, struct document *d, struct job *j)
 {
 	static struct trace trace;
@@ -144,7 +168,6 @@ bool run_trace(const struct options *o, struct document *d, struct job *j)
 	j->take_block = trace_take_block;
 	j->collect_chunk = trace_collect_chunk;
 	j->data = &trace;
-	j->behind.image = &trace.to[SPACE_NDC];
 	trace.printed = false;
 	trace.n_spaces = SPACES - (!d->scene.has_viewport && o->from != SPACE_DEVICE);
 	for (int s = 0; s < trace.n_spaces; s++)
@@ -161,6 +184,9 @@ bool run_trace(const struct options *o, struct document *d, struct job *j)
 		    "\"%s\":", space_names[s]);
 	}
 	j->from = space_names[o->from];
+	/* without -o the points' format, which is not known yet, is the output's */
+	if (!o->has_out || o->out == FORMAT_JSON)
+		trace_set_axes(o, &d->scene, &trace);
 	notes_say_of_spaces(d, SPACE_MODEL,
 	    d->scene.has_viewport ? SPACE_DEVICE : SPACE_NDC);
 	return operands_run_job(o, d, o->from, SPACE_NDC, j);

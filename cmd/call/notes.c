@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "notes.h"
 
-#include <math.h>
-
 #include "../../core/derive/picture.h"
-#include "../../core/points/points.h"
 #include "../message/message.h"
 #include "command.h"
 
@@ -42,16 +39,13 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_OFF_CENTER] = { "/projection/intrinsics",
 	    "the principal point is at the edge of the viewport or outside",
 	    "intrinsics are fx, fy, cx and cy, in pixels of the viewport" },
-	[NOTE_UP_Z] = { "/camera/up",
-	    "no convention is named, and z is up: d3d is left-handed, and "
-	    "mirrors a right-handed world",
-	    "say \"convention\": \"webgpu\" (\"gl\" if pixels count from the "
-	    "bottom), or \"d3d\" if the world is left-handed" },
-	[NOTE_BEHIND] = { "/convention",
-	    "none is named, and no point has an image, but points would have "
-	    "one if the camera looked along -z of view space",
-	    "say \"convention\": \"webgpu\" (\"gl\" if pixels count from the "
-	    "bottom), or \"d3d\"" },
+	[NOTE_CONVENTION] = { "",
+	    "no convention is named: d3d (left-handed, row vectors) is assumed", NULL },
+	[NOTE_ROTATION] = { "/camera",
+	    "its numbers are no rotation: an element of R times its transpose is "
+	    "off by more than 1e-2, or the determinant is negative",
+	    "look for a slip, or say \"orthonormalize\": true where the "
+	    "determinant is positive" },
 	[NOTE_MATRIX_RADIANS] = { "/projection/matrix",
 	    "the matrix is that of an angle of view whose degrees were taken "
 	    "for radians",
@@ -68,6 +62,11 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_NO_PROJECTION] = { "/projection",
 	    "there is none, so that points of view space are printed as ndc",
 	    "add one, or say --to view or --to world" },
+	[NOTE_RESIDUAL] = { "",
+	    "scene is the nearest one, as the matrix has rounding errors",
+	    "give it with all 17 digits, not as floats" },
+	[NOTE_FAR_RANGE] = { "", "the digits of the matrix leave far open",
+	    "give it with all 17 digits, not as floats" },
 	[NOTE_NO_ROTATION] = { "",
 	    "scene is null, as the camera's matrix is not a rotation to 2^-20: "
 	    "it scales, shears or mirrors",
@@ -75,9 +74,9 @@ const struct note_row note_rows[NOTES] = {
 	    "determinant is positive, or the \"convention\" that the matrix is "
 	    "from where it is negative" },
 	[NOTE_TILTED] = { "",
-	    "near, far and scene are null, as the planes of equal depth are "
-	    "tilted against the picture by more than 2^-40",
-	    "give the matrix with all 17 digits, not as floats, and if it is a "
+	    "near, far and scene are null, as the near plane is oblique: it is tilted "
+	    "against the picture",
+	    "see frustum_planes; if no oblique plane is meant and the matrix is a "
 	    "product, check that its factors stand in the order for its "
 	    "\"vectors\"" },
 	[NOTE_MINUS_W] = { "", "scene is null, as w is negative between near and far",
@@ -112,6 +111,14 @@ void notes_say(const struct document *d, unsigned notes)
 			    note_rows[i].remedy);
 }
 
+unsigned notes_of_spaces(const struct document *d, enum space from, enum space to)
+{
+	const bool depends = from >= SPACE_VIEW || to >= SPACE_VIEW ||
+	    (d->scene.has_world && d->written.world_rows);
+
+	return (unsigned)(depends && !d->written.convention) << NOTE_CONVENTION;
+}
+
 void notes_say_of_spaces(const struct document *d, enum space from, enum space to)
 {
 	const enum space least = from < to ? from : to;
@@ -127,43 +134,6 @@ void notes_say_of_spaces(const struct document *d, enum space from, enum space t
 	if (most < SPACE_DEVICE)
 		s->has_viewport = false;
 	notes_say(&used,
-	    notes_of_document(&used, note_is_plain(s) ? 0 : picture_notes(s)));
-}
-
-void notes_watch(const struct document *d, enum space from, enum space to,
-    struct job *j)
-{
-	const struct scene *s = &d->scene;
-
-	j->behind.n = 0;
-	j->behind.watched = !d->written.convention && from <= SPACE_VIEW &&
-	    to >= SPACE_NDC && !projection_is_none(&s->projection) &&
-	    projection_family(&s->projection) != FAMILY_VOLUME &&
-	    (!s->has_camera || s->camera.way == CAMERA_MATRIX);
-}
-
-void notes_say_behind(const struct document *d, enum space from, struct job *j)
-{
-	static struct transform t;
-	static COLUMN_ALIGNED double image[3][POINTS_BLOCK];
-	const struct behind *b = &j->behind;
-	const double *const in[4] = { b->at[0], b->at[1], b->at[2] };
-	double *const out[4] = { image[0], image[1], image[2] };
-	struct map rest;
-	struct sum minus = sum_of_double(-1);
-
-	if (!b->watched || b->n == 0 ||
-	    !scene_map(&d->scene, from, SPACE_VIEW, &t.map, d->source.faults) ||
-	    !scene_map(&d->scene, SPACE_VIEW, SPACE_NDC, &rest, d->source.faults))
-		return;
-	for (int i = 0; i < 5; i++)
-		t.map.m[i][2] = sum_mul(t.map.m[i][2], minus);
-	map_multiply(&t.map, &rest, false);
-	transform_init(&t, from, SPACE_NDC, false);
-	points_map(&t, PRECISION_EXACT, in, out, b->n);
-	for (size_t i = 0; i < b->n; i++)
-		if (isfinite(image[0][i]) && isfinite(image[1][i])) {
-			notes_say(d, 1u << NOTE_BEHIND);
-			return;
-		}
+	    notes_of_document(&used, note_is_plain(s) ? 0 : picture_notes(s)) |
+		notes_of_spaces(&used, from, to));
 }

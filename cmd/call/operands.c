@@ -387,11 +387,23 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 	return true;
 }
 
+/* Points of a matrix, a plane or a ray are not found behind the camera. */
+static void watch_behind(const struct scene *s, enum space from, enum space to,
+    struct job *j)
+{
+	const bool flat = space_is_flat(from);
+
+	j->finds_behind = !flat && !j->rays && from <= SPACE_CLIP && to >= SPACE_NDC &&
+	    j->transform.divide && j->transform.front;
+	j->may_have_other_axes = s->has_camera && from <= SPACE_WORLD &&
+	    camera_is_turned(&s->camera);
+}
+
 bool operands_run_job(const struct options *o, struct document *d, enum space from,
     enum space to, struct job *j)
 {
 	prepare_job(j, o);
-	notes_watch(d, from, to, j);
+	watch_behind(&d->scene, from, to, j);
 	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {
 		d->is_usage = true;
 		return document_refuse(d, "/points",
@@ -406,7 +418,6 @@ bool operands_run_job(const struct options *o, struct document *d, enum space fr
 				return false;
 	if (j->flush != NULL)
 		j->flush(j);
-	notes_say_behind(d, from, j);
 	free(j->layout.common.text);
 	return true;
 }

@@ -79,15 +79,14 @@ static void add_text(int status, const struct place *p, const char *what,
 		addf(p->of_points ? ": point %lld" : ":%lld", p->line);
 	if (p->column > 0 && !pointer)
 		addf(":%zu", p->column);
-	if (p->before_place != NULL)
-		return;
-	if (p->file != NULL)
-		addf(": ");
-	if (pointer) {
-		add_escaped(p->pointer);
-		addf(": ");
+	if (p->before_place == NULL) {
+		addf("%s", p->file != NULL ? ": " : "");
+		if (pointer) {
+			add_escaped(p->pointer);
+			addf(": ");
+		}
+		add_escaped(what);
 	}
-	add_escaped(what);
 	if (*remedy != '\0')
 		addf("; ");
 	add_escaped(remedy);

@@ -175,6 +175,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	s->camera.unit = (enum angle_unit)d->source.unit;
 	s->projection.without_camera = !s->has_camera;
 	d->written.angle_unit = (seen & SCENE_ANGLE_UNIT) != 0;
+	d->written.world_rows = s->has_world && has_bare_rows(&m[SCENE_ROW_WORLD]);
 	d->written.scale = s->has_viewport && has_member(viewport, table, "scale");
 	d->has_eye = s->has_camera &&
 	    (!camera_has_eye(&s->camera) ||
@@ -396,9 +397,11 @@ void put_scene(struct printer *p, const struct scene *s)
 {
 	struct document d = { .scene = *s };
 
-	/* the world is printed as it was given, and the other angles that inspect finds
-	 * are in its unit */
-	d.source.unit = s->has_world ? s->world.unit : ANGLE_DEGREES;
+	/* The world is printed as it was given, and the other angles that inspect finds
+	 * are in its unit or, without one, in that of the projection's. */
+	d.source.unit = s->has_world              ? s->world.unit :
+	    projection_is_sheared(&s->projection) ? s->projection.unit :
+						    ANGLE_DEGREES;
 	put_document(p, &d, SCENE_CONVENTION | SCENE_ANGLE_UNIT | SCENE_SPATIAL);
 }
 

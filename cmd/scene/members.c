@@ -352,8 +352,9 @@ const struct member scene_members[] = {
 	[SCENE_ROW_ANGLE_UNIT] = ROW(document, "angle_unit", type_word, source.unit,
 	    .words = angle_unit_names, .in_any_document = true,
 	    .fallback = "\"degrees\"", .about = "unit of all angles of the scene",
-	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, \"aspect\": "
-		       "1.5, \"near\": 1, \"far\": 10}'"),
+	    .command =
+		"persp -c d3d '{\"angle_unit\": \"radians\", \"fovy\": 1, \"aspect\": "
+		"1.5, \"near\": 1, \"far\": 10}'"),
 	[SCENE_ROW_WORLD] = ROW(document, "world", type_steps, scene.world,
 	    .flag = FIELD(document, scene.has_world), .members = step_members,
 	    .rules = step_rules, .example = "[{\"translate\": [1,2,3]}]",
@@ -364,16 +365,16 @@ const struct member scene_members[] = {
 	[SCENE_ROW_CAMERA] = SCENE_OBJECT("camera", camera, camera_members,
 	    CAMERA_EXAMPLE, .rules = camera_rules,
 	    .about = "where the camera stands (map from world to view space)",
-	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
+	    .command = "lookat -c d3d '{\"camera\": " CAMERA_EXAMPLE "}'"),
 	[SCENE_ROW_PROJECTION] = ROW(document, "projection", type_projection,
 	    scene.projection, .members = projection_members, .rules = projection_rules,
 	    .example = PERSP_EXAMPLE,
 	    .about = "how the camera projects (map from view to clip space)",
-	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
+	    .command = "persp -c d3d '{\"projection\": " PERSP_EXAMPLE "}'"),
 	[SCENE_ROW_VIEWPORT] = SCENE_OBJECT("viewport", viewport, viewport_members,
 	    RECTANGLE_EXAMPLE, .rules = viewport_rules,
 	    .about = "rectangle on the screen that shows the camera's image",
-	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
+	    .command = "project --from ndc -c d3d '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
 	[SCENE_ROW_WINDOW] = SCENE_OBJECT("window", window, window_members,
 	    WINDOW_EXAMPLE, .rules = window_rules,
@@ -386,26 +387,26 @@ const struct member scene_members[] = {
 	[SCENE_ROW_POINTS] = ROW(document, "points", type_points, points,
 	    .example = "[[0,0,0], [1,1,1]]",
 	    .about = "points to read if the command line has no POINTS",
-	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
+	    .command = "lookat -c d3d '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	[SCENE_ROW_BOUNDS] = ROW(document, "bounds", type_object, bounds,
 	    .flag = FIELD(document, has_bounds), .members = bounds_members,
 	    .rules = bounds_rules, .example = BOUNDS_EXAMPLE, .unit = "model units",
 	    .about = "volume that fit puts into the picture, and inspect finds there",
-	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
+	    .command = "fit -c d3d '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
 	[SCENE_ROW_PICK] = ROW(document, "pick", type_object, pick,
 	    .flag = FIELD(document, has_pick), .members = pick_members,
 	    .example = PICK_EXAMPLE,
 	    .about = "circle in which pick finds points; or --at, --radius",
-	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
+	    .command = "pick -c d3d '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"projection\": " PERSP_EXAMPLE
 		       ", \"viewport\": " RECTANGLE_EXAMPLE ", \"pick\": " PICK_EXAMPLE
 		       "}' '[[0,0,0], [1,1,1]]'"),
 	[SCENE_ROW_MARGIN] = ROW(document, "margin", type_numbers, scene.margin,
 	    .example = "0.1", .range = &margin_range, .fallback = "0",
 	    .about = "share of the picture that fit leaves free at each side",
-	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
+	    .command = "fit -c d3d '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_EXAMPLE ", \"margin\": 0.1}'"),
 	{ .name = NULL },
 };

@@ -342,6 +342,49 @@ static void complete_members(struct projection *p, uint64_t given, enum task tas
 	}
 }
 
+/* Returns the digits of the shortest decimal that reads back as v; of a float at most
+ * 9, which tell it from other floats. */
+static int digits_of(double v)
+{
+	const struct number_style shortest = { .kind = NUMBER_SHORTEST };
+	char s[NUMBER_MAX];
+	const char *const end = number_write(s, v, shortest);
+	int n = 0, zeros = 0;
+
+	for (const char *at = s; at < end && *at != 'e'; at++) {
+		if (*at < '0' || *at > '9' || (n == 0 && *at == '0'))
+			continue;
+		n++;
+		zeros = *at == '0' ? zeros + 1 : 0;
+	}
+	return n - zeros > 9 && (double)(float)v == v ? 9 : n - zeros;
+}
+
+/* Returns whether v is a float, or what a float is read as that was printed by %.9g. */
+static bool is_of_float(double v)
+{
+	const struct number_style nine = { .kind = NUMBER_DIGITS, .n = 9 };
+	const double nearest = (double)(float)v;
+	char s[NUMBER_MAX];
+	double printed = nearest;
+
+	if (v != nearest && isfinite(nearest))
+		number_read(s, number_write(s, nearest, nine), &printed);
+	return v == nearest || v == printed;
+}
+
+static void count_digits(struct projection *p)
+{
+	p->matrix_of_floats = true;
+	for (int i = 0; i < 16; i++) {
+		const double v = p->matrix[i / 4][i % 4];
+		const int n = digits_of(v);
+
+		p->matrix_digits = n > p->matrix_digits ? n : p->matrix_digits;
+		p->matrix_of_floats = p->matrix_of_floats && is_of_float(v);
+	}
+}
+
 static bool read_projection(const struct value *v, const struct member *row, void *out)
 {
 	struct projection *p = out;
@@ -360,6 +403,8 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 	is_right = object_read(v, row, (int)p->type - 1, p, &found) && is_right;
 	p->unit = (enum angle_unit)v->source->unit;
 	complete_members(p, found.given, v->source->task);
+	if (projection_is_given_matrix(p))
+		count_digits(p);
 	p->aspect[1] = p->aspect[0] > 0 || found.left != 0;
 	if (is_right && p->section.way == SECTION_ANGLES &&
 	    !(p->section.angles[0] < p->section.angles[1] &&

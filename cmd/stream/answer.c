@@ -15,6 +15,8 @@ static struct {
 	size_t bad_lines;
 	bool bad_scene;   /* a scene was refused */
 	size_t imageless; /* points without image */
+	size_t behind;    /* those of them that are behind the camera, up to others */
+	bool may_have_other_axes; /* the camera of such a point (struct job) */
 	struct place first_imageless;
 } answer;
 
@@ -138,12 +140,20 @@ static struct place line_place(const struct chunk *c, size_t line)
 static void report_imageless(void)
 {
 	const size_t n = answer.imageless;
+	const bool behind = answer.behind == n;
 	struct place *p = &answer.first_imageless;
 
 	p->before_place = n == 1 ? ": " : ", the first in ";
 	if (n > 0 && !message_state.quiet)
 		say_at(EXIT_OK, p,
-		    text("%zu point%s no image", n, n == 1 ? " has" : "s have"), NULL);
+		    text("%zu point%s %s no image", n, n == 1 ? "" : "s",
+			behind     ? n == 1 ? "is behind the camera and has" :
+					      "are behind the camera and have" :
+			    n == 1 ? "has" :
+				     "have"),
+		    behind && answer.may_have_other_axes ?
+			"the camera may have another program's axes (\"axes\")" :
+			NULL);
 }
 
 /* Says what is wrong at a place, and in which column if the refusal has one. */
@@ -202,32 +212,20 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 	die_at(EXIT_SYSTEM, &end, strerror(c->piece.error), NULL);
 }
 
-/* Adds the chunk's first points to job.behind, or ends its watch. */
-static void collect_behind(struct behind *b, const struct chunk *c)
-{
-	const size_t room = POINTS_BLOCK - b->n;
-	const size_t n = c->n_behind < room ? c->n_behind : room;
-
-	if (!b->watched)
-		return;
-	b->watched = !c->imaged;
-	for (int k = 0; k < 3; k++)
-		memcpy(&b->at[k][b->n], c->behind[k], n * sizeof **b->at);
-	b->n += n;
-}
-
 void answer_chunk(struct job *j, struct chunk *c)
 {
 	c->place = answer.next_line;
-	collect_behind(&j->behind, c);
 	if (j->collect_chunk != NULL)
 		j->collect_chunk(j, c);
 	else
 		print_text(j, c->out, c->size);
 	if (answer.imageless == 0 && c->imageless > 0)
 		answer.first_imageless = line_place(c, c->first_imageless);
-	if (j->count_imageless)
+	if (j->count_imageless) {
 		answer.imageless += c->imageless;
+		answer.behind += c->behind;
+		answer.may_have_other_axes |= c->behind > 0 && j->may_have_other_axes;
+	}
 	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
 		report_bad_lines(j, c);
 	answer.next_line.line += (long long)c->n_lines;

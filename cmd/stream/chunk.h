@@ -31,9 +31,7 @@ struct chunk {
 	size_t n_complaints;
 	size_t imageless;       /* points without image */
 	size_t first_imageless; /* the line of the first such point */
-	bool imaged;            /* a point has an image, if job.behind is watched */
-	size_t n_behind;        /* if not, the first points of the chunk */
-	double behind[3][POINTS_BLOCK];
+	size_t behind;          /* those behind the camera, up to the first other */
 
 	/* The block: lines that are transformed together, with columns of numbers. */
 	size_t block_lines, block_points;

@@ -148,6 +148,39 @@ static void write_lines(const struct job *j, struct chunk *c,
 	c->size = (size_t)(emit_lines(l, &b, out) - c->out);
 }
 
+/* Returns whether w of a point is not positive. Doubles decide this but for points in
+ * the plane of the eye: the errors of four products and their sum are within 2^-40. */
+static bool is_behind(const struct job *j, const struct chunk *c, size_t p)
+{
+	const struct kernel_map *k = &j->transform.for_kernel;
+	double in[4], w = k->hi[3][3], size = fabs(w);
+
+	for (int i = 0; i < 4; i++)
+		in[i] = c->in[i][p];
+	for (int i = 0; i < j->transform.in; i++)
+		if (isnan(in[i]))
+			return false;
+	for (int i = 0; i < 3; i++) {
+		const double product = (in[i] - k->origin[i]) * k->hi[i][3];
+
+		w += product;
+		size += fabs(product);
+	}
+	if (j->transform.in == 3 && fabs(w) > 0x1p-40 * size)
+		return w < 0;
+	return sum_sign(point_column(&j->transform, 3, in)) <= 0;
+}
+
+/* Counts point p of the block, on its line i. */
+static void count_imageless(const struct job *j, struct chunk *c, size_t i, size_t p)
+{
+	if (c->imageless == 0)
+		c->first_imageless = c->n_lines + i;
+	if (j->finds_behind && c->behind == c->imageless)
+		c->behind += is_behind(j, c, p);
+	c->imageless++;
+}
+
 /* `finite` may be true only if all images are finite doubles. */
 static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
@@ -160,9 +193,8 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 		return;
 	if (!finite || l->out.format == FORMAT_F32)
 		for (size_t i = 0, p = 0; i < n; i++)
-			if (c->line[i].kind == LINE_POINT && mark_nan(j, c, p++) &&
-			    c->imageless++ == 0)
-				c->first_imageless = c->n_lines + i;
+			if (c->line[i].kind == LINE_POINT && mark_nan(j, c, p++))
+				count_imageless(j, c, i, p - 1);
 	if (l->output.flags || j->visible)
 		frustum_outside_all(&j->frustum, in, outside, c->block_points);
 	if (format_is_binary(l->out.format))
@@ -171,34 +203,12 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 		write_lines(j, c, outside);
 }
 
-/* Keeps the first points of the chunk as long as none has an image: c->image or, by
- * behind.image, what is computed here. */
-static void watch_block(const struct job *j, struct chunk *c)
-{
-	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
-	double *const out[4] = { c->image[0], c->image[1], c->image[2], c->image[3] };
-	const size_t room = POINTS_BLOCK - c->n_behind;
-	const size_t n = c->block_points < room ? c->block_points : room;
-
-	if (j->behind.image != NULL)
-		points_map(j->behind.image, j->precision, in, out, c->block_points);
-	for (size_t p = 0; p < c->block_points && !c->imaged; p++)
-		c->imaged = isfinite(c->image[0][p]) && isfinite(c->image[1][p]);
-	for (int k = 0; k < 3 && !c->imaged; k++)
-		memcpy(&c->behind[k][c->n_behind], c->in[k], n * sizeof **c->in);
-	c->n_behind += n;
-}
-
 void job_do(struct job *j, struct chunk *c)
 {
-	const bool watched = atomic_load_explicit(&j->behind.watched,
-	    memory_order_relaxed);
 	bool binary = format_is_binary(j->layout.in.format);
 	bool by_blocks = binary_is_rows(j);
 
-	c->n_lines = c->size = c->n_complaints = c->imageless = 0;
-	c->imaged = false;
-	c->n_behind = 0;
+	c->n_lines = c->size = c->n_complaints = c->imageless = c->behind = 0;
 	c->refused = c->walk_planned = c->can_walk = false;
 	c->text = c->stretch.readable = c->piece.text;
 	c->end = c->text + c->piece.whole_size;
@@ -215,24 +225,18 @@ void job_do(struct job *j, struct chunk *c)
 
 		c->block_lines = c->block_points = 0;
 		/* after a point without image binary_map_floats often fails */
-		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c)) {
-			c->imaged = true;
+		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c))
 			continue;
-		}
 		if (binary)
 			binary_read_block(j, c);
 		else
 			block_read(j, c);
 		if (j->take_block != NULL) {
-			if (watched && !c->imaged)
-				watch_block(j, c);
 			j->take_block(j, c);
 			continue;
 		}
 		bool finite = block_transform(j, c);
 
-		if (watched && !c->imaged)
-			watch_block(j, c);
 		if (!(by_blocks && c->block_lines == c->block_points &&
 			binary_write_rows(j, c, text)))
 			block_write(j, c, finite);

@@ -3,19 +3,9 @@
  * but for its layout (layout.h). */
 #pragma once
 
-#include <stdatomic.h>
-
 #include "../../core/derive/frustum.h"
 #include "../../core/derive/ray.h"
 #include "chunk.h"
-
-/* The first points of a scene, as long as none has had an image. */
-struct behind {
-	atomic_bool watched;           /* until a point has an image */
-	const struct transform *image; /* of a point; NULL: c->image has it */
-	size_t n;
-	COLUMN_ALIGNED double at[3][POINTS_BLOCK];
-};
 
 struct job {
 	const char *space;    /* the name of the space of images, for --append */
@@ -24,7 +14,10 @@ struct job {
 	bool rays;            /* print rays instead of images */
 	bool keep_going;      /* after bad lines */
 	bool count_imageless; /* report points without image at the end */
-	int threads;          /* the most; 0: one for each processor */
+	/* A point whose w is not positive is behind the camera, whose axes may be those
+	 * of another program. */
+	bool finds_behind, may_have_other_axes;
+	int threads; /* the most; 0: one for each processor */
 	enum precision precision;
 
 	/* Functions of a command that does not print a line for each point, or NULL.
@@ -40,7 +33,6 @@ struct job {
 	struct layout layout;
 	struct frustum frustum; /* used if layout.flags or visible is set */
 	struct ray_maker ray;   /* used if rays is set */
-	struct behind behind;   /* changed only by answer_chunk */
 };
 
 /* Does the job on the chunk's piece and writes the output to the chunk's out. Stops at

@@ -55,10 +55,10 @@ static bool make_gaze_camera(struct scene *s, struct refusals *faults)
 		c->roll = 0;
 	turned.roll = 0;
 	turned.orthonormalize = true;
-	if (c->way >= CAMERA_ORIENTATION &&
+	if (camera_is_turned(c) &&
 	    !camera_map(&turned, convention, true, &to_world, faults))
 		return false;
-	for (int k = 0; k < 3 && c->way >= CAMERA_ORIENTATION; k++) {
+	for (int k = 0; k < 3 && camera_is_turned(c); k++) {
 		c->at[k] = along * map_element_nearest(&to_world, 2, k, false);
 		c->up[k] = upward * map_element_nearest(&to_world, 1, k, false);
 	}

@@ -89,6 +89,7 @@ bool lens_of(const struct scene *s, struct lens *l, struct refusals *faults)
 		l->clip[i % 4][i / 4] = sum_negated_if(i % 4 == 1 && c->ndc_y_down,
 		    l->to_clip.m[i / 4][i % 4]);
 	frustum_limits(s, l->half, l->scale);
+	l->tolerance = projection_tolerance(&s->projection);
 	l->mirrors = (s->convention.right_handed != c->right_handed) !=
 	    (s->has_camera && camera_mirrors(&s->camera, &s->convention));
 	l->parallel = vec3_is_zero(l->clip[3]);

@@ -24,6 +24,7 @@ struct lens {
 	struct sum half[2], scale[2];    /* set by frustum_limits */
 	struct sum corner[8][4], eye[4]; /* in view space */
 	struct sum world_corner[8][4], world_eye[4];
+	double tolerance;        /* projection_tolerance */
 	bool parallel, reversed; /* reversed: near has the larger ndc depth */
 	/* The answer's handedness is not the world's, which is that of the document's
 	 * convention or, if the camera has axes, theirs. */

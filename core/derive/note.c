@@ -3,44 +3,94 @@
 
 #include <math.h>
 
-/* Returns whether z is up: worlds with z up are right-handed, and d3d would show them
- * mirrored. If the gaze is within a degree of the y axis, it is a plan or an elevation,
- * whose up is z in a world with y up, too. */
-static bool has_up_z(const struct scene *s)
+/* Returns whether the 3x3 part of a matrix for row vectors is no rotation by far: an
+ * element of R times its transpose, with the rows of column vectors, is off by more
+ * than 1e-2, or the determinant is negative. A slip is as large; the rounding of four
+ * digits is not. */
+static bool is_no_rotation(const double m[4][4])
 {
-	const struct camera *c = &s->camera;
-	const double tan_degree = 0.017455064928217585;
-	double gaze[3];
+	double det = 0;
 
-	if (!s->has_camera || c->way > CAMERA_GAZE || c->up[0] != 0 || c->up[1] != 0 ||
-	    c->up[2] == 0)
+	for (int i = 0; i < 9; i++) {
+		const int a = i / 3, b = i % 3;
+
+		if (!(fabs(m[0][a] * m[0][b] + m[1][a] * m[1][b] + m[2][a] * m[2][b] -
+			  (a == b)) <= 1e-2))
+			return true;
+	}
+	for (int j = 0, k = 1, n = 2; j < 3; j++, k = n, n = (n + 1) % 3)
+		det += m[0][j] * (m[1][k] * m[2][n] - m[1][n] * m[2][k]);
+	return det < 0;
+}
+
+bool note_is_no_rotation(const struct camera *c)
+{
+	double m[4][4];
+	struct map r;
+
+	if (!camera_has_3x3(c) || c->orthonormalize)
 		return false;
-	for (int i = 0; i < 3; i++)
-		gaze[i] = c->at[i] - (c->way == CAMERA_AT ? c->eye[i] : 0);
-	return hypot(gaze[0], gaze[2]) > tan_degree * fabs(gaze[1]);
+	if (c->way < CAMERA_POSE) {
+		for (int i = 0; i < 9; i++)
+			m[i / 3][i % 3] = c->rotation[i % 3][i / 3];
+		return is_no_rotation(m);
+	}
+	if (c->steps.step == NULL)
+		return is_no_rotation(c->steps.matrix);
+	if (!steps_map(&c->steps, "", false, false, &r, NULL))
+		return false;
+	for (int i = 0; i < 16; i++)
+		m[i / 4][i % 4] = map_element_nearest(&r, i / 4, i % 4, false);
+	/* the flag is set by a product that no image needs */
+	return !ex_has_overflowed() && is_no_rotation(m);
+}
+
+/* Returns half a unit of the last digit of the shortest decimal of a size from 1e-6 to
+ * 1e4, and sets *digits to its digits, but to 4 and 15 at least and at most. A quotient
+ * of a whole number by a power of ten up to 10^22 is the double of the decimal. */
+static double half_digit(double size, int *digits)
+{
+	double unit = 1000; /* four digits of 1 to 10 */
+
+	for (double least = 1; size < least && least > 1e-6; least /= 10)
+		unit *= 10;
+	for (double most = 10; size >= most && most < 1e4; most *= 10)
+		unit /= 10;
+	for (*digits = 4; *digits < 15 && rint(size * unit) / unit != size; ++*digits)
+		unit *= 10;
+	return 0.5 / unit;
 }
 
 /* Returns whether |x| is k pi / 360, k whole from 1 to 720, to the digits of its
- * shortest form, which are five or more. As such a number is below 10, it has four
- * decimals or more, and so is no whole number of twentieths of a degree. A quotient of
- * a whole number by a power of ten up to 10^22 is the double of the decimal. From 16
- * digits on, the double itself is coarser than its last digit: k pi / 360 computed in
- * doubles is within 2^-51 of x. */
+ * shortest form, which are five or more, or whether their floats are the same. As such
+ * a number is below 10, it has four decimals or more, and so is no whole number of
+ * twentieths of a degree. From 16 digits on, the double itself is coarser than its last
+ * digit: k pi / 360 computed in doubles is within 2^-51 of x. */
 static bool is_radians(double x)
 {
-	double size = fabs(x), unit = 1000; /* four digits of 1 to 10 */
-	double k = rint(size * (360 / PI));
+	const double size = fabs(x), k = rint(size * (360 / PI)), part = k * (PI / 360);
+	int digits;
 
 	if (!(k >= 1 && k <= 720))
 		return false;
-	for (double least = 1; size < least; least /= 10)
-		unit *= 10;
-	if (rint(size * unit) / unit == size)
-		return false;
-	for (int n = 4; n < 15 && rint(size * unit) / unit != size; n++)
-		unit *= 10;
-	return fabs(size - k * (PI / 360)) <=
-	    0.5 / unit * (1 + 0x1p-20) + 0x1p-51 * size;
+	const double half = half_digit(size, &digits);
+
+	return digits > 4 &&
+	    (fabs(size - part) <= half * (1 + 0x1p-20) + 0x1p-51 * size ||
+		(float)size == (float)part);
+}
+
+/* Returns whether four angles from the gaze, of which all are below 1.6 and one has
+ * three decimals or more, are likely in radians. */
+static bool are_radians(const double angles[4])
+{
+	bool below = true, fine = false;
+
+	for (int i = 0; i < 4; i++) {
+		below &= fabs(angles[i]) < 1.6;
+		fine |= rint(angles[i] * 100) / 100 != angles[i];
+	}
+	return below && fine;
 }
 
 /* Returns whether a list of steps, if there is one, has an angle as of radians. */
@@ -75,6 +125,8 @@ static bool has_radians(const struct scene *s)
 		view = p->volume.view_angle;
 	for (int i = 0; i < 4 && persp && p->section.way == SECTION_ANGLES; i++)
 		found |= is_radians(p->section.angles[i]);
+	if (persp && p->section.way == SECTION_ANGLES)
+		found |= are_radians(p->section.angles);
 	if (projection_is_sheared(p))
 		found |= is_radians(p->shear.direction) ||
 		    (p->shear.kind == OBLIQUE_ANGLE &&
@@ -83,30 +135,56 @@ static bool has_radians(const struct scene *s)
 	    (view >= 0.2 && view <= 3.2 && rint(view * 100) / 100 != view);
 }
 
-/* Returns whether |x| or |y| is within a relative 2^-20 of |cot(k / 2)|, k whole from 4
- * to 179, k / 2 in radians. The cosine c and sine s of k / 2 come from those of k / 2 -
- * 1/2 by the sine and cosine of 1/2. Each step adds less than 2^-51 to their errors,
- * and no |c| is below 2^-8, so that cot has a relative error below 2^-35. 2^-20 is
- * coarser than a float's digits, and the cotangents of half of whole and half degrees
- * differ by more (note_test). */
-static bool is_cot_of_degrees(double x, double y)
+/* Returns whether the size x, which may be off by `half`, is |cot(k t)|, k whole from
+ * `first` to `last`, where t has this sine and cosine and first t those of the array.
+ * Each step adds less than 2^-51 to their errors, and no cosine is below 2^-8, so that
+ * the cotangent has a relative error below 2^-35. */
+static bool is_cot(double x, double half, const double first[2], double sine,
+    double cosine, int n)
 {
-	const double cos_half = 0.87758256189037271612,
-		     sin_half = 0.47942553860420300027;
-	double c = -0.41614683654714238700, s = 0.90929742682568169540;
+	double s = first[0], c = first[1];
 
-	for (int k = 4; k <= 179; k++) {
-		const double next = c * cos_half - s * sin_half;
+	for (int k = 0; k < n; k++) {
+		const double next = c * cosine - s * sine;
 
-		if (fabs(fabs(x * s) - fabs(c)) <= 0x1p-20 * fabs(c) ||
-		    fabs(fabs(y * s) - fabs(c)) <= 0x1p-20 * fabs(c))
+		if (fabs(x * fabs(s) - fabs(c)) <= half * fabs(s) + 0x1p-20 * fabs(c))
 			return true;
-		s = s * cos_half + c * sin_half;
+		s = s * cosine + c * sine;
 		c = next;
 	}
 	return false;
 }
 
+/* Returns whether |x|, of five digits or more, is |cot(k / 2)| to its digits, but
+ * within a relative 2^-20, which is coarser than a float's digits: with k whole from 4
+ * to 179, k / 2 in radians, or from 1 to 179 and in degrees. Of radians five digits of
+ * six are enough, as the last may be lost by an aspect that was multiplied later. */
+static bool is_cot_of_whole(double x, double aspect, enum angle_unit unit)
+{
+	/* sine and cosine of 2 and of 1/2 radians, and of half a degree */
+	static const double two[2] = { 0.90929742682568169540,
+		-0.41614683654714238700 },
+			    half[2] = { 0.47942553860420300027,
+				    0.87758256189037271612 },
+			    degree[2] = { 0.0087265354983739347,
+				    0.99996192306417128874 };
+	const bool radians = unit == ANGLE_RADIANS;
+	const double size = fabs(x), *const step = radians ? half : degree;
+	int digits;
+
+	if (!(size > 1e-4 && size < 1e4))
+		return false;
+	double off = half_digit(size, &digits) * aspect;
+
+	off *= radians && digits == 6 ? 10 : 1;
+
+	return digits > 4 &&
+	    is_cot(size * aspect, off, radians ? two : degree, step[0], step[1],
+		radians ? 176 : 179);
+}
+
+/* A matrix of so few digits that one of its numbers is a cotangent of degrees, too, is
+ * right. */
 static bool has_matrix_of_radians(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -115,12 +193,17 @@ static bool has_matrix_of_radians(const struct scene *s)
 	if (s->has_viewport)
 		viewport_full(&s->viewport, full);
 	const double aspect = full[0] / full[1];
-	const double(*m)[4] = p->matrix, xs = m[0][0], ys = m[1][1];
+	const double(*m)[4] = p->matrix;
 	const bool parallel = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0;
+	bool radians = false, degrees = false;
 
-	return projection_is_given_matrix(p) && !parallel &&
-	    (is_cot_of_degrees(xs, ys) ||
-		(aspect != 1 && is_cot_of_degrees(xs * aspect, ys * aspect)));
+	for (int i = 0; i < 4 && projection_is_given_matrix(p) && !parallel; i++) {
+		const double x = m[i / 2][i / 2], by = i % 2 == 0 ? 1 : aspect;
+
+		radians |= is_cot_of_whole(x, by, ANGLE_RADIANS);
+		degrees |= is_cot_of_whole(x, by, ANGLE_DEGREES);
+	}
+	return radians && !degrees;
 }
 
 /* Returns whether an aspect, or that of a sensor, whose width and height are at a focal
@@ -172,9 +255,11 @@ bool note_principal_point_is_inside(double coordinate, double viewport_size)
 
 unsigned note_of_members(const struct scene *s, const struct written *w)
 {
-	return (unsigned)(!w->convention && has_up_z(s)) << NOTE_UP_Z |
+	return (unsigned)(s->has_camera && note_is_no_rotation(&s->camera))
+	    << NOTE_ROTATION |
 	    (unsigned)(!w->angle_unit && has_radians(s)) << NOTE_RADIANS |
-	    (unsigned)has_matrix_of_radians(s) << NOTE_MATRIX_RADIANS |
+	    (unsigned)(!w->angle_unit && has_matrix_of_radians(s))
+	    << NOTE_MATRIX_RADIANS |
 	    (unsigned)(!w->scale && has_other_aspect(s)) << NOTE_ASPECT |
 	    (unsigned)has_colmap_order(&s->projection) << NOTE_COLMAP;
 }

@@ -16,16 +16,19 @@ enum note {
 	NOTE_DEPTH_FALLS,  /* depth decreases along the convention's gaze */
 	NOTE_RADIANS,      /* an angle in degrees may be in radians */
 	NOTE_OFF_CENTER, /* the principal point is at the viewport's edge or outside */
-	NOTE_UP_Z,       /* z is up, and no convention names the handedness */
-	NOTE_BEHIND,     /* all points are behind an eye that may look along -z */
+	NOTE_CONVENTION, /* no convention is named, and the numbers depend on it */
+	NOTE_ROTATION,   /* the camera's numbers are no rotation by far */
 	NOTE_MATRIX_RADIANS, /* a matrix of an angle whose degrees were radians */
 	NOTE_ASPECT,         /* the aspect is not that of the viewport */
 	NOTE_COLMAP,         /* the intrinsics are COLMAP's f, cx, cy, k */
 	NOTE_NO_PROJECTION,  /* points are not projected, as nothing says how */
-	NOTE_COMMENT,        /* a comment may name the columns of csv */
 	NOTES_PRINTED, /* the notes above are printed; those below tell of a picture */
+	NOTE_RESIDUAL =
+	    NOTES_PRINTED, /* the matrix is not quite that of the second scene */
+	NOTE_FAR_RANGE,    /* the digits of the matrix leave far open */
+	NOTES_WITH_SCENE,
 	/* with each of the following notes there is no second scene */
-	NOTE_NO_ROTATION = NOTES_PRINTED, /* the camera's matrix is not a rotation */
+	NOTE_NO_ROTATION = NOTES_WITH_SCENE, /* the camera's matrix is not a rotation */
 	NOTE_TILTED,        /* near and far are not parallel to the image */
 	NOTE_MINUS_W,       /* w is negative between the near and far planes */
 	NOTE_NO_INTRINSICS, /* it would need intrinsics, but cannot have them */
@@ -36,10 +39,11 @@ enum note {
 /* What a document or the command line writes itself, so that it is no guess. */
 struct written {
 	bool convention, angle_unit, scale;
+	bool world_rows; /* a matrix of the world is four rows of four numbers */
 };
 
 /* Returns, as bits 1 << enum note, the notes on the members of a scene, all but
- * NOTE_BEHIND, NOTE_NO_PROJECTION and NOTE_COMMENT, which depend on more. */
+ * NOTE_CONVENTION and NOTE_NO_PROJECTION, which depend on more. */
 unsigned note_of_members(const struct scene *, const struct written *);
 
 /* Returns whether the members alone show that the picture has no note from
@@ -55,6 +59,10 @@ bool note_judges_center(const struct scene *);
 /* Returns whether a coordinate of a principal point is between 1 % and 99 % of the
  * viewport's width or height. */
 bool note_principal_point_is_inside(double coordinate, double viewport_size);
+
+/* Returns whether the camera is given by numbers, before axes and in either direction,
+ * that are no rotation by far, which NOTE_ROTATION tells. */
+bool note_is_no_rotation(const struct camera *);
 
 /* Returns whether a projection's matrix looks transposed. */
 bool note_seems_transposed(const double m[4][4]);

@@ -31,7 +31,7 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 /* The length of a normal is that in view space if the camera is a rotation. */
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
-	const bool rotates = l->scene.camera.way < CAMERA_ROTATION;
+	const bool rotates = !camera_has_3x3(&l->scene.camera);
 
 	for (int k = 0; k < 6; k++) {
 		const struct map *m = k < 4 ? &l->sides : &l->ends;
@@ -84,7 +84,7 @@ static void set_camera(const struct lens *l, const struct upright *u, struct pic
 		    map_element_nearest(&l->to_world, 3, k, false) :
 		    r->taxonomy.eye[k];
 	lens_world_axis(l, u->axis[2], c->at);
-	lens_world_axis(l, u->axis[1], c->up);
+	memcpy(c->up, r->up, sizeof c->up);
 }
 
 /* Computes K of struct picture from half and scale (the margin is 0 here). In pixels
@@ -212,7 +212,11 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	p->far = swap ? r->near : r->far;
 	p->reverse_z = r->reverse_z != swap;
 	if (sheared)
-		set_shear(u, given, s->has_world ? s->world.unit : ANGLE_DEGREES, p);
+		set_shear(u, given,
+		    s->has_world                     ? s->world.unit :
+			projection_is_sheared(given) ? given->unit :
+						       ANGLE_DEGREES,
+		    p);
 	if (open) {
 		p->near = 0;
 		p->far = HUGE_VAL;
@@ -250,54 +254,197 @@ static bool is_off_center(const struct scene *s, const struct picture *r)
 	return false;
 }
 
-/* Returns the notes. `transposed` says whether the matrix, as it was read, makes no
- * second scene and looks transposed. */
+/* What the notes on a picture are decided by. */
+struct facts {
+	const struct lens *l;
+	const struct upright *u;
+	const struct picture *r;
+	/* the matrix, as it was read, makes no second scene and looks transposed */
+	bool transposed;
+	bool mirrored, looks_away;
+	/* A document gives a volume an eye beyond far only on purpose, and without a
+	 * camera its z are those of a text of either handedness. */
+	bool reverse, free;
+	bool behind; /* all corners of the view volume are */
+};
+
+static struct facts facts_of(const struct lens *l, const struct upright *u,
+    const struct picture *r, bool transposed)
+{
+	const bool volume = projection_family(&l->scene.projection) == FAMILY_VOLUME;
+	struct facts f = { .l = l, .u = u, .r = r, .transposed = transposed };
+
+	f.mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0) !=
+	    l->mirrors;
+	f.looks_away = u->uses_view_axes && u->turned &&
+	    (f.mirrored || l->scene.has_camera);
+	f.reverse = volume && r->taxonomy.taxon == TAXON_REVERSE;
+	f.free = volume && !l->scene.has_camera;
+	f.behind = true;
+	/* a corner is nan if it is at infinity or behind the eye */
+	for (int i = 0; i < 8; i++)
+		f.behind &= isnan(r->taxonomy.corner[i][0]);
+	return f;
+}
+
+static unsigned note_if(bool applies, enum note note)
+{
+	return (unsigned)applies << note;
+}
+
+/* Returns the note, if any, on which way the picture is seen: the first that explains
+ * it. A perspective matrix that is negated as a whole seems to mirror. */
+static unsigned note_of_sides(const struct facts *f)
+{
+	if (f->transposed)
+		return 1u << NOTE_TRANSPOSED;
+	if (f->reverse)
+		return 0;
+	if (f->mirrored && f->behind && !f->l->parallel)
+		return 1u << NOTE_MINUS_W;
+	if (f->mirrored && f->looks_away)
+		return note_if(!f->free, NOTE_OTHER_HANDED);
+	return note_if(f->mirrored, NOTE_MIRRORED) |
+	    note_if(f->looks_away, NOTE_LOOKS_AWAY);
+}
+
+static unsigned note_of_depths(const struct facts *f)
+{
+	const bool matrix = projection_is_given_matrix(&f->l->scene.projection);
+	const bool parallel = f->l->parallel;
+
+	return note_if(f->r->near > f->r->far && !f->reverse && !f->free,
+		   NOTE_NEAR_BEYOND) |
+	    note_if(matrix && f->u->uses_view_axes && parallel && f->r->reverse_z,
+		NOTE_DEPTH_FALLS) |
+	    note_if(parallel && sum_sign(f->u->clip_w[1]) < 0, NOTE_MINUS_W) |
+	    note_if(f->u->tilted, NOTE_TILTED);
+}
+
+static unsigned note_of_angle(const struct facts *f)
+{
+	const struct projection *p = &f->l->scene.projection;
+
+	return note_if(projection_family(p) == FAMILY_PERSP &&
+		p->unit == ANGLE_DEGREES &&
+		fmin(f->r->taxonomy.fov[0], f->r->taxonomy.fov[1]) < 3.2 &&
+		(p->section.way <= SECTION_VIEW_ANGLE ||
+		    p->section.way == SECTION_ANGLES),
+	    NOTE_RADIANS);
+}
+
+static unsigned note_of_intrinsics(const struct facts *f)
+{
+	const struct scene *s = &f->l->scene;
+	const struct projection *p = &s->projection;
+	const bool by_intrinsics = sum_sign(f->u->clip_xy[0][1]) != 0;
+
+	return note_if(projection_has_intrinsics(p) && is_off_center(s, f->r),
+		   NOTE_OFF_CENTER) |
+	    note_if(by_intrinsics && !may_have_intrinsics(f->l, f->u),
+		NOTE_NO_INTRINSICS);
+}
+
+static unsigned note_of_camera(const struct facts *f)
+{
+	const struct scene *s = &f->l->scene;
+
+	return note_if(s->has_camera && camera_has_3x3(&s->camera) &&
+		!is_rotation(&f->l->to_view, f->l->mirrors),
+	    NOTE_NO_ROTATION);
+}
+
+/* Returns the notes: a list of decisions, each of which sees the same facts. */
 static unsigned notes_of(const struct lens *l, const struct upright *u,
     const struct picture *r, bool transposed)
 {
-	const struct scene *s = &l->scene;
-	const struct projection *p = &s->projection;
-	bool parallel = l->parallel, behind = true;
-	bool by_intrinsics = sum_sign(u->clip_xy[0][1]) != 0;
-	bool mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0) !=
-	    l->mirrors;
-	bool volume = projection_family(p) == FAMILY_VOLUME;
-	/* a document gives a volume an eye beyond far only on purpose */
-	bool reverse = volume && r->taxonomy.taxon == TAXON_REVERSE;
-	/* and without a camera its z are those of a text of either handedness */
-	bool free = volume && !s->has_camera;
-
-	/* a corner is nan if it is at infinity or behind the eye */
-	for (int i = 0; i < 8; i++)
-		behind &= isnan(r->taxonomy.corner[i][0]);
-	/* a perspective matrix that is negated as a whole seems to mirror */
-	bool negated = !parallel && !transposed && mirrored && behind;
-	bool known = transposed || reverse || negated;
-	bool looks_away = u->uses_view_axes && u->turned && (mirrored || s->has_camera);
-	const bool applies[NOTES] = {
-		[NOTE_MIRRORED] = !known && mirrored && !looks_away,
-		[NOTE_OTHER_HANDED] = !known && mirrored && looks_away && !free,
-		[NOTE_LOOKS_AWAY] = !known && !mirrored && looks_away,
-		[NOTE_TRANSPOSED] = transposed,
-		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse && !free,
-		[NOTE_DEPTH_FALLS] = projection_is_given_matrix(p) &&
-		    u->uses_view_axes && parallel && r->reverse_z,
-		[NOTE_RADIANS] = projection_family(p) == FAMILY_PERSP &&
-		    p->unit == ANGLE_DEGREES &&
-		    fmin(r->taxonomy.fov[0], r->taxonomy.fov[1]) < 3.2 &&
-		    (p->section.way <= SECTION_VIEW_ANGLE ||
-			p->section.way == SECTION_ANGLES),
-		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) && is_off_center(s, r),
-		[NOTE_NO_ROTATION] = s->camera.way >= CAMERA_ROTATION &&
-		    !is_rotation(&l->to_view, l->mirrors),
-		[NOTE_TILTED] = u->tilted,
-		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->clip_w[1]) < 0),
-		[NOTE_NO_INTRINSICS] = by_intrinsics && !may_have_intrinsics(l, u),
-	};
+	static unsigned (*const decisions[])(const struct facts *) = { note_of_sides,
+		note_of_depths, note_of_angle, note_of_intrinsics, note_of_camera };
+	const struct facts f = facts_of(l, u, r, transposed);
 	unsigned notes = 0;
 
-	for (int i = 0; i < NOTES; i++)
-		notes |= (unsigned)applies[i] << i;
+	for (size_t i = 0; i < sizeof decisions / sizeof *decisions; i++)
+		notes |= decisions[i](&f);
+	return notes;
+}
+
+/* Returns half a unit of the last digit of an element of a matrix: of a float, of a
+ * decimal with as many digits as any element, five at least, or of a double. 0, 1 and
+ * -1 are exact. */
+static double half_unit(double x, const struct projection *p)
+{
+	const int digits = p->matrix_digits > 5 ? p->matrix_digits : 5;
+	const double size = fabs(x);
+	double unit = 1; /* of the first digit, then of the last one */
+	int e;
+
+	if (size == 0 || size == 1)
+		return 0;
+	frexp(size, &e);
+	if (p->matrix_of_floats || p->matrix_digits == 0 || digits > 15)
+		return ldexp(1, e - (p->matrix_of_floats ? 25 : 54));
+	while (unit <= size / 10)
+		unit *= 10;
+	while (unit > size)
+		unit /= 10;
+	for (int i = 1; i < digits; i++)
+		unit /= 10;
+	return unit / 2;
+}
+
+/* Sets the range of far that the digits of a perspective's matrix leave open. With the
+ * gradients z' and w' along D and z at the eye, far is z / (k w' - z') for the depth k
+ * of the far plane. Each element is off by up to half_unit; what this adds to numerator
+ * and denominator is of the document's convention, in which k is 1, 0 or -1. */
+static void set_far_range(const struct lens *l, const struct upright *u,
+    struct picture *r)
+{
+	const struct scene *s = &l->scene;
+	const struct projection *p = &s->projection;
+	const bool low = s->convention.depth_minus_one,
+		   answer_low = scene_answer_convention(s)->depth_minus_one;
+	const double k = !l->reversed ? 1 : answer_low ? -1 : 0;
+	const double w_share = !l->reversed || low ? 1 : 0;
+	struct sum z, slope[2];
+	double num, den, off[2] = { half_unit(p->matrix[3][2], p), 0 };
+
+	map_image(&l->to_clip, 2, l->eye, &z);
+	for (int i = 0; i < 2; i++)
+		slope[i] = vec3_dot(l->clip[2 + i], u->axis[2]);
+	num = fabs(sum_ratio_or_nan(z, sum_mul(l->eye[3], l->to_clip.divisor)));
+	den = fabs(sum_ratio_or_nan(sum_sub(sum_scale(slope[1], k), slope[0]),
+	    l->to_clip.divisor));
+	for (int i = 0; i < 3; i++) {
+		const double *m = p->matrix[i];
+		const double off_z = half_unit(m[2], p);
+		const double axis = fabs(sum_double(u->axis[2][i]));
+
+		off[0] += off_z * fabs(sum_ratio_or_nan(l->eye[i], l->eye[3]));
+		off[1] += axis * (off_z + w_share * half_unit(m[3], p));
+	}
+	for (int i = 0; i < 2; i++) /* of depths of the answer's range */
+		off[i] *= low == answer_low ? 1 : low ? 0.5 : 2;
+	r->far_range[0] = (num - off[0]) / (den + off[1]);
+	r->far_range[1] = den > off[1] ? (num + off[0]) / (den - off[1]) : HUGE_VAL;
+}
+
+/* Returns the notes on a second scene that is only nearly that of the matrix. */
+static unsigned note_of_digits(const struct lens *l, const struct upright *u,
+    struct picture *r)
+{
+	const bool matrix = projection_is_given_matrix(&l->scene.projection);
+	unsigned notes = 0;
+
+	r->residual = u->residual;
+	notes |= note_if(matrix && u->residual > 0x1p-40, NOTE_RESIDUAL);
+	if (matrix && !l->parallel) {
+		const double *range = r->far_range;
+
+		set_far_range(l, u, r);
+		notes |= note_if(range[0] < range[1] &&
+			(isinf(range[1]) || range[1] - range[0] > 0.01 * r->far),
+		    NOTE_FAR_RANGE);
+	}
 	return notes;
 }
 
@@ -308,6 +455,7 @@ static void set_parameters(const struct scene *s, const struct lens *l,
 
 	set_frustum_planes(l, r->frustum_plane);
 	upright_of(l, &u);
+	lens_world_axis(l, u.axis[1], r->up);
 	depth_of(l, &r->depth);
 	r->reverse_z = l->reversed;
 	if (!u.tilted) {
@@ -322,23 +470,24 @@ static void set_parameters(const struct scene *s, const struct lens *l,
 	r->scene.answer = NULL;
 	r->scene.viewport.has_full = r->scene.viewport.has_offset = false;
 	r->scene.convention = *scene_answer_convention(s);
-	r->has_scene = r->notes >> NOTES_PRINTED == 0;
+	r->has_scene = r->notes >> NOTES_WITH_SCENE == 0;
 	if (r->has_scene) {
 		set_projection(l, &u, r);
 		set_camera(l, &u, r);
 		r->has_scene = scene_is_valid(&r->scene);
-		r->notes |= r->has_scene ? 0 : 1u << NOTE_OUT_OF_RANGE;
+		r->notes |= r->has_scene ? note_of_digits(l, &u, r) :
+					   1u << NOTE_OUT_OF_RANGE;
 	}
 	if (r->has_scene || !projection_is_given_matrix(&s->projection) ||
 	    !note_seems_transposed(s->projection.matrix))
 		return;
-	const unsigned null = r->notes >> NOTES_PRINTED << NOTES_PRINTED;
+	const unsigned null = r->notes >> NOTES_WITH_SCENE << NOTES_WITH_SCENE;
 
 	r->notes = notes_of(l, &u, r, true);
-	r->notes |= r->notes >> NOTES_PRINTED == 0 ? null : 0;
+	r->notes |= r->notes >> NOTES_WITH_SCENE == 0 ? null : 0;
 }
 
-/* Sets all members of the picture but error_bound. */
+/* Sets all members of the picture but rigid and error_bound. */
 static bool describe(const struct scene *s, struct lens *l, struct picture *p,
     struct refusals *faults)
 {
@@ -365,8 +514,24 @@ unsigned picture_notes(const struct scene *s)
 	    0;
 }
 
+void picture_axes(const struct scene *s, double gaze[3], double up[3])
+{
+	static struct picture p;
+	const bool described = describe(s, &lens, &p, NULL) && !ex_has_overflowed();
+
+	for (int k = 0; k < 3; k++) {
+		gaze[k] = described ? p.taxonomy.gaze[k] : (double)NAN;
+		up[k] = described ? p.up[k] : (double)NAN;
+	}
+}
+
 bool picture_of(const struct scene *s, struct picture *p, struct refusals *faults)
 {
-	return describe(s, &lens, p, faults) &&
-	    error_bound_of(&lens, p->error_bound, faults);
+	struct upright u;
+
+	if (!describe(s, &lens, p, faults))
+		return false;
+	upright_of(&lens, &u);
+	rigid_of(&lens, &u, &p->rigid);
+	return error_bound_of(&lens, p->error_bound, faults);
 }

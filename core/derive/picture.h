@@ -5,6 +5,7 @@
 
 #include "depth.h"
 #include "note.h"
+#include "rigid.h"
 #include "taxonomy.h"
 
 /* Facts about a scene's picture. A number that does not exist is nan; the others are
@@ -27,6 +28,11 @@ struct picture {
 	double frustum_plane[6][4];
 	double error_bound[3]; /* [enum precision] */
 	unsigned notes;        /* bit i is set if enum note i applies */
+	double up[3];          /* where the picture's up points in the world */
+	struct rigid rigid;    /* the camera */
+	/* The share of NOTE_RESIDUAL (upright.h), and the range of NOTE_FAR_RANGE; they
+	 * are for reading, and have the errors of a few roundings. */
+	double residual, far_range[2];
 	/* The second scene, in the answer's convention: by eye and gaze, and by edges
 	 * or, without near and far planes or if clip x depends on y, by intrinsics. */
 	bool has_scene;
@@ -35,6 +41,9 @@ struct picture {
 
 /* Sets all members of the picture. */
 bool picture_of(const struct scene *, struct picture *, struct refusals *faults);
+
+/* Writes the members taxonomy.gaze and up of the picture, or nan. */
+void picture_axes(const struct scene *, double gaze[3], double up[3]);
 
 /* Returns those notes of picture_of that are printed, but not NOTE_RADIANS, of which
  * note_of_members has the surer rule; or 0 if the scene has no picture. */

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 #include "taxonomy.h"
 
-/* The relative tolerance of the tests for equal or zero lengths and parallel axes. */
-#define TAXON_TOLERANCE 0x1p-40
+/* Foreshortenings that differ by less are equal: 35.264 degrees are meant for the angle
+ * of an isometric projection. The tolerance of directions is that of the lens. */
+#define FORESHORTENING_TOLERANCE 0x1p-10
 
 static bool nearly_equal(double a, double b)
 {
-	return fabs(a - b) <= TAXON_TOLERANCE * fmax(fabs(a), fabs(b));
+	return fabs(a - b) <= FORESHORTENING_TOLERANCE * fmax(fabs(a), fabs(b));
 }
 
-static enum taxon_kind axonometric_kind(const double f[3])
+static enum taxon_kind axonometric_kind(const double f[3], double tolerance)
 {
 	double most = fmax(fmax(f[0], f[1]), f[2]);
 	int same = 0;
 
 	for (int i = 0; i < 3; i++) {
-		if (f[i] <= TAXON_TOLERANCE * most)
+		if (f[i] <= tolerance * most)
 			return TAXON_MULTIVIEW;
 		same += nearly_equal(f[i], f[(i + 1) % 3]);
 	}
@@ -49,11 +50,12 @@ static void classify_parallel(const struct lens *l, struct taxonomy *t)
 	/* the cotangent of the angle between projectors and projection plane */
 	double cot = sum_ratio_or_nan(vec3_length(across), size);
 
-	t->taxon = cot <= TAXON_TOLERANCE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
-	t->kind = cot <= TAXON_TOLERANCE ? axonometric_kind(t->foreshortening) :
-	    nearly_equal(cot, 1)         ? TAXON_CAVALIER :
-	    nearly_equal(cot, 0.5)       ? TAXON_CABINET :
-					   TAXON_GENERAL;
+	t->taxon = cot <= l->tolerance ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
+	t->kind = cot <= l->tolerance ?
+	    axonometric_kind(t->foreshortening, l->tolerance) :
+	    nearly_equal(cot, 1)   ? TAXON_CAVALIER :
+	    nearly_equal(cot, 0.5) ? TAXON_CABINET :
+				     TAXON_GENERAL;
 }
 
 /* Returns the kind by the number of vanishing points: one for each world axis that is
@@ -69,7 +71,7 @@ static enum taxon_kind perspective_kind(const struct lens *l)
 		struct sum most = sum_mul(vec3_dot(a, a), vec3_dot(g, g));
 
 		n += sum_compare(sum_mul(dot, dot),
-			 sum_scale(most, TAXON_TOLERANCE * TAXON_TOLERANCE)) > 0;
+			 sum_scale(most, l->tolerance * l->tolerance)) > 0;
 	}
 	return n < 2 ? TAXON_ONE_POINT : n < 3 ? TAXON_TWO_POINT : TAXON_THREE_POINT;
 }

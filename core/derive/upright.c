@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "upright.h"
 
-/* A component below this share of its vector's length counts as a rounding error. */
-#define NEGLIGIBLE 0x1p-40
+#include <math.h>
 
 /* Sets the axes to those of view space. They are turned by 180 degrees about Y if w
  * grows against the convention's gaze, and X is negated if l->mirrors. Returns false
@@ -34,9 +33,22 @@ static void normalise(struct sum v[3])
 		v[i] = sum_quotient(v[i], length);
 }
 
-static bool is_negligible(struct sum a, struct sum b)
+/* Returns whether element j of a gradient in the picture's axes is a rounding error: at
+ * most l->tolerance of the greatest element. It then adds to u->residual. */
+static bool neglect(const struct lens *l, const struct sum gradient[3], int j,
+    struct upright *u)
 {
-	return sum_compare(sum_abs(a), sum_scale(sum_abs(b), NEGLIGIBLE)) <= 0;
+	struct sum most = sum_abs(gradient[0]);
+
+	for (int i = 1; i < 3; i++)
+		if (sum_compare(sum_abs(gradient[i]), most) > 0)
+			most = sum_abs(gradient[i]);
+	if (sum_compare(sum_abs(gradient[j]), sum_scale(most, l->tolerance)) > 0)
+		return false;
+	if (sum_sign(gradient[j]) != 0)
+		u->residual = fmax(u->residual,
+		    sum_ratio_or_nan(sum_abs(gradient[j]), most));
+	return true;
 }
 
 /* Finds the axes by the method of Gram and Schmidt from the gradients of clip x, y, z
@@ -47,7 +59,7 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 {
 	const struct scene *s = &l->scene;
 	const struct sum(*g)[4] = l->clip, *n = g[l->parallel ? 2 : 3];
-	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
+	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n);
 	bool negates_x = scene_answer_convention(s)->right_handed != l->mirrors;
 
 	for (int i = 0; i < 3; i++) {
@@ -61,9 +73,22 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 	vec3_cross(u->axis[1], u->axis[2], u->axis[0]);
 	for (int i = 0; i < 3; i++)
 		u->axis[0][i] = sum_negated_if(negates_x, u->axis[0][i]);
-	vec3_cross(g[2], g[3], tilt);
-	u->tilted = !is_negligible(vec3_length(tilt),
-	    sum_mul(vec3_length(g[2]), vec3_length(n)));
+}
+
+/* Sets tilted, and clears what is negligible of clip x and y. In a parallel projection
+ * D is along the gradient of z. */
+static void clear_negligible(const struct lens *l, struct upright *u)
+{
+	struct sum z[3];
+
+	for (int j = 0; j < 3 && !l->parallel; j++)
+		z[j] = vec3_dot(l->clip[2], u->axis[j]);
+	for (int j = 0; j < 2 && !l->parallel; j++)
+		u->tilted |= !neglect(l, z, j, u);
+	for (int i = 0; i < 2; i++)
+		for (int j = i + 1; j < (l->parallel ? 3 : 2); j++)
+			if (neglect(l, u->clip_xy[i], j, u))
+				sum_set(&u->clip_xy[i][j], 0);
 }
 
 static void set_elements(const struct lens *l, struct upright *u)
@@ -96,15 +121,18 @@ void upright_of(const struct lens *l, struct upright *u)
 	u->clip_xy[1][3] = l->parallel ? l->clip[1][3] : zero;
 	u->clip_w[1] = l->parallel ? l->clip[3][3] : zero;
 	u->tilted = false;
+	u->residual = 0;
 	u->uses_view_axes = set_view_axes(l, u);
 	set_elements(l, u);
-	if (u->uses_view_axes && !has_turned_camera(l, u))
-		return;
-	u->uses_view_axes = false;
-	find_rq_axes(l, u);
-	set_elements(l, u);
-	for (int i = 0; i < 2; i++)
-		for (int j = i + 1; j < (l->parallel ? 3 : 2); j++)
-			if (is_negligible(u->clip_xy[i][j], u->clip_xy[i][i]))
-				sum_set(&u->clip_xy[i][j], 0);
+	if (u->uses_view_axes && has_turned_camera(l, u))
+		u->uses_view_axes = false;
+	if (!u->uses_view_axes) {
+		find_rq_axes(l, u);
+		set_elements(l, u);
+		/* Y is perpendicular to X by construction */
+		sum_set(&u->clip_xy[1][0], 0);
+	}
+	/* in view axes only the elements of a given matrix may be rounding errors */
+	if (!u->uses_view_axes || projection_is_given_matrix(&l->scene.projection))
+		clear_negligible(l, u);
 }

@@ -21,6 +21,9 @@ struct upright {
 	bool uses_view_axes;   /* if not, an RQ decomposition finds the axes */
 	bool turned;           /* w grows against the convention's gaze */
 	bool tilted;           /* z depends on X or Y */
+	/* The greatest share, of the greatest of the three numbers of a clip
+	 * coordinate, of a number that counts as a rounding error and so as 0. */
+	double residual;
 };
 
 void upright_of(const struct lens *, struct upright *);

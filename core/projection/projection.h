@@ -23,6 +23,12 @@ struct projection {
 	struct projection_shear shear;
 	struct projection_volume volume;
 	double matrix[4][4];
+	/* The most digits that an element of the matrix has in the shortest decimal
+	 * that reads back as its double; a float has at most 9. 0: they were not
+	 * counted. */
+	int matrix_digits;
+	/* each element is a float, or the decimal of nine digits that tells a float */
+	bool matrix_of_floats;
 	bool without_camera; /* no camera is given; `matrix` may contain one */
 };
 
@@ -44,6 +50,17 @@ bool projection_is_sheared(const struct projection *);
 /* Returns whether the projection is a given matrix, of any kind: it may contain a
  * camera, and says neither which plane is near nor where the gaze is. */
 bool projection_is_given_matrix(const struct projection *);
+
+/* Returns the share of the greatest of the three numbers that multiply x, y and z for a
+ * clip coordinate up to which another of them, and directions, may be rounding errors:
+ * 2^-18 of a given matrix of floats, or of at most 9 digits, else 2^-40. */
+static inline double projection_tolerance(const struct projection *p)
+{
+	return projection_is_given_matrix(p) && p->matrix_digits > 0 &&
+		p->matrix_digits <= 9 ?
+	    0x1p-18 :
+	    0x1p-40;
+}
 
 /* Returns whether the projection is a persp without near and far planes. */
 static inline bool projection_is_open(const struct projection *p)

@@ -276,7 +276,7 @@ static bool own_map(const struct camera *c, const struct convention *convention,
 		return map_of_steps(c, &c->steps, camera_steps_pointer(c),
 		    inverse != (c->way == CAMERA_POSE), c->way == CAMERA_POSE, r,
 		    faults);
-	if (c->way >= CAMERA_ROTATION)
+	if (camera_has_3x3(c))
 		return camera_rotation_map(c, inverse, r, faults);
 	if (!(c->way <= CAMERA_GAZE ? axes_of_gaze(c, convention, &axes, faults) :
 				      axes_of_rotation(c, by_rvec, &axes, faults)))

@@ -54,6 +54,18 @@ static inline bool camera_has_eye(const struct camera *c)
 	return c->way < CAMERA_TRANSLATION || c->way == CAMERA_ROTATION;
 }
 
+/* Returns whether a rotation or a matrix gives the directions, not a gaze and up. */
+static inline bool camera_is_turned(const struct camera *c)
+{
+	return c->way >= CAMERA_ORIENTATION;
+}
+
+/* Returns whether the 3x3 part is given, which need not be a rotation. */
+static inline bool camera_has_3x3(const struct camera *c)
+{
+	return c->way >= CAMERA_ROTATION;
+}
+
 /* Returns whether the axes are of the other handedness than view space. If a camera of
  * a right-handed world, say, has them, the world is left-handed. */
 bool camera_mirrors(const struct camera *, const struct convention *);

@@ -495,6 +495,130 @@ static void cameras_are_found_in_matrices(void **state)
 	assert_int_equal(tally[0], 0);
 }
 
+/* up and the gaze of a camera that turns are the images of view space's axes. */
+static void axes_are_nearest(void **state)
+{
+	struct scene s;
+	int n = 0;
+
+	(void)state;
+	SAMPLES(k, 400) {
+		int mark = real_mark();
+		const struct convention *c;
+		double gaze[3], up[3];
+		struct truth back;
+
+		sample_scene(&s, 0);
+		sample_answer(&s);
+		c = scene_answer_convention(&s);
+		if (camera_has_3x3(&s.camera) || !s.has_camera ||
+		    projection_is_given_matrix(&s.projection) ||
+		    projection_has_intrinsics(&s.projection) ||
+		    projection_family(&s.projection) == FAMILY_VOLUME ||
+		    s.projection.near > s.projection.far)
+			continue;
+		picture_axes(&s, gaze, up);
+		if (isnan(gaze[0]) || isnan(up[0]))
+			continue;
+		truth_scene(&s, SPACE_VIEW, SPACE_WORLD, &back);
+		for (int i = 0; i < 3; i++) {
+			const double y = c->view_y_down ? -1 : 1;
+			const struct sized one = sized_of(1);
+
+			assert_true(truth_verdict(up[i] * y, truth_element(&back, 1, i),
+					one, false) != WRONG);
+			assert_true(
+			    truth_verdict(gaze[i] * truth_gaze_sign(c),
+				truth_element(&back, 2, i), one, false) != WRONG);
+		}
+		n++;
+		real_release(mark);
+	}
+	assert_true(n > 40);
+}
+
+/* A matrix of floats is taken apart: near, far and the eye are those of the scene that
+ * it was made of, but for the errors of floats; and where far is lost to these, its
+ * range holds it. The same matrix of 17 digits would be tilted. */
+static void floats_are_taken_apart(void **state)
+{
+	static struct picture was, is;
+	struct scene s;
+	int n = 0, ranges = 0;
+
+	(void)state;
+	SAMPLES(k, 1500) {
+		struct projection *p = &s.projection;
+
+		sample_scene(&s, 0);
+		s.answer = NULL;
+		if (projection_family(p) != FAMILY_PERSP || projection_is_open(p) ||
+		    s.camera.way > CAMERA_RVEC || p->section.way == SECTION_INTRINSICS)
+			continue;
+		p->far = p->near * (k % 2 ? 1e5 : 30);
+		for (int i = 0; i < 3; i++) {
+			s.camera.eye[i] = sample_between(-9, 9) * p->near;
+			s.camera.at[i] = sample_between(-9, 9) * p->near;
+		}
+		if (!picture_of(&s, &was, NULL) || !was.has_scene || was.aspect > 4 ||
+		    was.aspect < 0.25 || was.taxonomy.fov[1] < 20 ||
+		    was.taxonomy.fov[1] > 120)
+			continue;
+		to_one_matrix(&s);
+		for (int i = 0; i < 16; i++)
+			p->matrix[i / 4][i % 4] = (double)(float)
+						      p->matrix[i / 4][i % 4];
+		p->matrix_digits = 9;
+		p->matrix_of_floats = true;
+		assert_true(picture_of(&s, &is, NULL));
+		if (!is.has_scene) /* far is behind the eye */
+			continue;
+		assert_true(fabs(is.near - was.near) <= 1e-3 * was.near);
+		for (int i = 0; i < 3; i++)
+			assert_true(fabs(is.scene.camera.eye[i] -
+					was.taxonomy.eye[i]) <= 1e-3 * was.near);
+		n++;
+		assert_true(is.residual <= 0x1p-18);
+		if ((is.notes >> NOTE_FAR_RANGE & 1) == 0) {
+			assert_true(fabs(is.far - was.far) <= 0.03 * was.far);
+			continue;
+		}
+		ranges++;
+		assert_true(is.far_range[0] <= was.far && was.far <= is.far_range[1]);
+	}
+	print_message("%d matrices of floats, %d ranges of far\n", n, ranges);
+	assert_true(n > 40 && ranges > 5);
+}
+
+/* A depth that grows across the picture is a rounding error up to 2^-18, or 2^-40, of
+ * how it grows along the gaze, and beyond an oblique plane. */
+static void tilts_have_a_tolerance(void **state)
+{
+	static struct picture r;
+
+	(void)state;
+	for (int digits = 8; digits <= 11; digits++)
+		for (int i = -1; i <= 1; i += 2) {
+			const double most = digits <= 9 ? 0x1p-18 : 0x1p-40;
+			const double tilt = 1.5 * most * (1 + i * 0x1p-10);
+			struct scene s = { .projection = { .type = PROJECTION_MATRIX,
+					       .without_camera = true,
+					       .matrix_digits = digits,
+					       .matrix = { { 1, 0, tilt, 0 },
+						   { 0, 1, 0, 0 }, { 0, 0, 1.5, 1 },
+						   { 0, 0, -1.5, 0 } } } };
+
+			assert_true(picture_of(&s, &r, NULL));
+			assert_int_equal(r.has_scene, i < 0);
+			assert_int_equal(r.notes >> NOTE_TILTED & 1, i > 0);
+			assert_int_equal(r.notes >> NOTE_RESIDUAL & 1,
+			    i < 0 && digits <= 9);
+			if (i < 0)
+				assert_true(
+				    fabs(r.residual - tilt / 1.5) <= 0x1p-50 * tilt);
+		}
+}
+
 /* A scene that is plain by its members has a picture without notes: as sampled, and as
  * one matrix with the camera, of which every second is mirrored. */
 static void plain_scenes_have_no_notes(void **state)
@@ -571,6 +695,9 @@ int main(void)
 		cmocka_unit_test(parameters_are_found_again),
 		cmocka_unit_test(cameras_are_found_in_matrices),
 		cmocka_unit_test(radians_are_kept),
+		cmocka_unit_test(axes_are_nearest),
+		cmocka_unit_test(floats_are_taken_apart),
+		cmocka_unit_test(tilts_have_a_tolerance),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT */
+#include "rigid.h"
+
+#include <math.h>
+
+#include "../exact/rotation.h"
+#include "note.h"
+
+/* Rows of the rotation from world to view space, and where it is. */
+struct frame {
+	struct sum row[3][3], eye[3], translation[3];
+};
+
+/* Finds the frame of the camera that a projection's matrix contains. The axes of view
+ * space are X, Y and D of *u, or the opposite of Y and D. The eye of a parallel
+ * projection is the origin of view space. */
+static void find_split_frame(const struct lens *l, const struct upright *u,
+    struct frame *f)
+{
+	const struct convention *c = scene_answer_convention(&l->scene);
+	const bool minus[3] = { false, c->view_y_down, convention_looks_back(c) };
+	const struct sum *const divisor = &l->to_world.divisor;
+
+	for (int k = 0; k < 3; k++) {
+		for (int i = 0; i < 3; i++)
+			f->row[k][i] = sum_snap_zero(sum_negated_if(minus[k],
+			    vec3_dot(l->to_view.m[i], u->axis[k])));
+		const struct sum length = vec3_length(f->row[k]);
+
+		for (int i = 0; i < 3; i++)
+			f->row[k][i] = sum_quotient(f->row[k][i], length);
+		f->eye[k] = l->parallel ?
+		    sum_quotient(l->to_world.m[3][k], *divisor) :
+		    sum_quotient(l->world_eye[k], l->world_eye[3]);
+	}
+	for (int k = 0; k < 3; k++)
+		f->translation[k] = sum_neg(vec3_dot(f->row[k], f->eye));
+}
+
+/* Finds the frame of the scene's camera. X is negated if the answer has the other
+ * handedness. Returns false if no rotation is the nearest. */
+static bool find_frame(const struct lens *l, struct frame *f)
+{
+	struct scene s = l->scene;
+	struct map out, back;
+
+	s.camera.orthonormalize = s.has_camera && camera_has_3x3(&s.camera);
+	s.known[SPACE_WORLD][false] = s.known[SPACE_WORLD][true] = NULL;
+	if (!scene_map_factor(&s, SPACE_WORLD, SPACE_VIEW, &out, NULL) ||
+	    !scene_map_factor(&s, SPACE_VIEW, SPACE_WORLD, &back, NULL))
+		return false;
+	for (int k = 0; k < 3; k++) {
+		const bool minus = l->mirrors && k == 0;
+
+		for (int i = 0; i < 3; i++)
+			f->row[k][i] = sum_negated_if(minus, map_element(&out, i, k));
+		f->translation[k] = sum_negated_if(minus, map_element(&out, 3, k));
+		f->eye[k] = map_element(&back, 3, k);
+	}
+	return true;
+}
+
+/* Sets the rotation vector of R, whose inverse has the unit quaternion q. Its angle is
+ * 2 atan2(|v|, w), where v has x, y and z. At pi both signs are R. */
+static void set_rvec(const struct sum q[4], double rvec[3])
+{
+	const struct sum length = vec3_length(q);
+	const bool half_turn = sum_sign(q[3]) == 0;
+
+	if (sum_sign(length) == 0) {
+		rvec[0] = rvec[1] = rvec[2] = 0;
+		return;
+	}
+	const struct sum angle = sum_scale(trig_angle(length, q[3], ANGLE_RADIANS), 2);
+
+	for (int k = 0; k < 3; k++)
+		rvec[k] = sum_ratio_or_nan(sum_mul(sum_negated_if(!half_turn, q[k]),
+					       angle),
+		    length);
+}
+
+void rigid_of(const struct lens *l, const struct upright *u, struct rigid *r)
+{
+	const struct scene *s = &l->scene;
+	const bool split = !s->has_camera && projection_is_given_matrix(&s->projection);
+	struct sum to_world[3][3], q[4];
+	struct frame f;
+
+	r->exists = !(s->has_camera && note_is_no_rotation(&s->camera));
+	if (r->exists && split)
+		find_split_frame(l, u, &f);
+	else if (r->exists)
+		r->exists = find_frame(l, &f);
+	if (!r->exists)
+		return;
+	for (int k = 0; k < 3; k++) {
+		for (int i = 0; i < 3; i++) {
+			r->rotation[k][i] = sum_double(f.row[k][i]);
+			sum_copy(&to_world[i][k], &f.row[k][i]);
+		}
+		r->eye[k] = sum_ratio_or_nan(f.eye[k], sum_one);
+		r->translation[k] = sum_ratio_or_nan(f.translation[k], sum_one);
+	}
+	rotation_quaternion(to_world, q);
+	for (int k = 0; k < 4; k++)
+		r->orientation[k] = sum_double(q[k]);
+	set_rvec(q, r->rvec);
+}
