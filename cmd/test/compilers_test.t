@@ -37,7 +37,7 @@ sub keeps_subnormals {
 	my $scene = '{"camera": {"eye": [0,0,0], "gaze": [0,0,1]}}';
 	for my $precision (qw(exact double)) {
 		is(scalar(`printf '5e-324 1e-310 1\n%.0s' 1 2 3 |
-		    $build/projcalc project -j2 -p $precision --to view '$scene'`),
+		    $build/projcalc project -q -j2 -p $precision --to view '$scene'`),
 		    "5e-324 1e-310 1\n" x 3, "subnormals, $precision");
 	}
 	unlink "$build/projcalc";

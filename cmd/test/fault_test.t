@@ -60,7 +60,7 @@ my $project = 'projcalc project scene.json';
 
 my @commands = (
 	'projcalc lookat scene.json', 'projcalc help',
-	'projcalc persp -o json \'{"type":"persp","fovy":60,"aspect":1,' .
+	'projcalc persp -c d3d -o json \'{"type":"persp","fovy":60,"aspect":1,' .
 	    '"near":1,"far":10}\'',
 	'projcalc project points.json', "$project -j1 $tmp/few", "$project -j2 $tmp/points",
 	"$project -j2 -i csv -o json --flags $tmp/points.csv",
@@ -327,7 +327,7 @@ for (["$project -j1 -", $whole], ["$project -j2 -", $whole],
 my $long = "$tmp/" . './' x 1900 . 'points.csv';
 spew($long, "0,0,-9\n");
 is((run("projcalc project -i csv scene.json $long >/dev/null"))[2],
-    "projcalc: 1 point has no image: $long:1\n", 'a long name');
+    "projcalc: 1 point is behind the camera and has no image: $long:1\n", 'a long name');
 
 # Returns the peak of a command's resident memory in kilobytes, read while the command
 # runs, for which its input is long enough. Returns 1e9 if its exit status is not $end.

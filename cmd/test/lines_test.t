@@ -139,7 +139,7 @@ sub list_of {
 	return $s . element() . "\n]\n";
 }
 
-my $scene = '{"camera":{"eye":[1,2,-5],"at":[0.1,0.2,0.3]},' .
+my $scene = '{"convention":"d3d","camera":{"eye":[1,2,-5],"at":[0.1,0.2,0.3]},' .
     '"projection":{"type":"persp","fovy":60,"near":1,"far":10},' .
     '"viewport":{"width":640,"height":480}}';
 my $window = '{"center":[0,0],"width":3,"height":2}';

@@ -29,7 +29,8 @@ sub camera { {eye => [@_], at => [0, 0, 0]} }
 sub imageless {
 	my ($said) = @_;
 	my ($n, $where) = (0, '');
-	while ($said =~ s/^projcalc: (\d+) points? ha(?:s|ve) no image(?:: |, the first in )(.*)\n//m) {
+	my $behind = qr/(?:(?:is|are) behind the camera and )?/;
+	while ($said =~ s/^projcalc: (\d+) points? ${behind}ha(?:s|ve) no image(?:: |, the first in )(.*)\n//m) {
 		$n += $1;
 		$where ||= $2;
 	}
@@ -84,7 +85,7 @@ same('behind', 'project', "'[[0,0,-9],[0,0,0]]'", @path);
 same('typed', 'project --flags', "'[[0,0,0],[1,1,1]]'", @path);
 same('a matrix', 'project -m -o f64', '', @path);
 same('bare cameras', 'lookat -c gl', '', @bare);
-same('bare projections', 'persp -o json', '', @lens);
+same('bare projections', 'persp -c d3d -o json', '', @lens);
 same('trace', 'trace', "inputs/three-points.txt '[[1,2,3]]'", @path);
 same('trace, points of their own', 'trace -o json', '', @own);
 same('pick', 'pick --at 320,240 --radius 90', 'teapot.xyz', @path);
@@ -101,7 +102,7 @@ my @windows = map { {window => {center => [$_, 0], width => 2, height => 2},
 same('edges', 'w2d --flags', "'[[1,2],[0.5,0]]'", @windows);
 same('inspect windows', 'inspect', '', @windows);
 same('fit windows', 'fit', "'[[1,2],[4,4]]'", @windows);
-same('fit either', 'fit', '', map { {%{$windows[$_]}, $_ == 1 ?
+same('fit either', 'fit -c d3d', '', map { {%{$windows[$_]}, $_ == 1 ?
     (projection => {type => 'ortho'}, points => [[1, 2, 3], [4, 4, 4]]) :
     (points => [[1, 2], [3, $_]])} } 0 .. 2);
 
