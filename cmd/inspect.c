@@ -275,8 +275,7 @@ bool run_inspect(const struct options *o, struct document *d, struct job *j)
 	if (d->flat && (o->tolerance.n > 0 || o->distances.n > 0 || o->textbook))
 		return document_refuse(d, "/projection", "missing",
 		    "-t, --distances and --textbook are about the errors and the depth "
-		    "of "
-		    "a projection, not of a window");
+		    "of a projection, not of a window");
 	put_open(&p, "{");
 	if (!(d->flat ? put_window(&p, d) : put_projection(&p, d, o)))
 		return false;

@@ -118,8 +118,9 @@ static const char *const needs_convention[] = {
 	[CAMERA_MATRIX] = "matrix",
 };
 
-/* Returns whether a camera's matrix or steps have a matrix of four rows of four numbers
- * without "vectors", so that only a convention says which vectors its rows are for. */
+/* Returns whether a world, or a camera's matrix or steps, have a matrix of four rows of
+ * four numbers without "vectors", so that only a convention says which vectors its rows
+ * are for. */
 static bool has_bare_rows(const struct value *v)
 {
 	struct value e = value_child(v);
@@ -129,7 +130,7 @@ static bool has_bare_rows(const struct value *v)
 	if (value_is(v, JSON_OBJECT) && has_member(v, step_members, "vectors"))
 		return false;
 	for (; e.item != NULL; value_next(&e))
-		if (has_bare_rows(&e))
+		if (!(e.name != NULL && *e.name == '_') && has_bare_rows(&e))
 			return true;
 	return false;
 }

@@ -37,26 +37,65 @@ static void find_split_frame(const struct lens *l, const struct upright *u,
 		f->translation[k] = sum_neg(vec3_dot(f->row[k], f->eye));
 }
 
+/* Sets c to -(a v), of rows or, if `transposed`, of columns. */
+static void set_opposite(const struct sum a[3][3], const struct sum v[3],
+    bool transposed, struct sum c[3])
+{
+	for (int k = 0; k < 3; k++) {
+		const struct sum column[3] = { a[0][k], a[1][k], a[2][k] };
+
+		c[k] = sum_neg(vec3_dot(transposed ? column : a[k], v));
+	}
+}
+
+/* Finds the frame of the rotation nearest to the camera's 3x3 part. A pose is a map
+ * from view to world space, and keeps its eye; others keep their translation. */
+static bool find_nearest_frame(const struct lens *l, struct frame *f)
+{
+	struct scene s = l->scene;
+	const bool is_pose = s.camera.way == CAMERA_POSE;
+	struct map m;
+
+	s.camera.orthonormalize = true;
+	s.known[SPACE_WORLD][false] = s.known[SPACE_WORLD][true] = NULL;
+	if (!scene_map_factor(&s, is_pose ? SPACE_VIEW : SPACE_WORLD,
+		is_pose ? SPACE_WORLD : SPACE_VIEW, &m, NULL))
+		return false;
+	for (int k = 0; k < 3; k++) {
+		for (int i = 0; i < 3; i++)
+			f->row[k][i] = map_element(&m, is_pose ? k : i,
+			    is_pose ? i : k);
+		(is_pose ? f->eye : f->translation)[k] = map_element(&m, 3, k);
+	}
+	if (is_pose)
+		set_opposite(f->row, f->eye, false, f->translation);
+	else
+		set_opposite(f->row, f->translation, true, f->eye);
+	for (int k = 0; k < 3 && camera_has_eye(&s.camera); k++)
+		sum_set(&f->eye[k], s.camera.eye[k]);
+	return true;
+}
+
 /* Finds the frame of the scene's camera. X is negated if the answer has the other
  * handedness. Returns false if no rotation is the nearest. */
 static bool find_frame(const struct lens *l, struct frame *f)
 {
-	struct scene s = l->scene;
-	struct map out, back;
+	const struct scene *s = &l->scene;
 
-	s.camera.orthonormalize = s.has_camera && camera_has_3x3(&s.camera);
-	s.known[SPACE_WORLD][false] = s.known[SPACE_WORLD][true] = NULL;
-	if (!scene_map_factor(&s, SPACE_WORLD, SPACE_VIEW, &out, NULL) ||
-	    !scene_map_factor(&s, SPACE_VIEW, SPACE_WORLD, &back, NULL))
-		return false;
-	for (int k = 0; k < 3; k++) {
-		const bool minus = l->mirrors && k == 0;
-
-		for (int i = 0; i < 3; i++)
-			f->row[k][i] = sum_negated_if(minus, map_element(&out, i, k));
-		f->translation[k] = sum_negated_if(minus, map_element(&out, 3, k));
-		f->eye[k] = map_element(&back, 3, k);
+	if (s->has_camera && camera_has_3x3(&s->camera)) {
+		if (!find_nearest_frame(l, f))
+			return false;
+	} else {
+		for (int i = 0; i < 9; i++)
+			f->row[i / 3][i % 3] = map_element(&l->to_view, i % 3, i / 3);
+		for (int k = 0; k < 3; k++) {
+			f->translation[k] = map_element(&l->to_view, 3, k);
+			f->eye[k] = map_element(&l->to_world, 3, k);
+		}
 	}
+	for (int i = 0; i < 3; i++)
+		f->row[0][i] = sum_negated_if(l->mirrors, f->row[0][i]);
+	f->translation[0] = sum_negated_if(l->mirrors, f->translation[0]);
 	return true;
 }
 
