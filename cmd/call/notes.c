@@ -42,8 +42,8 @@ const struct note_row note_rows[NOTES] = {
 	[NOTE_CONVENTION] = { "",
 	    "no convention is named: d3d (left-handed, row vectors) is assumed", NULL },
 	[NOTE_ROTATION] = { "/camera",
-	    "its numbers are no rotation: an element of R times its transpose is "
-	    "off by more than 1e-2, or the determinant is negative",
+	    "the camera's 3x3 part R is no rotation: an element of R times its "
+	    "transpose is off by more than 1e-2, or the determinant is negative",
 	    "look for a slip, or say \"orthonormalize\": true where the "
 	    "determinant is positive" },
 	[NOTE_MATRIX_RADIANS] = { "/projection/matrix",
@@ -103,11 +103,18 @@ unsigned notes_of_document(const struct document *d, unsigned of_picture)
 	return notes;
 }
 
+/* Returns the pointer to the member that a note is about. */
+static const char *note_pointer(const struct document *d, enum note note)
+{
+	return note == NOTE_ROTATION ? camera_3x3_pointer(&d->scene.camera) :
+				       note_rows[note].pointer;
+}
+
 void notes_say(const struct document *d, unsigned notes)
 {
 	for (unsigned i = 0; i < NOTES_PRINTED; i++)
 		if ((notes >> i & 1) != 0 && note_is_new(i))
-			document_note(d, note_rows[i].pointer, note_rows[i].what,
+			document_note(d, note_pointer(d, i), note_rows[i].what,
 			    note_rows[i].remedy);
 }
 

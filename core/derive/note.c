@@ -253,6 +253,12 @@ bool note_principal_point_is_inside(double coordinate, double viewport_size)
 	return 0.01 * viewport_size < coordinate && coordinate < 0.99 * viewport_size;
 }
 
+bool note_has_central_intrinsics(const struct projection_section *c)
+{
+	return note_principal_point_is_inside(c->intrinsics[0][2], c->width) &&
+	    note_principal_point_is_inside(c->intrinsics[1][2], c->height);
+}
+
 unsigned note_of_members(const struct scene *s, const struct written *w)
 {
 	return (unsigned)(s->has_camera && note_is_no_rotation(&s->camera))
@@ -323,9 +329,5 @@ bool note_is_plain(const struct scene *s)
 	    (!projection_has_intrinsics(p) ||
 		(!projection_is_tilted(p) && c->intrinsics[0][0] > 0 &&
 		    c->intrinsics[1][1] > 0 &&
-		    (!note_judges_center(s) ||
-			(note_principal_point_is_inside(c->intrinsics[0][2],
-			     c->width) &&
-			    note_principal_point_is_inside(c->intrinsics[1][2],
-				c->height)))));
+		    (!note_judges_center(s) || note_has_central_intrinsics(c))));
 }

@@ -60,6 +60,10 @@ bool note_judges_center(const struct scene *);
  * viewport's width or height. */
 bool note_principal_point_is_inside(double coordinate, double viewport_size);
 
+/* Returns whether the principal point of intrinsics, as given, is inside of the picture
+ * that they are for. */
+bool note_has_central_intrinsics(const struct projection_section *);
+
 /* Returns whether the camera is given by numbers, before axes and in either direction,
  * that are no rotation by far, which NOTE_ROTATION tells. */
 bool note_is_no_rotation(const struct camera *);

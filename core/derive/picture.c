@@ -230,7 +230,8 @@ static void set_projection(const struct lens *l, const struct upright *u,
 }
 
 /* Returns whether the principal point is at the edge of the full picture or outside.
- * With another origin both sides change places. */
+ * With another origin both sides change places. A command that prints no device has
+ * taken the viewport away; then the members tell, but not those of a tilted P. */
 static bool is_off_center(const struct scene *s, const struct picture *r)
 {
 	const struct viewport *v = &s->viewport;
@@ -240,6 +241,9 @@ static bool is_off_center(const struct scene *s, const struct picture *r)
 
 	if (!note_judges_center(s))
 		return false;
+	if (!s->has_viewport)
+		return !projection_is_tilted(&s->projection) &&
+		    !note_has_central_intrinsics(&s->projection.section);
 	viewport_full(v, full);
 	for (int k = 0; k < 2; k++) {
 		const double offset = v->has_offset ? v->offset[k] : 0;
@@ -280,8 +284,8 @@ static struct facts facts_of(const struct lens *l, const struct upright *u,
 	    (f.mirrored || l->scene.has_camera);
 	f.reverse = volume && r->taxonomy.taxon == TAXON_REVERSE;
 	f.free = volume && !l->scene.has_camera;
-	f.behind = true;
-	/* a corner is nan if it is at infinity or behind the eye */
+	/* a corner is nan if it is at infinity or behind the eye, or without planes */
+	f.behind = !projection_is_open(&l->scene.projection);
 	for (int i = 0; i < 8; i++)
 		f.behind &= isnan(r->taxonomy.corner[i][0]);
 	return f;
@@ -449,33 +453,30 @@ static unsigned note_of_digits(const struct lens *l, const struct upright *u,
 }
 
 static void set_parameters(const struct scene *s, const struct lens *l,
-    struct picture *r)
+    const struct upright *u, struct picture *r)
 {
-	struct upright u;
-
 	set_frustum_planes(l, r->frustum_plane);
-	upright_of(l, &u);
-	lens_world_axis(l, u.axis[1], r->up);
+	lens_world_axis(l, u->axis[1], r->up);
 	depth_of(l, &r->depth);
 	r->reverse_z = l->reversed;
-	if (!u.tilted) {
+	if (!u->tilted) {
 		r->near = depth_distance(&r->depth, false);
 		r->far = depth_distance(&r->depth, true);
 	}
-	set_near_edges(l, &u, r);
+	set_near_edges(l, u, r);
 	if (s->has_viewport && !l->parallel)
-		set_intrinsics(l, &u, r->intrinsics);
-	r->notes = notes_of(l, &u, r, false);
+		set_intrinsics(l, u, r->intrinsics);
+	r->notes = notes_of(l, u, r, false);
 	r->scene = *s;
 	r->scene.answer = NULL;
 	r->scene.viewport.has_full = r->scene.viewport.has_offset = false;
 	r->scene.convention = *scene_answer_convention(s);
 	r->has_scene = r->notes >> NOTES_WITH_SCENE == 0;
 	if (r->has_scene) {
-		set_projection(l, &u, r);
-		set_camera(l, &u, r);
+		set_projection(l, u, r);
+		set_camera(l, u, r);
 		r->has_scene = scene_is_valid(&r->scene);
-		r->notes |= r->has_scene ? note_of_digits(l, &u, r) :
+		r->notes |= r->has_scene ? note_of_digits(l, u, r) :
 					   1u << NOTE_OUT_OF_RANGE;
 	}
 	if (r->has_scene || !projection_is_given_matrix(&s->projection) ||
@@ -483,30 +484,32 @@ static void set_parameters(const struct scene *s, const struct lens *l,
 		return;
 	const unsigned null = r->notes >> NOTES_WITH_SCENE << NOTES_WITH_SCENE;
 
-	r->notes = notes_of(l, &u, r, true);
+	r->notes = notes_of(l, u, r, true);
 	r->notes |= r->notes >> NOTES_WITH_SCENE == 0 ? null : 0;
 }
 
 /* Sets all members of the picture but rigid and error_bound. */
-static bool describe(const struct scene *s, struct lens *l, struct picture *p,
-    struct refusals *faults)
+static bool describe(const struct scene *s, struct lens *l, struct upright *u,
+    struct picture *p, struct refusals *faults)
 {
 	if (!lens_of(s, l, faults))
 		return false;
+	upright_of(l, u);
 	/* a double whose bits are all 1 is nan */
 	memset(p, 0xff, offsetof(struct picture, notes));
 	taxonomy_of(l, &p->taxonomy);
-	set_parameters(s, l, p);
+	set_parameters(s, l, u, p);
 	return true;
 }
 
 /* static: too large for a stack of 256 KB. Only one thread describes pictures. */
 static struct lens lens;
+static struct upright upright;
 
 unsigned picture_notes(const struct scene *s)
 {
 	struct picture p;
-	const bool described = describe(s, &lens, &p, NULL);
+	const bool described = describe(s, &lens, &upright, &p, NULL);
 	const bool wide = ex_has_overflowed(); /* by a product that no image needs */
 
 	return described && !wide ?
@@ -517,7 +520,8 @@ unsigned picture_notes(const struct scene *s)
 void picture_axes(const struct scene *s, double gaze[3], double up[3])
 {
 	static struct picture p;
-	const bool described = describe(s, &lens, &p, NULL) && !ex_has_overflowed();
+	const bool described = describe(s, &lens, &upright, &p, NULL) &&
+	    !ex_has_overflowed();
 
 	for (int k = 0; k < 3; k++) {
 		gaze[k] = described ? p.taxonomy.gaze[k] : (double)NAN;
@@ -527,11 +531,8 @@ void picture_axes(const struct scene *s, double gaze[3], double up[3])
 
 bool picture_of(const struct scene *s, struct picture *p, struct refusals *faults)
 {
-	struct upright u;
-
-	if (!describe(s, &lens, p, faults))
+	if (!describe(s, &lens, &upright, p, faults))
 		return false;
-	upright_of(&lens, &u);
-	rigid_of(&lens, &u, &p->rigid);
+	rigid_of(&lens, &upright, &p->rigid);
 	return error_bound_of(&lens, p->error_bound, faults);
 }

@@ -182,9 +182,11 @@ static void append_axes(const struct camera *c, const struct convention *convent
 	}
 }
 
-const char *camera_steps_pointer(const struct camera *c)
+const char *camera_3x3_pointer(const struct camera *c)
 {
-	return c->way == CAMERA_POSE ? "/camera/pose" : "/camera/matrix";
+	return c->way == CAMERA_POSE ? "/camera/pose" :
+	    c->way == CAMERA_MATRIX  ? "/camera/matrix" :
+				       "/camera/rotation";
 }
 
 /* Replaces the upper 3x3 of an affine map by the nearest rotation or, if `inverts`, the
@@ -246,7 +248,7 @@ static bool camera_rotation_map(const struct camera *c, bool inverse, struct map
 		s.matrix[i / 3][i % 3] = c->rotation[i % 3][i / 3];
 	for (int k = 0; k < 3 && !by_eye; k++)
 		s.matrix[3][k] = c->eye[k];
-	if (!map_of_steps(c, &s, "/camera/rotation", inverse, true, r, faults))
+	if (!map_of_steps(c, &s, camera_3x3_pointer(c), inverse, true, r, faults))
 		return false;
 	for (int k = 0; k < 3; k++)
 		sum_set(&minus[k], -c->eye[k]);
@@ -272,7 +274,7 @@ static bool own_map(const struct camera *c, const struct convention *convention,
 	struct axes axes;
 
 	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
-		return map_of_steps(c, &c->steps, camera_steps_pointer(c),
+		return map_of_steps(c, &c->steps, camera_3x3_pointer(c),
 		    inverse != (c->way == CAMERA_POSE), c->way == CAMERA_POSE, r,
 		    faults);
 	if (camera_has_3x3(c))

@@ -80,5 +80,5 @@ bool camera_mirrors(const struct camera *, const struct convention *);
 bool camera_map(const struct camera *, const struct convention *, bool inverse,
     struct map *, struct refusals *faults);
 
-/* Returns the pointer to the member that the camera's steps are given by. */
-const char *camera_steps_pointer(const struct camera *);
+/* Returns the pointer to the member that gives the camera's 3x3 part. */
+const char *camera_3x3_pointer(const struct camera *);

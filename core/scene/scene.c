@@ -137,7 +137,7 @@ static const char *product_pointer(const struct scene *s, bool flat, bool *of_st
 	*of_steps = !flat && (world || camera);
 	return flat ? "/window" :
 	    world   ? "/world" :
-	    camera  ? camera_steps_pointer(&s->camera) :
+	    camera  ? camera_3x3_pointer(&s->camera) :
 		      "/projection";
 }
 
