@@ -133,7 +133,7 @@ same('large scenes', 'project', '', @large);
 ok("@first" eq "@second" && length $second[1] > 1e6, 'and from a pipe');
 
 # A scene is answered before the next arrives.
-my $pid = open2(my $from, my $to, "$build/projcalc", 'lookat', '--scenes', '-',
+my $pid = open2(my $from, my $to, "$build/projcalc", 'lookat', '-q', '--scenes', '-',
     '[[0,0,1]]');
 $to->autoflush;
 alarm 60;
