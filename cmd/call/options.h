@@ -34,7 +34,7 @@ struct options {
 	struct number_list tolerance, distances;
 	bool has_from, has_to;
 	enum space from, to;
-	bool homogeneous, matrix, unit_w, textbook, ray, append, flags, visible,
+	bool homogeneous, matrix, unit_w, textbook, ray, append, flags, visible, lines,
 	    keep_going, progress, quiet;
 	struct number_list jobs, pick_at, plane, radius;
 	/* the name of a given option that is for points only; or NULL */

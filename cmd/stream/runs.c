@@ -176,11 +176,15 @@ static void runs_collect_chunk(const struct job *j, const struct chunk *c)
 	}
 	if (c->piece.state >= PIECE_LAST)
 		end_run(r);
+	r->flush(r->data);
 }
 
 static void runs_flush(const struct job *j)
 {
-	end_run(j->data);
+	struct run_reader *r = j->data;
+
+	end_run(r);
+	r->flush(r->data);
 }
 
 void runs_prepare(struct run_reader *r, struct job *j)

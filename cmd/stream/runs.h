@@ -25,6 +25,8 @@ struct run {
 
 struct run_reader {
 	void (*take)(void *data, const struct run *); /* gets each run */
+	/* is called after the runs of each piece of input, before more is waited for */
+	void (*flush)(void *data);
 	void *data;
 	bool names;
 	/* the run so far: the reader's own, zero at first */
