@@ -101,7 +101,7 @@ objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 programs = $(basename $(call objects,$1))
 CORE = $(call objects,$(addprefix core/,refusal exact projection scene points \
 	points/kernel derive))
-PROGRAM = $(CORE) $(call objects,cmd $(addprefix cmd/,call message json scene \
+PROGRAM = $(CORE) $(call objects,cmd $(addprefix cmd/,call draw message json scene \
 	table stream number number/vector))
 BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
 TRUTH = $(filter-out %_test.o,$(call objects,core/test))

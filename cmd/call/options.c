@@ -158,6 +158,8 @@ void options_read(struct options *o, char **words)
 		o->in = o->has_separator ? FORMAT_CSV : FORMAT_SNIFF;
 	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
 		check_output(o);
+	if (o->command->kind == COMMAND_DRAW)
+		o->has_out = true; /* inputs may have several formats */
 	if (o->lines)
 		check_lines(o);
 	if (o->decimals.n > 0 && o->digits.n > 0)
