@@ -95,7 +95,7 @@ LIBS = $(CJSON_LIBS) -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
 # The program consists of all files in the folders of CORE and PROGRAM. The other
-# folders test, study, measure and show the program.
+# folders test, study and measure the program.
 objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
@@ -229,9 +229,10 @@ prove: ## each bound that core claims, checked by machine
 	@prove -Q core/proof/proof_test.t cmd/test/digits_test.t :: all
 demo: | $(FIRST) ## the Utah teapot, seen in a terminal
 	@+$(PARALLEL) all
-	@sh cmd/demo/demo.sh $(BUILD)
-views: all ## the teapot in four views, as an SVG
-	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
+	@$(BUILD)/projcalc draw testdata/demo.json testdata/teapot.obj
+views: all ## draw the pictures of README again
+	cat testdata/views/*.json | $(BUILD)/projcalc draw --scenes - \
+	    testdata/teapot.obj >testdata/charts/views.svg
 
 html: ## the manual and the charts as pages for a browser, build/html
 	@mkdir -p $(BUILD)/html

@@ -78,9 +78,9 @@ static void fill(struct raster *r, const struct face *f)
 		row_of_face(r, f, at, &low, &high);
 		const int end = clamp(ceil(high * r->scale - 0.5), r->width);
 
-		for (int x = clamp(ceil(low * r->scale - 0.5), r->width); x < end; x++) {
-			const float z =
-			    (float)plane_z(r, f, (x + 0.5) / r->scale, at);
+		for (int x = clamp(ceil(low * r->scale - 0.5), r->width); x < end;
+		     x++) {
+			const float z = (float)plane_z(r, f, (x + 0.5) / r->scale, at);
 			struct cell *c = cell_at(r, x, y);
 
 			if (c->face == NULL || z < c->z) {
@@ -185,7 +185,8 @@ static bool is_set(const struct raster *r, int x, int y)
 	if (c->face == NULL || c->ink)
 		return c->ink;
 	/* the power darkens what has little light, so that hollows stand out */
-	return 1.2 * pow((double)c->face->light, 2.5) > (order[y % 4][x % 4] + 0.5) / 16 ||
+	return 1.2 * pow((double)c->face->light, 2.5) >
+	    (order[y % 4][x % 4] + 0.5) / 16 ||
 	    is_outline(r, x, y, x - 1, y) || is_outline(r, x, y, x + 1, y) ||
 	    is_outline(r, x, y, x, y - 1) || is_outline(r, x, y, x, y + 1);
 }
@@ -247,7 +248,8 @@ void braille_print(const struct picture *p, int columns)
 	r.scale = fmin(r.width / p->width, 4 * ROWS_MAX / p->height);
 	const size_t dots = (size_t)r.width * (size_t)r.height;
 
-	r.cell = memset(xrealloc(NULL, dots * sizeof *r.cell), 0, dots * sizeof *r.cell);
+	r.cell = memset(xrealloc(NULL, dots * sizeof *r.cell), 0,
+	    dots * sizeof *r.cell);
 	r.name = memset(xrealloc(NULL, dots / 8 * sizeof *r.name), 0,
 	    dots / 8 * sizeof *r.name);
 	draw_items(&r);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The command draw: reads geometry as a mesh, clips it to a picture, and prints that. */
+/* The command draw: reads geometry, clips it to a picture, and prints that. */
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,8 +38,8 @@ void check_draw(const struct options *o)
 	if (o->has_from && o->from > SPACE_VIEW)
 		die(EXIT_USAGE, "draw: --from is model, world or view", NULL);
 	if (o->background != NULL && !input_check(o->background))
-		die(EXIT_USAGE, text("--background: there is no file %s", o->background),
-		    NULL);
+		die(EXIT_USAGE,
+		    text("--background: there is no file %s", o->background), NULL);
 }
 
 static void take_run(void *data, const struct run *run)
@@ -54,7 +55,8 @@ static void take_run(void *data, const struct run *run)
 		unsigned size = p->name_size;
 		const char *name = size > 0 ? run->names + p->name : "";
 
-		if (size > 1 && *name == '"' && name[size - 1] == '"') {
+		if (size > 1 && *name == '"' &&
+		    memchr(name + 1, '"', size - 1) == name + size - 1) {
 			name++;
 			size -= 2;
 		}
@@ -183,7 +185,7 @@ static void add_cut_side(struct drawing *w, const double from[3], const double t
 
 struct cut_face {
 	struct drawing *drawing;
-	size_t first;            /* of its corners in the picture */
+	size_t first;               /* of its corners in the picture */
 	unsigned first_on, last_on; /* the planes that they are on */
 };
 
@@ -250,8 +252,7 @@ static void add_triangle(struct drawing *w, const struct mesh_triangle *t)
 			    t->corner[i], w->outside[t->corner[i]]);
 		clip_ring_end(&w->ring);
 		if (p->corners > f.first + 1 && (f.first_on & f.last_on) != 0)
-			add_cut_side(w, p->corner[p->corners - 1],
-			    p->corner[f.first]);
+			add_cut_side(w, p->corner[p->corners - 1], p->corner[f.first]);
 	}
 	if (p->corners < f.first + 3) {
 		p->corners = f.first;
@@ -333,13 +334,24 @@ static bool refuse_what_cannot_be(const struct options *o, struct document *d)
 	if (!d->flat)
 		return true;
 	if (!d->scene.has_device || !d->scene.has_window)
-		return document_refuse(d,
-		    d->scene.has_device ? "/window" : "/device", "missing",
+		return document_refuse(d, d->scene.has_device ? "/window" : "/device",
+		    "missing",
 		    "a picture of two dimensions needs \"window\" and \"device\"");
 	d->is_usage = o->has_from;
 	return !o->has_from ||
 	    document_refuse(d, NULL, "--from is for scenes of three dimensions",
 		"leave it out");
+}
+
+/* Notes that there is nothing to see, but points. */
+static void note_empty(const struct drawing *w, const struct document *d)
+{
+	const struct picture *p = &w->picture;
+
+	if (!message_state.quiet && w->mesh.points > 0 &&
+	    p->segments + p->dots + p->faces == 0)
+		document_note(d, "", "nothing is in the picture",
+		    "'trace' says which planes points are outside of");
 }
 
 static void print_picture(struct drawing *w, bool text)
@@ -393,7 +405,8 @@ bool run_draw(const struct options *o, struct document *d, struct job *j)
 	j->from = d->flat ? NULL : space_names[from];
 	if (!d->flat)
 		notes_say_of_spaces(d, from, SPACE_DEVICE);
-	bool good = operands_run_job(o, d, from, d->flat ? FLAT_DEVICE : SPACE_DEVICE, j);
+	bool good = operands_run_job(o, d, from, d->flat ? FLAT_DEVICE : SPACE_DEVICE,
+	    j);
 
 	if (good) {
 		map_vertices(&w, j, text && !d->flat ? &view : NULL);
@@ -401,8 +414,10 @@ bool run_draw(const struct options *o, struct document *d, struct job *j)
 		good = !ex_has_overflowed() ||
 		    document_refuse(d, NULL, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
 	}
-	if (good)
+	if (good) {
+		note_empty(&w, d);
 		print_picture(&w, text);
+	}
 	picture_free(&w.picture);
 	mesh_free(&w.mesh);
 	free(w.position);

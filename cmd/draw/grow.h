@@ -18,4 +18,5 @@ static inline void *array_grow(void *array, size_t *room, size_t n, size_t more,
 }
 
 /* GROW(a, n, more, room) makes room for n + more elements in the array a. */
-#define GROW(a, n, more, room) ((a) = array_grow((a), &(room), (n), (more), sizeof *(a)))
+#define GROW(a, n, more, room) \
+	((a) = array_grow((a), &(room), (n), (more), sizeof *(a)))

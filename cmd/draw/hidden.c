@@ -94,12 +94,14 @@ static void node_hold(struct node *node, const double low[3], const double high[
 }
 
 /* Adds the node of n faces from `first` on, and those below it. */
-static void tree_add(struct tree *t, const struct picture *p, unsigned first, unsigned n)
+static void tree_add(struct tree *t, const struct picture *p, unsigned first,
+    unsigned n)
 {
 	struct node *node = &t->node[t->nodes++], *half[2];
 
 	*node = (struct node){ .low = { INFINITY, INFINITY, INFINITY },
-		.high = { -INFINITY, -INFINITY, -INFINITY }, .first = first };
+		.high = { -INFINITY, -INFINITY, -INFINITY },
+		.first = first };
 	if (n <= LEAF_FACES) {
 		node->count = n;
 		for (unsigned i = first; i < first + n; i++)
@@ -191,7 +193,7 @@ static void hide_by(const struct picture *p, const struct face *f,
 	hidden.v[hidden.n++] = (struct interval){ from, to };
 }
 
-/* Returns whether a face of the node may be in front of the segment, whose box it is. */
+/* Returns whether a face of the node may be in front of the segment in this box. */
 static bool node_meets(const struct node *n, const struct segment *s,
     const double low[3], const double high[3])
 {
@@ -205,7 +207,7 @@ static bool node_meets(const struct node *n, const struct segment *s,
 
 	return fabs(dx * y - dy * x) <=
 	    fabs(dx) * ((n->high[1] - n->low[1]) / 2 + seam) +
-		fabs(dy) * ((n->high[0] - n->low[0]) / 2 + seam);
+	    fabs(dy) * ((n->high[0] - n->low[0]) / 2 + seam);
 }
 
 static int compare_intervals(const void *a, const void *b)
@@ -216,8 +218,7 @@ static int compare_intervals(const void *a, const void *b)
 }
 
 /* Finds the hidden parts of a segment, in order. Stops at a face that hides all. */
-static void hide(const struct picture *p, const struct tree *t,
-    const struct segment *s)
+static void hide(const struct picture *p, const struct tree *t, const struct segment *s)
 {
 	double low[3], high[3];
 

@@ -13,7 +13,8 @@ enum stroke { STROKE_EDGE, STROKE_LINE };
 
 struct mesh_dot {
 	unsigned vertex, name_size;
-	size_t name; /* what stands beside it: name_size bytes from here on in `names` */
+	size_t
+	    name; /* what stands beside it: name_size bytes from here on in `names` */
 };
 
 struct mesh_segment {

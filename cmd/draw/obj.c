@@ -171,7 +171,8 @@ static bool read_line(struct reader *r, const char *s, const char *end)
 		return read_vertex(r, stop, end);
 	/* fo is what f was called once */
 	for (int k = 0; k < 3; k++)
-		if (*s == shapes[k].letter && (n == 1 || (k == 2 && n == 2 && s[1] == 'o')))
+		if (*s == shapes[k].letter &&
+		    (n == 1 || (k == 2 && n == 2 && s[1] == 'o')))
 			return read_shape(r, k, stop, end);
 	if (n < sizeof word && memchr(s, '\0', n) == NULL) {
 		memcpy(word, s, n);

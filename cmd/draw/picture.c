@@ -57,9 +57,8 @@ static void set_depth(const struct picture *p, const struct extent *e, double at
 	if (!p->parallel)
 		at[2] = -e->least / at[2];
 	else
-		at[2] = e->most > e->least ?
-		    (at[2] - e->least) / (e->most - e->least) :
-		    0;
+		at[2] = e->most > e->least ? (at[2] - e->least) / (e->most - e->least) :
+					     0;
 }
 
 static void set_depths(struct picture *p)
@@ -136,7 +135,8 @@ void picture_complete(struct picture *p, const double lamp[3], const double gaze
 		if (sign < 0)
 			turn(p, f);
 		for (int k = 0; k < 3 && sign != 0; k++)
-			faces_away += f->normal[2] * (double)f->view_normal[k] * gaze[k];
+			faces_away += f->normal[2] * (double)f->view_normal[k] *
+			    gaze[k];
 		if (sign != 0)
 			p->face[n++] = *f;
 	}

@@ -182,7 +182,7 @@ void svg_add(const struct picture *p, const struct frame *f)
 		put(svg.background);
 		put("\"/>\n");
 	}
-	for (int class = 0; class < CLASSES; class++)
+	for (int class = 0; class < CLASSES; class ++)
 		put_class(p, f, class);
 	put_names(p, f);
 	d.to = svg.size;
@@ -244,7 +244,8 @@ static void put_style(double size)
 	put("px sans-serif}\n");
 	if (photo) {
 		put_with(".halo *{stroke:#fff;stroke-opacity:.75}\n"
-			 ".halo .edge{stroke-width:", 3 * width);
+			 ".halo .edge{stroke-width:",
+		    3 * width);
 		put_with("}\n.halo .line{stroke-width:", 4 * width);
 		put_with("}\n.halo .dot{stroke-width:", 8 * width);
 		put_with("}\ntext{paint-order:stroke;stroke:#fff;stroke-width:",
@@ -285,8 +286,8 @@ static void put_view_box(const struct frame *f)
 	put("\"");
 }
 
-/* Puts the first line. Pixels are the units of the viewport unless they would be too few
- * or too many to look at. */
+/* Puts the first line. Pixels are the units of the viewport, unless they would be too
+ * few or too many to look at. */
 static void put_head(const struct frame *hull)
 {
 	const double size = frame_size(hull);

@@ -9,7 +9,8 @@
 #include "grow.h"
 
 struct ring {
-	double (*at)[2]; /* the corners, seen along the face's normal: counterclockwise */
+	double (
+	    *at)[2]; /* the corners, seen along the face's normal: counterclockwise */
 	size_t *next, *previous;
 };
 
@@ -57,17 +58,26 @@ static void flatten(const double (*point)[3], const unsigned *corner, size_t n,
 	}
 }
 
-/* Returns whether corner i, which no other corner is inside of, can be cut off. */
+static bool is_at(const double p[2], const double q[2])
+{
+	return p[0] == q[0] && p[1] == q[1];
+}
+
+/* Returns whether no other corner is in the triangle of corner i. A face with a hole
+ * comes back to corners that it had before. */
 static bool is_ear(const struct ring *r, size_t i)
 {
 	const double *a = r->at[r->previous[i]], *b = r->at[i], *c = r->at[r->next[i]];
 
 	if (!(area(a, b, c) > 0))
 		return false;
-	for (size_t k = r->next[r->next[i]]; k != r->previous[i]; k = r->next[k])
-		if (area(a, b, r->at[k]) > 0 && area(b, c, r->at[k]) > 0 &&
-		    area(c, a, r->at[k]) > 0)
+	for (size_t k = r->next[r->next[i]]; k != r->previous[i]; k = r->next[k]) {
+		const double *p = r->at[k];
+
+		if (area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0 &&
+		    !is_at(p, a) && !is_at(p, b) && !is_at(p, c))
 			return false;
+	}
 	return true;
 }
 
