@@ -73,7 +73,7 @@ static void fill(struct raster *r, const struct face *f)
 
 	for (int y = from; y < to; y++) {
 		const double at = (y + 0.5) / r->scale;
-		double low = INFINITY, high = -INFINITY;
+		double low = HUGE_VAL, high = -HUGE_VAL;
 
 		row_of_face(r, f, at, &low, &high);
 		const int end = clamp(ceil(high * r->scale - 0.5), r->width);
@@ -220,7 +220,7 @@ static void print_row(const struct raster *r, int y)
 static void draw_items(struct raster *r)
 {
 	const struct picture *p = r->picture;
-	double least = INFINITY, most = -INFINITY;
+	double least = HUGE_VAL, most = -HUGE_VAL;
 
 	for (size_t i = 0; i < p->faces; i++) {
 		fill(r, &p->face[i]);

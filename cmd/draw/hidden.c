@@ -99,8 +99,8 @@ static void tree_add(struct tree *t, const struct picture *p, unsigned first,
 {
 	struct node *node = &t->node[t->nodes++], *half[2];
 
-	*node = (struct node){ .low = { INFINITY, INFINITY, INFINITY },
-		.high = { -INFINITY, -INFINITY, -INFINITY },
+	*node = (struct node){ .low = { HUGE_VAL, HUGE_VAL, HUGE_VAL },
+		.high = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
 		.first = first };
 	if (n <= LEAF_FACES) {
 		node->count = n;

@@ -63,7 +63,7 @@ static void set_depth(const struct picture *p, const struct extent *e, double at
 
 static void set_depths(struct picture *p)
 {
-	struct extent e = { INFINITY, -INFINITY };
+	struct extent e = { HUGE_VAL, -HUGE_VAL };
 
 	for (size_t i = 0; i < p->corners; i++)
 		extent_hold(&e, p->corner[i][2]);

@@ -337,4 +337,5 @@ void svg_print(void)
 	}
 	put("</svg>\n");
 	output_write(svg.text + from, svg.size - from);
+	svg.size = svg.n = 0;
 }

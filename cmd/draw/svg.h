@@ -18,5 +18,5 @@ void svg_add(const struct picture *, const struct frame *);
  * JPEG file. Returns false if they are another file's. */
 bool svg_set_background(struct span, struct refusal *);
 
-/* Prints all pictures that were added as one SVG. */
+/* Prints all pictures that were added as one SVG, and forgets them. */
 void svg_print(void);
