@@ -347,7 +347,9 @@ void clip_image(const struct clipper *c, struct clip_vertex *v, bool single,
 		if (depth)
 			map_image(&c->depth, 3, v->at, &z);
 		map_image(depth ? &c->depth : &c->to_target, k, v->at, &n);
-		image[k] = sum_ratio_nearest(&n, depth ? &z : &d, single);
+		image[k] = (double)NAN;
+		if (sum_sign(d) != 0)
+			image[k] = sum_ratio_nearest(&n, depth ? &z : &d, single);
 		if (!isfinite(image[k]))
 			image[k] = (double)NAN;
 	}

@@ -77,8 +77,9 @@ void clip_ring_add(struct clip_ring *, const double *in, size_t index,
 void clip_ring_end(struct clip_ring *);
 
 /* Writes the doubles or, if single, the floats nearest to the coordinates of the
- * image. Those beyond the range are nan, as all are if the vertex is the eye. A clipper
- * with the same scene and `from`, but another `to`, may be used, too. */
+ * image. Those beyond the range are nan, as all are of the eye and of what is at
+ * infinity. A clipper with the same scene and `from`, but another `to`, may be used,
+ * too. */
 void clip_image(const struct clipper *, struct clip_vertex *, bool single,
     double image[4]);
 
