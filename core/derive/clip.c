@@ -53,8 +53,8 @@ static bool can_be_cut(const struct scene *s, enum space from, struct refusals *
 		    "take the points to view space first");
 	if ((from == SPACE_NDC || from == SPACE_DEVICE) &&
 	    projection_is_open(&s->projection))
-		return refuse(faults, "/projection/near",
-		    "missing: lines of ndc and device are cut at near and far", NULL);
+		return refuse(faults, "/projection/near", "missing",
+		    "lines of ndc and device are cut at near and far");
 	return true;
 }
 
