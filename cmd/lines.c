@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../core/derive/quick_cut.h"
+#include "../core/derive/clip.h"
 #include "call/options.h"
 #include "stream/runs.h"
 
@@ -104,18 +104,12 @@ static bool find_part(struct lines *l, size_t i, bool cut[2], double image[2][4]
 		return true;
 	if ((p->outside & q->outside) != 0)
 		return false;
-	if (!l->single &&
-	    quick_cut_segment(&l->quick, p->in, p->outside, q->in, q->outside, cut,
-		image))
-		return true;
 	if (!clip_segment(&l->clipper, end_at(l, i), end_at(l, i + 1), l->cut))
 		return false;
 	for (int k = 0; k < 2; k++) {
 		cut[k] = l->cut[k].cut;
-		if (!cut[k])
-			continue;
-		clip_image(&l->clipper, &l->cut[k], l->single, image[k]);
-		quick_cut_learn(&l->quick, &l->cut[k], image[k]);
+		if (cut[k])
+			clip_image(&l->clipper, &l->cut[k], l->single, image[k]);
 	}
 	return true;
 }
@@ -221,7 +215,8 @@ bool lines_prepare(const struct options *o, const struct document *d, enum space
 	l.single = o->precision == PRECISION_SINGLE;
 	for (int k = 0; k < l.writes; k++)
 		l.style[k] = options_style(o, k);
-	quick_cut_of(&l.quick, from, to, &j->transform, &j->frustum);
+	if (quick_cut_of(&l.quick, from, to, &j->transform, &j->frustum))
+		l.clipper.quick = &l.quick;
 	l.reader.take = take_run;
 	l.reader.flush = print_rows;
 	l.reader.data = &l;

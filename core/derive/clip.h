@@ -7,9 +7,7 @@
 #pragma once
 
 #include "../points/distance.h"
-#include "frustum.h"
-
-enum { CLIP_PLANES = 6 };
+#include "quick_cut.h"
 
 /* Points are cut in view space if they are of model, world or view space, else in the
  * space that they are of. Its point p, homogeneous, is to_base's image of the point
@@ -24,6 +22,9 @@ struct clipper {
 	bool by_distance;  /* z of the image is a distance along the gaze */
 	bool reaches_eye;  /* the planes meet in the eye */
 	bool has_weight;   /* w of clip space is kept: element 4 is the weight */
+	/* what computes most cuts, as the caller wishes, with the same result; or NULL,
+	 * which clipper_of sets */
+	struct quick_cut *quick;
 };
 
 /* Makes the clipper of points of `from`, whose images are in `to`; both are flat or
@@ -36,7 +37,11 @@ struct clip_vertex {
 	double in[4];     /* the point as it was given */
 	size_t index;     /* the caller's number of it */
 	unsigned outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if they are not known */
-	bool cut;         /* a cut has made the vertex: in, index, outside are not set */
+	/* A cut has made the vertex, and index is not set. If it is not located, the
+	 * plane `plane` alone cuts it from the segment from `in` to `other`. */
+	bool cut;
+	int plane;
+	double other[4];
 	/* The OUT_ bits of planes whose cuts have made it: it lies on them. An edge
 	 * whose two ends have a bit in common lies on that plane. */
 	unsigned on;

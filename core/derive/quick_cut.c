@@ -126,21 +126,29 @@ static bool divide(const struct bounded *n, const struct bounded *d, double *r)
 	    q.hi + (q.lo - error) == q.hi && q.hi + (q.lo + error) == q.hi;
 }
 
-/* Computes the image of the point where a plane, of which the functions at p and q are
- * a and b, cuts the segment. */
-static bool cut_image(const struct quick_cut *c, int plane, const double *p,
-    const struct bounded *a, const double *q, const struct bounded *b,
-    double image[4])
+bool quick_cut_sides(const struct quick_cut *c, int plane, const double *p,
+    const double *q, double *a, double *b)
 {
+	const struct bounded at_p = plane_side(c, plane, p);
+	const struct bounded at_q = plane_side(c, plane, q);
+
+	*a = at_p.v.hi;
+	*b = at_q.v.hi;
+	return is_sure(at_p) && is_sure(at_q);
+}
+
+bool quick_cut_image(const struct quick_cut *c, int plane, const double *p,
+    const double *q, double image[4])
+{
+	const struct bounded a = plane_side(c, plane, p), b = plane_side(c, plane, q);
 	const struct transform *t = c->image;
-	const struct bounded one = { { 1, 0 }, 0 };
-	struct bounded x = one, y = one;
+	struct bounded x = { { 1, 0 }, 0 }, y = x;
 
 	if (t->divide) {
 		x = column(&t->for_kernel, t->in, 3, q);
 		y = column(&t->for_kernel, t->in, 3, p);
 	}
-	const struct bounded w = minor(a, &x, b, &y);
+	const struct bounded w = minor(&a, &x, &b, &y);
 
 	for (int j = 0; j < t->out; j++) {
 		if (c->has_edges && j == plane / 2) {
@@ -149,7 +157,7 @@ static bool cut_image(const struct quick_cut *c, int plane, const double *p,
 		}
 		x = column(&t->for_kernel, t->in, j, q);
 		y = column(&t->for_kernel, t->in, j, p);
-		const struct bounded n = minor(a, &x, b, &y);
+		const struct bounded n = minor(&a, &x, &b, &y);
 
 		if (!divide(&n, &w, &image[j]))
 			return false;
@@ -157,58 +165,15 @@ static bool cut_image(const struct quick_cut *c, int plane, const double *p,
 	return !c->has_edges || !isnan(c->edge[plane]);
 }
 
-/* Returns the only plane whose bit is set, or -1. */
-static int only_plane(unsigned outside)
-{
-	return outside != 0 && outside < OUT_BEHIND && (outside & (outside - 1)) == 0 ?
-	    __builtin_ctz(outside) :
-	    -1;
-}
-
-bool quick_cut_segment(const struct quick_cut *c, const double *p, unsigned p_outside,
-    const double *q, unsigned q_outside, bool cut[2], double image[2][4])
-{
-	const int plane[2] = { only_plane(p_outside), only_plane(q_outside) };
-	struct bounded a[2], b[2]; /* of each plane, at p and q */
-
-	cut[0] = p_outside != 0;
-	cut[1] = q_outside != 0;
-	if (!c->usable)
-		return false;
-	for (int i = 0; i < 2; i++) {
-		if (!cut[i])
-			continue;
-		if (plane[i] < 0)
-			return false;
-		a[i] = plane_side(c, plane[i], p);
-		b[i] = plane_side(c, plane[i], q);
-		if (!is_sure(a[i]) || !is_sure(b[i]) ||
-		    !cut_image(c, plane[i], p, &a[i], q, &b[i], image[i]))
-			return false;
-	}
-	/* p is cut off before q is, at |a| / (|a| + |b|) of the way */
-	return !cut[0] || !cut[1] ||
-	    fabs(a[0].v.hi * b[1].v.hi) < (1 - 0x1p-40) * fabs(a[1].v.hi * b[0].v.hi);
-}
-
-void quick_cut_of(struct quick_cut *c, enum space from, enum space to,
+bool quick_cut_of(struct quick_cut *c, enum space from, enum space to,
     const struct transform *image, const struct frustum *f)
 {
 	const bool flat = space_is_flat(from);
 
 	c->image = image;
 	c->frustum = f;
-	c->usable = (flat || from <= SPACE_VIEW) && image->distance == DISTANCE_NONE;
 	c->has_edges = flat || to == SPACE_NDC || to == SPACE_DEVICE;
 	for (int k = 0; k < CLIP_PLANES; k++)
 		c->edge[k] = (double)NAN;
-}
-
-void quick_cut_learn(struct quick_cut *c, const struct clip_vertex *v,
-    const double image[4])
-{
-	const int plane = only_plane(v->on);
-
-	if (v->cut && plane >= 0 && c->has_edges)
-		c->edge[plane] = image[plane / 2];
+	return (flat || from <= SPACE_VIEW) && image->distance == DISTANCE_NONE;
 }

@@ -1,32 +1,33 @@
 /* SPDX-License-Identifier: MIT */
-/* The images of cuts, computed in double-double arithmetic where this decides which
- * doubles are nearest, in a tenth of the time that clip.h takes. What it leaves open
- * clip.h computes. */
+/* Where a plane cuts a segment, computed in double-double arithmetic: it mostly decides
+ * which doubles are nearest, in a tenth of the time that core/exact takes. What is left
+ * open clip.c computes exactly. */
 #pragma once
 
-#include "clip.h"
+#include "frustum.h"
+
+enum { CLIP_PLANES = 6 };
 
 struct quick_cut {
 	const struct transform *image;
 	const struct frustum *frustum;
-	bool usable;
-	/* In ndc, in a device and in a window all images of a plane have one coordinate
-	 * in common, which is x, y or z: edge[plane], which is nan until it is known. */
+	/* In ndc, in a device and in 2D all images on a plane have one coordinate in
+	 * common, which is x, y or z: edge[plane], which is nan until it is known. */
 	bool has_edges;
 	double edge[CLIP_PLANES];
 };
 
-/* Makes the quick cuts of points of `from` by the transform to `to` and the frustum,
- * which the caller keeps. */
-void quick_cut_of(struct quick_cut *, enum space from, enum space to,
+/* Makes the quick cuts of points of `from` by their transform to `to` and the frustum,
+ * which the caller keeps. Returns false if there are none. */
+bool quick_cut_of(struct quick_cut *, enum space from, enum space to,
     const struct transform *, const struct frustum *);
 
-/* Does what clip_segment and clip_image do for points p and q, of which at most one
- * plane cuts off each. Returns false if it is another segment, or if clip.h has to
- * decide. */
-bool quick_cut_segment(const struct quick_cut *, const double *p, unsigned p_outside,
-    const double *q, unsigned q_outside, bool cut[2], double image[2][4]);
+/* Sets *a and *b to the functions of a plane at the points p and q, within 2^-52 of
+ * each. Returns false unless it is sure that neither is 0. */
+bool quick_cut_sides(const struct quick_cut *, int plane, const double *p,
+    const double *q, double *a, double *b);
 
-/* Takes an edge from a vertex and its image, if it is not known yet. */
-void quick_cut_learn(struct quick_cut *, const struct clip_vertex *,
-    const double image[4]);
+/* Computes the doubles nearest to the coordinates of the image of the point where the
+ * plane cuts the segment from p to q. Returns false if it is not sure of them. */
+bool quick_cut_image(const struct quick_cut *, int plane, const double *p,
+    const double *q, double image[4]);
