@@ -293,40 +293,76 @@ static bool find_crossings(const struct clipper *c, struct clip_vertex *p,
 	return !cut[0] || !cut[1] || compare_crossings(&most[0], &most[1]) < 0;
 }
 
-/* Does what clip_segment does if no more than one plane cuts off each point, and if
- * double-double arithmetic decides. Returns whether it does. */
-static bool clip_quickly(const struct clipper *c, const struct clip_vertex *p,
-    const struct clip_vertex *q, struct clip_vertex end[2])
-{
-	const unsigned out[2] = { p->outside, q->outside };
-	double a[2], b[2];
+/* Functions of a plane at p and q, as double-double arithmetic finds them. */
+struct quick_crossing {
+	int plane;
+	double a, b;
+};
 
-	if (c->quick == NULL || !are_points(p, q) || (out[0] & (out[0] - 1)) != 0 ||
-	    (out[1] & (out[1] - 1)) != 0)
+/* Does what compare_crossings does, or returns 0 if it is not sure. */
+static int compare_quickly(const struct quick_crossing *x,
+    const struct quick_crossing *y)
+{
+	const double far_x = fabs(x->a * y->b), far_y = fabs(y->a * x->b);
+
+	return far_x < (1 - 0x1p-40) * far_y ? -1 : far_y < (1 - 0x1p-40) * far_x;
+}
+
+/* Does what find_crossings does for two points, and locates neither. Returns false if
+ * double-double arithmetic does not decide. */
+static bool find_quickly(const struct clipper *c, const struct clip_vertex *p,
+    const struct clip_vertex *q, bool cut[2], struct quick_crossing most[2], bool *some)
+{
+	struct quick_crossing x;
+
+	for (unsigned left = p->outside | q->outside; left != 0; left &= left - 1) {
+		x.plane = __builtin_ctz(left);
+		const int end = (p->outside >> x.plane & 1) == 0;
+		const int farther = end == 0 ? 1 : -1;
+
+		if (!quick_cut_sides(c->quick, x.plane, p->in, q->in, &x.a, &x.b))
+			return false;
+		const int order = cut[end] ? compare_quickly(&x, &most[end]) : farther;
+
+		if (order == 0)
+			return false;
+		if (order == farther)
+			most[end] = x;
+		cut[end] = true;
+	}
+	const int order = cut[0] && cut[1] ? compare_quickly(&most[0], &most[1]) : -1;
+
+	*some = order < 0;
+	return order != 0;
+}
+
+/* Does what clip_segment does if double-double arithmetic decides, and then returns
+ * true and sets *some to its result. */
+static bool clip_quickly(const struct clipper *c, const struct clip_vertex *p,
+    const struct clip_vertex *q, struct clip_vertex end[2], bool *some)
+{
+	struct quick_crossing most[2];
+	bool cut[2] = { false, false };
+
+	if (c->quick == NULL || !are_points(p, q) || (p->outside & q->outside) != 0 ||
+	    !find_quickly(c, p, q, cut, most, some))
 		return false;
 	for (int i = 0; i < 2; i++) {
-		end[i].cut = out[i] != 0;
-		if (!end[i].cut)
-			continue;
-		const int plane = __builtin_ctz(out[i]);
-
-		if (!quick_cut_sides(c->quick, plane, p->in, q->in, &a[i], &b[i]))
-			return false;
-		cut_later(c, plane, p, q, &end[i]);
+		end[i].cut = cut[i];
+		if (cut[i])
+			cut_later(c, most[i].plane, p, q, &end[i]);
 	}
-	/* p is cut off before q is, at |a| / (|a| + |b|) of the way */
-	return out[0] == 0 || out[1] == 0 ||
-	    fabs(a[0] * b[1]) < (1 - 0x1p-40) * fabs(a[1] * b[0]);
+	return true;
 }
 
 bool clip_segment(const struct clipper *c, struct clip_vertex *p, struct clip_vertex *q,
     struct clip_vertex end[2])
 {
 	struct crossing most[2];
-	bool cut[2] = { false, false };
+	bool cut[2] = { false, false }, some;
 
-	if (clip_quickly(c, p, q, end))
-		return true;
+	if (clip_quickly(c, p, q, end, &some))
+		return some;
 	if (!find_crossings(c, p, q, cut, most))
 		return false;
 	for (int i = 0; i < 2; i++) {
