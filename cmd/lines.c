@@ -21,19 +21,19 @@ struct lines {
 	int writes;  /* numbers in a row */
 	bool single; /* they are floats */
 	struct number_style style[4];
-	bool any;    /* a part was printed before */
-	bool begins; /* the next row begins a part */
-	size_t n;    /* rows */
+	bool any;                /* a part was printed before */
+	bool begins;             /* the next row begins a part */
+	size_t n;                /* rows */
 	bool parted[LINES_ROWS]; /* a blank line stands above the row */
 	double image[4][LINES_ROWS];
 
-	/* of the polygon that is cut: the vertices of its part, and the first's image */
+	/* of a polygon that is cut: its part's vertices, and the first's image */
 	size_t vertices;
 	double first[4];
 };
 
-static char *write_row(const struct lines *l, size_t row, struct number_text (*t)[64],
-    char *out)
+static char *write_row(const struct lines *l, size_t row,
+    struct number_text (*t)[NUMBER_BATCH], char *out)
 {
 	if (l->parted[row])
 		*out++ = '\n';
@@ -185,7 +185,8 @@ static void take_polygon(struct lines *l)
 
 static bool is_closed(const struct lines *l)
 {
-	const struct run_point *p = &l->run->point[0], *q = &l->run->point[l->run->n - 1];
+	const struct run_point *p = &l->run->point[0],
+			       *q = &l->run->point[l->run->n - 1];
 
 	for (int k = 0; k < l->clipper.in; k++)
 		if (p->in[k] != q->in[k])

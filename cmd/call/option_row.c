@@ -244,8 +244,7 @@ const struct option_row option_rows[] = {
 	    "print only points inside the view volume or window",
 	    FLAG(visible), .points_only = true },
 	{ "lines", 0, COMMAND_PROJECT | COMMAND_MATRIX_2D,
-	    "join points, up to blank lines, and print the parts inside the volume or "
-	    "window",
+	    "join points, and print the parts inside the view volume or window",
 	    FLAG(lines), .points_only = true },
 	{ "keep-going", 0, ALL_BUT_HELP,
 	    "go on after a wrong scene or a bad line; print nan for the line",

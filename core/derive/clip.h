@@ -15,13 +15,13 @@
  * space, over divisor and weight. */
 struct clipper {
 	struct map to_base, sides, ends, to_target;
-	struct map depth;  /* of by_distance: z is column 2 over column 3 */
-	int in, out;       /* coordinates of a point, and of an image */
-	int planes;        /* that exist: 4 or 6 */
-	bool mapped;       /* the points are not of the space where they are cut */
-	bool by_distance;  /* z of the image is a distance along the gaze */
-	bool reaches_eye;  /* the planes meet in the eye */
-	bool has_weight;   /* w of clip space is kept: element 4 is the weight */
+	struct map depth; /* of by_distance: z is column 2 over column 3 */
+	int in, out;      /* coordinates of a point, and of an image */
+	int planes;       /* that exist: 4 or 6 */
+	bool mapped;      /* the points are not of the space where they are cut */
+	bool by_distance; /* z of the image is a distance along the gaze */
+	bool reaches_eye; /* the planes meet in the eye */
+	bool has_weight;  /* w of clip space is kept: element 4 is the weight */
 	/* what computes most cuts, as the caller wishes, with the same result; or NULL,
 	 * which clipper_of sets */
 	struct quick_cut *quick;
@@ -34,9 +34,10 @@ bool clipper_of(const struct scene *, enum space from, enum space to, struct cli
 
 /* A point, or a vertex that a cut has made. */
 struct clip_vertex {
-	double in[4];     /* the point as it was given */
-	size_t index;     /* the caller's number of it */
-	unsigned outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if they are not known */
+	double in[4]; /* the point as it was given */
+	size_t index; /* the caller's number of it */
+	unsigned
+	    outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if they are not known */
 	/* A cut has made the vertex, and index is not set. If it is not located, the
 	 * plane `plane` alone cuts it from the segment from `in` to `other`. */
 	bool cut;

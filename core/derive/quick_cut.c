@@ -81,8 +81,7 @@ static struct bounded column(const struct kernel_map *m, int terms, int j,
 		size += fabs(p.hi);
 		far += fabs(d.hi);
 	}
-	return (struct bounded){ sum,
-		PAIR_BOUND * size + far * (m->noise[j] + TINY) };
+	return (struct bounded){ sum, PAIR_BOUND * size + far * (m->noise[j] + TINY) };
 }
 
 static struct bounded plane_side(const struct quick_cut *c, int plane, const double *in)
@@ -108,8 +107,8 @@ static struct bounded minor(const struct bounded *a, const struct bounded *x,
 	    b->error * y->error;
 
 	return (struct bounded){ dd_add(p, dd_minus(q)),
-		2 * (of_first + of_second) +
-		    PAIR_BOUND * (fabs(p.hi) + fabs(q.hi)) + TINY };
+		2 * (of_first + of_second) + PAIR_BOUND * (fabs(p.hi) + fabs(q.hi)) +
+		    TINY };
 }
 
 /* Sets *r to the double nearest to n / d. Returns false if it is not sure. */

@@ -139,8 +139,7 @@ static void judge(const struct truth_clip *t, const struct truth_vertex *v,
 									 verdict]++;
 		if (verdict == WRONG)
 			fail_msg("coordinate %d: came %.17g, expected %.17g", k,
-			    image[k],
-			    mpfr_get_d(divide(n.value, d.value), MPFR_RNDN));
+			    image[k], mpfr_get_d(divide(n.value, d.value), MPFR_RNDN));
 	}
 }
 
@@ -162,9 +161,8 @@ static void sample_near(const struct scene *s, enum space from, struct block *b)
 			    (double)sample_below(3) - 1;
 	map_block_exactly(&t, &ndc, VERTICES);
 	for (size_t i = 0; i < VERTICES; i++)
-		for (int j = 0; j < t.out && sample_below(8) > 0 &&
-		     !isnan(ndc.out[0][i]);
-		     j++)
+		for (int j = 0;
+		     j < t.out && sample_below(8) > 0 && !isnan(ndc.out[0][i]); j++)
 			b->in[j][i] = ndc.out[j][i];
 }
 
@@ -355,9 +353,10 @@ static bool sample_clip(int k, struct scene *s, enum space *from, enum space *to
 		sample_scene(s, k % 5 == 2 ? 4 : 0);
 	sample_answer(s);
 	s->has_device &= sample_below(4) > 0;
-	s->has_viewport &= sample_below(4) > 0 || projection_has_intrinsics(&s->projection);
+	s->has_viewport &= sample_below(4) > 0 ||
+	    projection_has_intrinsics(&s->projection);
 	s->viewport.distance = sample_below(6) == 0;
-	*from = flat ? FLAT_WINDOW + sample_below(s->has_device ? 3 : 2) :
+	*from = flat        ? FLAT_WINDOW + sample_below(s->has_device ? 3 : 2) :
 	    sample_below(2) ? SPACE_MODEL + sample_below(3) :
 			      SPACE_MODEL + sample_below(s->has_viewport ? 6 : 5);
 	*to = flat ? FLAT_WINDOW + sample_below(s->has_device ? 3 : 2) :
