@@ -66,7 +66,8 @@ static inline dd dd_minus(dd a)
 	return (dd){ -a.hi, -a.lo };
 }
 
-/* Returns a column of the image of a point, and how much noise (kernel.h) it has. */
+/* Returns a column of the image of a point. Its error includes the map's noise, which
+ * kernel.h describes. */
 static struct bounded column(const struct kernel_map *m, int terms, int j,
     const double *in)
 {
