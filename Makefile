@@ -182,8 +182,8 @@ $(BUILD)/cmd/table/walk.o: FLAGS += $(if \
 # their frames is limited. With -flto clang merges a command's functions of several
 # files into one frame of up to 96 KB.
 FRAME = $(if $(findstring -flto,$(CFLAGS)),131072,32768)
-$(addprefix $(BUILD)/core/,exact/ex.o exact/map.o exact/sum.o derive/frustum.o \
-    derive/pick.o derive/ray.o) \
+$(addprefix $(BUILD)/core/,exact/ex.o exact/map.o exact/sum.o derive/clip.o \
+    derive/frustum.o derive/pick.o derive/quick_cut.o derive/ray.o) \
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
     cmd/table cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=$(FRAME)

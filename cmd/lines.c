@@ -13,6 +13,7 @@ enum { LINES_ROWS = 8 * NUMBER_BATCH };
 struct lines {
 	struct run_reader reader;
 	struct clipper clipper;
+	struct quick_cut quick;
 	struct clip_ring ring;
 	struct clip_vertex end[2], cut[2];
 	const struct run *run;
@@ -20,19 +21,19 @@ struct lines {
 	int writes;  /* numbers in a row */
 	bool single; /* they are floats */
 	struct number_style style[4];
-	bool any;    /* a part was printed before */
-	bool begins; /* the next row begins a part */
-	size_t n;    /* rows */
+	bool any;                /* a part was printed before */
+	bool begins;             /* the next row begins a part */
+	size_t n;                /* rows */
 	bool parted[LINES_ROWS]; /* a blank line stands above the row */
 	double image[4][LINES_ROWS];
 
-	/* of the polygon that is cut: the vertices of its part, and the first's image */
+	/* of a polygon that is cut: its part's vertices, and the first's image */
 	size_t vertices;
 	double first[4];
 };
 
-static char *write_row(const struct lines *l, size_t row, struct number_text (*t)[64],
-    char *out)
+static char *write_row(const struct lines *l, size_t row,
+    struct number_text (*t)[NUMBER_BATCH], char *out)
 {
 	if (l->parted[row])
 		*out++ = '\n';
@@ -77,14 +78,6 @@ static void add_row(struct lines *l, const double image[4])
 	l->begins = false;
 }
 
-static void add_vertex(struct lines *l, struct clip_vertex *v)
-{
-	double image[4];
-
-	clip_image(&l->clipper, v, l->single, image);
-	add_row(l, image);
-}
-
 /* Returns point i of the run as a vertex. Neighbours have one each, so that segments
  * that follow one another share what they compute. */
 static struct clip_vertex *end_at(struct lines *l, size_t i)
@@ -97,35 +90,51 @@ static struct clip_vertex *end_at(struct lines *l, size_t i)
 	return v;
 }
 
+/* Finds the part of the segment from point i to the next. Returns false if there is
+ * none; else sets cut[0] and cut[1] to whether its ends are cut off, and the images of
+ * the ends. */
+static bool find_part(struct lines *l, size_t i, bool cut[2], double image[2][4])
+{
+	const struct run_point *p = &l->run->point[i], *q = p + 1;
+
+	memcpy(image[0], p->image, sizeof image[0]);
+	memcpy(image[1], q->image, sizeof image[1]);
+	cut[0] = cut[1] = false;
+	if ((p->outside | q->outside) == 0)
+		return true;
+	if ((p->outside & q->outside) != 0)
+		return false;
+	if (!clip_segment(&l->clipper, end_at(l, i), end_at(l, i + 1), l->cut))
+		return false;
+	for (int k = 0; k < 2; k++) {
+		cut[k] = l->cut[k].cut;
+		if (cut[k])
+			clip_image(&l->clipper, &l->cut[k], l->single, image[k]);
+	}
+	return true;
+}
+
 static void take_polyline(struct lines *l)
 {
 	const struct run_point *p = l->run->point;
-	const size_t n = l->run->n;
-	bool goes_on = false; /* the part has come to point i */
+	bool goes_on = false, cut[2]; /* the part has come to point i */
+	double image[2][4];
 
 	l->end[0].index = l->end[1].index = SIZE_MAX;
 	l->begins = true;
-	if (n == 1 && p[0].outside == 0)
+	if (l->run->n == 1 && p[0].outside == 0)
 		add_row(l, p[0].image);
-	for (size_t i = 0; i + 1 < n; i++) {
-		const unsigned some = p[i].outside | p[i + 1].outside;
-		bool inside = some == 0;
-
-		l->cut[0].cut = l->cut[1].cut = false;
-		if (some != 0 && (p[i].outside & p[i + 1].outside) == 0)
-			inside = clip_segment(&l->clipper, end_at(l, i),
-			    end_at(l, i + 1), l->cut);
-		l->begins |= !inside;
-		if (inside && !goes_on && l->cut[0].cut)
-			add_vertex(l, &l->cut[0]);
-		else if (inside && !goes_on)
-			add_row(l, p[i].image);
-		if (inside && l->cut[1].cut)
-			add_vertex(l, &l->cut[1]);
-		else if (inside)
-			add_row(l, p[i + 1].image);
-		goes_on = inside && !l->cut[1].cut;
-		l->begins |= !goes_on;
+	for (size_t i = 0; i + 1 < l->run->n; i++) {
+		if (!find_part(l, i, cut, image)) {
+			goes_on = false;
+			continue;
+		}
+		if (!goes_on) {
+			l->begins = true;
+			add_row(l, image[0]);
+		}
+		add_row(l, image[1]);
+		goes_on = !cut[1];
 	}
 }
 
@@ -176,7 +185,8 @@ static void take_polygon(struct lines *l)
 
 static bool is_closed(const struct lines *l)
 {
-	const struct run_point *p = &l->run->point[0], *q = &l->run->point[l->run->n - 1];
+	const struct run_point *p = &l->run->point[0],
+			       *q = &l->run->point[l->run->n - 1];
 
 	for (int k = 0; k < l->clipper.in; k++)
 		if (p->in[k] != q->in[k])
@@ -206,6 +216,8 @@ bool lines_prepare(const struct options *o, const struct document *d, enum space
 	l.single = o->precision == PRECISION_SINGLE;
 	for (int k = 0; k < l.writes; k++)
 		l.style[k] = options_style(o, k);
+	if (quick_cut_of(&l.quick, from, to, &j->transform, &j->frustum))
+		l.clipper.quick = &l.quick;
 	l.reader.take = take_run;
 	l.reader.flush = print_rows;
 	l.reader.data = &l;

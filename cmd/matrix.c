@@ -113,7 +113,8 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
 	struct refusals *const faults = d->source.faults;
-	const bool flat = c->kind == COMMAND_MATRIX_2D, planes = o->flags || o->visible || o->lines;
+	const bool flat = c->kind == COMMAND_MATRIX_2D;
+	const bool planes = o->flags || o->visible || o->lines;
 	bool points = false;
 
 	if (!o->matrix && !operands_have_points(o, d, &points))

@@ -252,8 +252,7 @@ const struct option_row option_rows[] = {
 	    "print only points inside the view volume or window",
 	    FLAG(visible), .points_only = true },
 	{ "lines", 0, COMMAND_PROJECT | COMMAND_MATRIX_2D | COMMAND_DRAW,
-	    "join points, up to blank lines; only parts inside the volume or window "
-	    "count",
+	    "join points, and print the parts inside the view volume or window",
 	    FLAG(lines), .points_only = true },
 	{ "names", 0, COMMAND_DRAW,
 	    "write what follows the coordinates of a point beside its dot",

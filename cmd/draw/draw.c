@@ -27,6 +27,7 @@ struct drawing {
 	struct frame frame;
 	struct picture picture;
 	struct clipper clipper;
+	struct quick_cut quick;
 	struct clip_vertex end[2], cut[2];
 	struct clip_ring ring;
 	unsigned on; /* what the last vertex of a face that is cut is on */
@@ -324,9 +325,13 @@ static bool prepare(struct drawing *w, const struct options *o, struct document 
 			return false;
 		w->picture.parallel = distance.parallel;
 	}
-	return distance_transform(s, from, to, &j->transform, faults) &&
-	    frustum_of(s, from, false, &j->frustum, faults) &&
-	    clipper_of(s, from, to, &w->clipper, faults);
+	if (!distance_transform(s, from, to, &j->transform, faults) ||
+	    !frustum_of(s, from, false, &j->frustum, faults) ||
+	    !clipper_of(s, from, to, &w->clipper, faults))
+		return false;
+	if (quick_cut_of(&w->quick, from, to, &j->transform, &j->frustum))
+		w->clipper.quick = &w->quick;
+	return true;
 }
 
 static bool refuse_what_cannot_be(const struct options *o, struct document *d)

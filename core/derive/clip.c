@@ -53,8 +53,8 @@ static bool can_be_cut(const struct scene *s, enum space from, struct refusals *
 		    "take the points to view space first");
 	if ((from == SPACE_NDC || from == SPACE_DEVICE) &&
 	    projection_is_open(&s->projection))
-		return refuse(faults, "/projection/near",
-		    "missing: lines of ndc and device are cut at near and far", NULL);
+		return refuse(faults, "/projection/near", "missing",
+		    "lines of ndc and device are cut at near and far");
 	return true;
 }
 
@@ -71,6 +71,7 @@ bool clipper_of(const struct scene *s, enum space from, enum space to,
 	c->mapped = from != base;
 	c->by_distance = to == SPACE_DEVICE && s->has_viewport && s->viewport.distance;
 	c->has_weight = from == SPACE_CLIP && to == SPACE_CLIP;
+	c->quick = NULL;
 	if (!can_be_cut(s, from, faults) ||
 	    !scene_map_factor(s, from, base, &c->to_base, faults) ||
 	    !scene_map_factor(s, base, to, &c->to_target, faults) ||
@@ -102,34 +103,75 @@ static void vertex_copy(const struct clipper *c, struct clip_vertex *r,
 	r->cut = v->cut;
 	r->on = v->on;
 	r->located = v->located;
-	if (!v->cut) {
-		for (int i = 0; i < c->in; i++)
-			r->in[i] = v->in[i];
-		r->index = v->index;
-		r->outside = v->outside;
+	r->index = v->index;
+	r->outside = v->outside;
+	r->plane = v->plane;
+	for (int i = 0; i < c->in; i++) {
+		r->in[i] = v->in[i];
+		r->other[i] = v->other[i];
 	}
 	for (int j = 0; j < elements(c) && v->located; j++)
 		sum_copy(&r->at[j], &v->at[j]);
 }
 
-static void locate(const struct clipper *c, struct clip_vertex *v)
+static void locate_point(const struct clipper *c, const double *in, struct sum at[5])
 {
 	struct sum p[4];
+
+	for (int i = 0; i < 4; i++)
+		sum_set(&p[i], i < c->in ? in[i] : i == 3);
+	for (int j = 0; j < 4; j++) {
+		if (c->mapped)
+			map_image(&c->to_base, j, p, &at[j]);
+		else
+			sum_copy(&at[j], &p[j]);
+		shorten(&at[j]);
+	}
+	if (c->has_weight)
+		sum_set(&at[4], 1);
+}
+
+/* Sets *side to the function of a plane at a located point. */
+static void plane_side(const struct clipper *c, int plane, const struct sum at[5],
+    struct sum *side)
+{
+	map_image(plane < 4 ? &c->sides : &c->ends, plane % 4, at, side);
+	shorten(side);
+}
+
+void clip_cut(int n, const struct sum *p, const struct sum *a, const struct sum *q,
+    const struct sum *b, struct sum *r)
+{
+	const bool negative = sum_sign(*a) < 0;
+
+	for (int j = 0; j < n; j++)
+		r[j] = sum_negated_if(negative, sum_minor(*a, q[j], *b, p[j]));
+}
+
+static void cut_at(const struct clipper *c, const struct sum *p, const struct sum *a,
+    const struct sum *q, const struct sum *b, struct sum at[5])
+{
+	clip_cut(elements(c), p, a, q, b, at);
+	for (int j = 0; j < elements(c); j++)
+		shorten(&at[j]);
+}
+
+static void locate(const struct clipper *c, struct clip_vertex *v)
+{
+	struct sum p[5], q[5], a, b;
 
 	if (v->located)
 		return;
 	v->located = true;
-	for (int i = 0; i < 4; i++)
-		sum_set(&p[i], i < c->in ? v->in[i] : i == 3);
-	for (int j = 0; j < 4; j++) {
-		if (c->mapped)
-			map_image(&c->to_base, j, p, &v->at[j]);
-		else
-			sum_copy(&v->at[j], &p[j]);
-		shorten(&v->at[j]);
+	if (!v->cut) {
+		locate_point(c, v->in, v->at);
+		return;
 	}
-	if (c->has_weight)
-		sum_set(&v->at[4], 1);
+	locate_point(c, v->in, p);
+	locate_point(c, v->other, q);
+	plane_side(c, v->plane, p, &a);
+	plane_side(c, v->plane, q, &b);
+	cut_at(c, p, &a, q, &b, v->at);
 }
 
 /* Sets *side to the function of a plane. */
@@ -137,14 +179,13 @@ static void find_side(const struct clipper *c, int plane, struct clip_vertex *v,
     struct sum *side)
 {
 	locate(c, v);
-	map_image(plane < 4 ? &c->sides : &c->ends, plane % 4, v->at, side);
-	shorten(side);
+	plane_side(c, plane, v->at, side);
 }
 
 /* Returns whether the bits of the vertex tell of which planes it is outside. */
 static bool knows_planes(const struct clip_vertex *v)
 {
-	return !v->cut && (v->outside & OUT_BEHIND) == 0;
+	return (v->outside & OUT_BEHIND) == 0;
 }
 
 static bool is_outside(const struct clipper *c, int plane, struct clip_vertex *v)
@@ -169,24 +210,36 @@ static bool is_eye(const struct clipper *c, struct clip_vertex *v)
 	return sum_sign(w) <= 0;
 }
 
-void clip_cut(int n, const struct sum *p, const struct sum *a, const struct sum *q,
-    const struct sum *b, struct sum *r)
-{
-	const bool negative = sum_sign(*a) < 0;
-
-	for (int j = 0; j < n; j++)
-		r[j] = sum_negated_if(negative, sum_minor(*a, q[j], *b, p[j]));
-}
-
 static void cut_vertex(const struct clipper *c, int plane, const struct clip_vertex *p,
     const struct sum *a, const struct clip_vertex *q, const struct sum *b,
     struct clip_vertex *r)
 {
 	r->cut = r->located = true;
+	r->outside = OUT_BEHIND;
 	r->on = (p->on & q->on) | 1u << plane;
-	clip_cut(elements(c), p->at, a, q->at, b, r->at);
-	for (int j = 0; j < elements(c); j++)
-		shorten(&r->at[j]);
+	cut_at(c, p->at, a, q->at, b, r->at);
+}
+
+/* Does what cut_vertex does for two points, but locates nothing. Other planes do not
+ * cut the segment there. */
+static void cut_later(const struct clipper *c, int plane, const struct clip_vertex *p,
+    const struct clip_vertex *q, struct clip_vertex *r)
+{
+	r->cut = true;
+	r->located = false;
+	r->outside = 0;
+	r->on = 1u << plane;
+	r->plane = plane;
+	for (int i = 0; i < c->in; i++) {
+		r->in[i] = p->in[i];
+		r->other[i] = q->in[i];
+	}
+}
+
+/* Returns whether the vertices are points, of which the bits are known. */
+static bool are_points(const struct clip_vertex *p, const struct clip_vertex *q)
+{
+	return !p->cut && !q->cut && knows_planes(p) && knows_planes(q);
 }
 
 /* Where a plane cuts a segment from p to q, of whose functions a and b one is negative
@@ -240,12 +293,76 @@ static bool find_crossings(const struct clipper *c, struct clip_vertex *p,
 	return !cut[0] || !cut[1] || compare_crossings(&most[0], &most[1]) < 0;
 }
 
+/* Functions of a plane at p and q, as double-double arithmetic finds them. */
+struct quick_crossing {
+	int plane;
+	double a, b;
+};
+
+/* Does what compare_crossings does, or returns 0 if it is not sure. */
+static int compare_quickly(const struct quick_crossing *x,
+    const struct quick_crossing *y)
+{
+	const double far_x = fabs(x->a * y->b), far_y = fabs(y->a * x->b);
+
+	return far_x < (1 - 0x1p-40) * far_y ? -1 : far_y < (1 - 0x1p-40) * far_x;
+}
+
+/* Does what find_crossings does for two points, and locates neither. Returns false if
+ * double-double arithmetic does not decide. */
+static bool find_quickly(const struct clipper *c, const struct clip_vertex *p,
+    const struct clip_vertex *q, bool cut[2], struct quick_crossing most[2], bool *some)
+{
+	struct quick_crossing x;
+
+	for (unsigned left = p->outside | q->outside; left != 0; left &= left - 1) {
+		x.plane = __builtin_ctz(left);
+		const int end = (p->outside >> x.plane & 1) == 0;
+		const int farther = end == 0 ? 1 : -1;
+
+		if (!quick_cut_sides(c->quick, x.plane, p->in, q->in, &x.a, &x.b))
+			return false;
+		const int order = cut[end] ? compare_quickly(&x, &most[end]) : farther;
+
+		if (order == 0)
+			return false;
+		if (order == farther)
+			most[end] = x;
+		cut[end] = true;
+	}
+	const int order = cut[0] && cut[1] ? compare_quickly(&most[0], &most[1]) : -1;
+
+	*some = order < 0;
+	return order != 0;
+}
+
+/* Does what clip_segment does if double-double arithmetic decides, and then returns
+ * true and sets *some to its result. */
+static bool clip_quickly(const struct clipper *c, const struct clip_vertex *p,
+    const struct clip_vertex *q, struct clip_vertex end[2], bool *some)
+{
+	struct quick_crossing most[2];
+	bool cut[2] = { false, false };
+
+	if (c->quick == NULL || !are_points(p, q) || (p->outside & q->outside) != 0 ||
+	    !find_quickly(c, p, q, cut, most, some))
+		return false;
+	for (int i = 0; i < 2; i++) {
+		end[i].cut = cut[i];
+		if (cut[i])
+			cut_later(c, most[i].plane, p, q, &end[i]);
+	}
+	return true;
+}
+
 bool clip_segment(const struct clipper *c, struct clip_vertex *p, struct clip_vertex *q,
     struct clip_vertex end[2])
 {
 	struct crossing most[2];
-	bool cut[2] = { false, false };
+	bool cut[2] = { false, false }, some;
 
+	if (clip_quickly(c, p, q, end, &some))
+		return some;
 	if (!find_crossings(c, p, q, cut, most))
 		return false;
 	for (int i = 0; i < 2; i++) {
@@ -277,14 +394,23 @@ static void ring_pass(struct clip_ring *r, int plane, struct clip_vertex *v);
 static void ring_cross(struct clip_ring *r, int plane, struct clip_vertex *p,
     struct clip_vertex *q)
 {
+	const struct clipper *c = r->clipper;
 	struct clip_vertex *cut = &r->stage[plane].cut;
 	struct sum a, b;
+	double near_a, near_b;
 
-	find_side(r->clipper, plane, p, &a);
-	find_side(r->clipper, plane, q, &b);
+	if (c->quick != NULL && are_points(p, q) &&
+	    (p->outside | q->outside) == 1u << plane &&
+	    quick_cut_sides(c->quick, plane, p->in, q->in, &near_a, &near_b)) {
+		cut_later(c, plane, p, q, cut);
+		ring_pass(r, plane + 1, cut);
+		return;
+	}
+	find_side(c, plane, p, &a);
+	find_side(c, plane, q, &b);
 	if (sum_sign(a) * sum_sign(b) >= 0)
 		return;
-	cut_vertex(r->clipper, plane, p, &a, q, &b, cut);
+	cut_vertex(c, plane, p, &a, q, &b, cut);
 	ring_pass(r, plane + 1, cut);
 }
 
@@ -331,11 +457,21 @@ void clip_ring_end(struct clip_ring *r)
 	}
 }
 
+/* Takes the coordinate that all images of cuts by the plane have in common. */
+static void learn_edge(struct quick_cut *quick, int plane, const double image[4])
+{
+	if (quick->has_edges)
+		quick->edge[plane] = image[plane / 2];
+}
+
 void clip_image(const struct clipper *c, struct clip_vertex *v, bool single,
     double image[4])
 {
 	struct sum n, d, z;
 
+	if (v->cut && !v->located && c->quick != NULL && !single &&
+	    quick_cut_image(c->quick, v->plane, v->in, v->other, image))
+		return;
 	locate(c, v);
 	if (c->out == 4)
 		d = sum_mul(c->to_target.divisor, v->at[c->has_weight ? 4 : 3]);
@@ -347,8 +483,12 @@ void clip_image(const struct clipper *c, struct clip_vertex *v, bool single,
 		if (depth)
 			map_image(&c->depth, 3, v->at, &z);
 		map_image(depth ? &c->depth : &c->to_target, k, v->at, &n);
-		image[k] = sum_ratio_nearest(&n, depth ? &z : &d, single);
+		image[k] = (double)NAN;
+		if (sum_sign(d) != 0)
+			image[k] = sum_ratio_nearest(&n, depth ? &z : &d, single);
 		if (!isfinite(image[k]))
 			image[k] = (double)NAN;
 	}
+	if (v->cut && c->quick != NULL && !single && (v->on & (v->on - 1)) == 0)
+		learn_edge(c->quick, __builtin_ctz(v->on), image);
 }

@@ -7,9 +7,7 @@
 #pragma once
 
 #include "../points/distance.h"
-#include "frustum.h"
-
-enum { CLIP_PLANES = 6 };
+#include "quick_cut.h"
 
 /* Points are cut in view space if they are of model, world or view space, else in the
  * space that they are of. Its point p, homogeneous, is to_base's image of the point
@@ -17,13 +15,16 @@ enum { CLIP_PLANES = 6 };
  * space, over divisor and weight. */
 struct clipper {
 	struct map to_base, sides, ends, to_target;
-	struct map depth;  /* of by_distance: z is column 2 over column 3 */
-	int in, out;       /* coordinates of a point, and of an image */
-	int planes;        /* that exist: 4 or 6 */
-	bool mapped;       /* the points are not of the space where they are cut */
-	bool by_distance;  /* z of the image is a distance along the gaze */
-	bool reaches_eye;  /* the planes meet in the eye */
-	bool has_weight;   /* w of clip space is kept: element 4 is the weight */
+	struct map depth; /* of by_distance: z is column 2 over column 3 */
+	int in, out;      /* coordinates of a point, and of an image */
+	int planes;       /* that exist: 4 or 6 */
+	bool mapped;      /* the points are not of the space where they are cut */
+	bool by_distance; /* z of the image is a distance along the gaze */
+	bool reaches_eye; /* the planes meet in the eye */
+	bool has_weight;  /* w of clip space is kept: element 4 is the weight */
+	/* what computes most cuts, as the caller wishes, with the same result; or NULL,
+	 * which clipper_of sets */
+	struct quick_cut *quick;
 };
 
 /* Makes the clipper of points of `from`, whose images are in `to`; both are flat or
@@ -33,10 +34,15 @@ bool clipper_of(const struct scene *, enum space from, enum space to, struct cli
 
 /* A point, or a vertex that a cut has made. */
 struct clip_vertex {
-	double in[4];     /* the point as it was given */
-	size_t index;     /* the caller's number of it */
-	unsigned outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if they are not known */
-	bool cut;         /* a cut has made the vertex: in, index, outside are not set */
+	double in[4]; /* the point as it was given */
+	size_t index; /* the caller's number of it */
+	unsigned
+	    outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if they are not known */
+	/* A cut has made the vertex, and index is not set. If it is not located, the
+	 * plane `plane` alone cuts it from the segment from `in` to `other`. */
+	bool cut;
+	int plane;
+	double other[4];
 	/* The OUT_ bits of planes whose cuts have made it: it lies on them. An edge
 	 * whose two ends have a bit in common lies on that plane. */
 	unsigned on;
@@ -77,8 +83,9 @@ void clip_ring_add(struct clip_ring *, const double *in, size_t index,
 void clip_ring_end(struct clip_ring *);
 
 /* Writes the doubles or, if single, the floats nearest to the coordinates of the
- * image. Those beyond the range are nan, as all are if the vertex is the eye. A clipper
- * with the same scene and `from`, but another `to`, may be used, too. */
+ * image. Those beyond the range are nan, as all are of the eye and of what is at
+ * infinity. A clipper with the same scene and `from`, but another `to`, may be used,
+ * too. */
 void clip_image(const struct clipper *, struct clip_vertex *, bool single,
     double image[4]);
 
