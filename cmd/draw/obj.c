@@ -11,10 +11,12 @@
 #include "../table/format.h"
 #include "grow.h"
 
+/* Reads words. A backslash at the end of a line joins it to the next. */
 struct reader {
 	struct obj *obj;
 	struct refusal *fault;
-	long long line;
+	const char *s, *end;
+	long long line, next_line; /* where the line and the one after it begin */
 	/* the greatest index, from 1, and the first line that has it */
 	unsigned long long greatest;
 	long long greatest_line;
@@ -44,41 +46,54 @@ static bool obj_refuse(const struct reader *r, const char *what, const char *rem
 	return false;
 }
 
+/* Returns the bytes of a line end after a backslash at s, with it; 0: there is none. */
+static size_t join_at(const struct reader *r, const char *s)
+{
+	const bool cr = r->end - s > 1 && s[1] == '\r';
+
+	return *s == '\\' && r->end - s > 1 + cr && s[1 + cr] == '\n' ? 2u + cr : 0;
+}
+
 static bool is_space(char c)
 {
 	return c == ' ' || c == '\t' || c == '\r';
 }
 
-static const char *skip_space(const char *s, const char *end)
+/* Moves to the next word of the line and past it. Returns false if there is none: the
+ * line ends, or a comment begins. */
+static bool next_word(struct reader *r, struct span *word)
 {
-	while (s < end && is_space(*s))
-		s++;
-	return s;
+	size_t join = 0;
+
+	while (r->s < r->end && (is_space(*r->s) || (join = join_at(r, r->s)) > 0)) {
+		r->next_line += join > 0;
+		r->s += join > 0 ? join : 1;
+		join = 0;
+	}
+	word->s = r->s;
+	if (r->s == r->end || *r->s == '\n' || *r->s == '#')
+		return false;
+	while (
+	    r->s < r->end && !is_space(*r->s) && *r->s != '\n' && join_at(r, r->s) == 0)
+		r->s++;
+	word->end = r->s;
+	return true;
 }
 
-static const char *word_end(const char *s, const char *end)
-{
-	while (s < end && !is_space(*s))
-		s++;
-	return s;
-}
-
-static bool read_vertex(struct reader *r, const char *s, const char *end)
+static bool read_vertex(struct reader *r)
 {
 	struct obj *obj = r->obj;
+	struct span word;
 	double v[3] = { 0 };
 	int n = 0;
 
-	for (s = skip_space(s, end); n < 3 && s < end; s = skip_space(s, end), n++) {
-		const char *after = number_read(s, word_end(s, end), &v[n]);
-
-		if (after == NULL || after != word_end(s, end))
+	for (; n < 3 && next_word(r, &word); n++) {
+		if (number_read(word.s, word.end, &v[n]) != word.end)
 			return obj_refuse(r, "v has a word that is no number",
 			    "v 1 2 3 is a point");
 		if (!(fabs(v[n]) <= SCENE_MAGNITUDE_MAX))
 			return obj_refuse(r, "v has a number that is not up to 1e150",
 			    "v 1 2 3 is a point");
-		s = after;
 	}
 	if (n < 2)
 		return obj_refuse(r, "v has fewer than three numbers",
@@ -103,13 +118,13 @@ static const char *read_whole(const char *s, const char *end, long long *v)
 	return s > digit ? s : NULL;
 }
 
-/* Reads i, i/t, i//n or i/t/n, whose words end at `end`. Only i counts. */
-static bool read_index(struct reader *r, const char *s, const char *end)
+/* Reads i, i/t, i//n or i/t/n. Only i counts. */
+static bool read_index(struct reader *r, struct span word)
 {
 	struct obj *obj = r->obj;
 	const long long n = (long long)obj->points;
 	long long i, other;
-	const char *at = read_whole(s, end, &i);
+	const char *const end = word.end, *at = read_whole(word.s, end, &i);
 
 	for (int k = 0; k < 2 && at != NULL && at < end && *at == '/'; k++) {
 		at++;
@@ -133,115 +148,67 @@ static bool read_index(struct reader *r, const char *s, const char *end)
 	return true;
 }
 
-static bool read_shape(struct reader *r, int kind, const char *s, const char *end)
+static bool read_shape(struct reader *r, int kind)
 {
 	struct obj *obj = r->obj;
+	struct obj_shape shape = { shapes[kind].letter, obj->indices, 0 };
+	struct span word;
 
-	GROW(obj->shape, obj->shapes, 1, obj->shape_room);
-	struct obj_shape *shape = &obj->shape[obj->shapes];
-
-	*shape = (struct obj_shape){ shapes[kind].letter, obj->indices, 0 };
-	for (s = skip_space(s, end); s < end; s = skip_space(s, end)) {
-		const char *stop = word_end(s, end);
-
-		if (!read_index(r, s, stop))
+	while (next_word(r, &word))
+		if (!read_index(r, word))
 			return false;
-		s = stop;
-	}
-	shape->n = obj->indices - shape->first;
-	if (shape->n < shapes[kind].least)
+	shape.n = obj->indices - shape.first;
+	if (shape.n < shapes[kind].least)
 		return obj_refuse(r, shapes[kind].what,
 		    "f 1 2 3 is a face, l 1 2 a line and p 1 a point");
-	obj->shapes++;
+	GROW(obj->shape, obj->shapes, 1, obj->shape_room);
+	obj->shape[obj->shapes++] = shape;
 	return true;
 }
 
-/* Reads a line, without comment and line end. */
-static bool read_line(struct reader *r, const char *s, const char *end)
+static bool read_line(struct reader *r)
 {
-	char word[24];
+	char name[24] = "";
+	struct span word;
 
-	s = skip_space(s, end);
-	if (s == end)
+	if (!next_word(r, &word))
 		return true;
-	const char *stop = word_end(s, end);
-	const size_t n = (size_t)(stop - s);
+	const size_t n = (size_t)(word.end - word.s);
 
-	if (n == 1 && *s == 'v')
-		return read_vertex(r, stop, end);
+	if (n < sizeof name)
+		memcpy(name, word.s, n);
+	if (strcmp(name, "v") == 0)
+		return read_vertex(r);
 	/* fo is what f was called once */
 	for (int k = 0; k < 3; k++)
-		if (*s == shapes[k].letter &&
-		    (n == 1 || (k == 2 && n == 2 && s[1] == 'o')))
-			return read_shape(r, k, stop, end);
-	if (n < sizeof word && memchr(s, '\0', n) == NULL) {
-		memcpy(word, s, n);
-		word[n] = '\0';
-		if (word_is_one_of(word, other_words))
-			return true;
-	}
+		if (*name == shapes[k].letter &&
+		    (name[1] == '\0' || strcmp(name, "fo") == 0))
+			return read_shape(r, k);
+	if (strlen(name) == n && word_is_one_of(name, other_words))
+		return true;
 	return obj_refuse(r,
-	    text("'%.*s' begins no line of an OBJ file", n < 20 ? (int)n : 20, s),
+	    text("'%.*s' begins no line of an OBJ file", n < 20 ? (int)n : 20, word.s),
 	    "v, p, l and f are drawn, and its other words skipped");
-}
-
-/* A line, with those that backslashes join to it. */
-struct joined {
-	char *text; /* of more lines than one; or NULL */
-	size_t size, room;
-	struct span line; /* without comment */
-};
-
-/* Cuts the next line, and counts the lines that it has in *lines. Returns the place of
- * the next one. A backslash in a comment joins nothing. */
-static const char *cut_line(const char *s, const char *end, struct joined *j,
-    long long *lines)
-{
-	const char *begin = s;
-
-	for (j->size = 0, *lines = 1; s < end && *s != '\n' && *s != '#'; s++) {
-		const char *newline = s + 1 + (s + 1 < end && s[1] == '\r');
-
-		if (*s != '\\' || newline >= end || *newline != '\n')
-			continue;
-		const size_t n = (size_t)(s - begin);
-
-		GROW(j->text, j->size, n + 1, j->room);
-		memcpy(j->text + j->size, begin, n);
-		j->text[j->size + n] = ' ';
-		j->size += n + 1;
-		begin = newline + 1;
-		s = newline;
-		++*lines;
-	}
-	j->line = (struct span){ begin, s };
-	if (j->size > 0) {
-		const size_t n = (size_t)(s - begin);
-
-		GROW(j->text, j->size, n, j->room);
-		memcpy(j->text + j->size, begin, n);
-		j->line = (struct span){ j->text, j->text + j->size + n };
-	}
-	while (s < end && *s != '\n')
-		s++;
-	return s < end ? s + 1 : end;
 }
 
 bool obj_read(struct span file, struct obj *obj, struct refusal *fault)
 {
-	struct reader r = { .obj = obj, .fault = fault, .line = 1 };
-	struct joined joined = { 0 };
-	const char *s = skip_bom(file.s, file.end);
-	long long lines;
-	bool good = !format_is_foreign(s, (size_t)(file.end - s), false, fault);
+	struct reader r = { .obj = obj, .fault = fault, .end = file.end };
+	struct span rest;
 
-	for (; good && s < file.end; r.line += lines) {
-		s = cut_line(s, file.end, &joined, &lines);
-		good = read_line(&r, joined.line.s, joined.line.end);
-	}
-	free(joined.text);
-	if (!good)
+	r.s = skip_bom(file.s, file.end);
+	if (format_is_foreign(r.s, (size_t)(r.end - r.s), false, fault))
 		return false;
+	while (r.s < r.end) {
+		r.line = ++r.next_line;
+		if (!read_line(&r))
+			return false;
+		while (next_word(&r, &rest)) /* in the lines that are joined */
+			continue;
+		const char *newline = memchr(r.s, '\n', (size_t)(r.end - r.s));
+
+		r.s = newline != NULL ? newline + 1 : r.end;
+	}
 	r.line = 0;
 	if (obj->points == 0)
 		return obj_refuse(&r, "has no points", "v 1 2 3 is one");

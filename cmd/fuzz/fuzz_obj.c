@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads any bytes as an OBJ file, for libFuzzer, and draws it as if its points were of a
- * picture: triangles have corners of their face, and no visible part of a segment is
+/* Reads any bytes as an OBJ file, for libFuzzer, and draws it as if its points were of
+ * a picture: triangles have corners of their face, and no visible part of a segment is
  * outside of the picture. The functions here replace those of message.c. */
 #include <math.h>
 #include <stdint.h>
