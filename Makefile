@@ -95,13 +95,13 @@ LIBS = $(CJSON_LIBS) -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
 # The program consists of all files in the folders of CORE and PROGRAM. The other
-# folders test, study, measure and show the program.
+# folders test, study and measure the program.
 objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
 CORE = $(call objects,$(addprefix core/,refusal exact projection scene points \
 	points/kernel derive))
-PROGRAM = $(CORE) $(call objects,cmd $(addprefix cmd/,call message json scene \
+PROGRAM = $(CORE) $(call objects,cmd $(addprefix cmd/,call draw message json scene \
 	table stream number number/vector))
 BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
 TRUTH = $(filter-out %_test.o,$(call objects,core/test))
@@ -182,8 +182,8 @@ $(BUILD)/cmd/table/walk.o: FLAGS += $(if \
 # their frames is limited. With -flto clang merges a command's functions of several
 # files into one frame of up to 96 KB.
 FRAME = $(if $(findstring -flto,$(CFLAGS)),131072,32768)
-$(addprefix $(BUILD)/core/,exact/ex.o exact/map.o exact/sum.o derive/frustum.o \
-    derive/pick.o derive/ray.o) \
+$(addprefix $(BUILD)/core/,exact/ex.o exact/map.o exact/sum.o derive/clip.o \
+    derive/frustum.o derive/pick.o derive/quick_cut.o derive/ray.o) \
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
     cmd/table cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=$(FRAME)
@@ -229,9 +229,10 @@ prove: ## each bound that core claims, checked by machine
 	@prove -Q core/proof/proof_test.t cmd/test/digits_test.t :: all
 demo: | $(FIRST) ## the Utah teapot, seen in a terminal
 	@+$(PARALLEL) all
-	@sh cmd/demo/demo.sh $(BUILD)
-views: all ## the teapot in four views, as an SVG
-	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
+	@$(BUILD)/projcalc draw testdata/demo.json testdata/teapot.obj
+views: all ## draw the pictures of README again
+	cat testdata/views/*.json | $(BUILD)/projcalc draw --scenes - \
+	    testdata/teapot.obj >testdata/charts/views.svg
 
 html: ## the manual and the charts as pages for a browser, build/html
 	@mkdir -p $(BUILD)/html

@@ -104,6 +104,13 @@ static const struct command commands[] = {
 		    SCENE_MARGIN },
 	    .example = "-c d3d '{\"projection\": {\"type\": \"persp\", \"fovy\": 60, "
 		"\"aspect\": 1.5}}' '[[-1,-1,-1], [1,1,1]]'" },
+	{ "draw",
+	    "draw points, lines and OBJ files: SVG or, on a terminal, Braille",
+	    COMMAND_DRAW, run_draw, check_draw, finish_draw,
+	    .wants = { .needed = SCENE_VIEWPORT,
+		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
+		.used = SCENE_SPATIAL | SCENE_POINTS },
+	    .example = "--text '" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "inspect",
 	    "describe the projection or 2D window: angles, edges, error bounds",
 	    COMMAND_INSPECT, run_inspect,
@@ -211,6 +218,8 @@ int main(int argc, char **argv)
 			c->check(&o);
 		operands_check(&o);
 		status = run_scenes(&o);
+		if (status == EXIT_OK && c->finish != NULL)
+			c->finish();
 	}
 	return answer_end(status);
 }

@@ -7,6 +7,7 @@
 #include "call/notes.h"
 #include "call/operands.h"
 #include "json/print.h"
+#include "lines.h"
 #include "message/message.h"
 #include "scene/types.h"
 #include "call/option_row.h"
@@ -112,7 +113,8 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
 	struct refusals *const faults = d->source.faults;
-	const bool flat = c->kind == COMMAND_MATRIX_2D, planes = o->flags || o->visible;
+	const bool flat = c->kind == COMMAND_MATRIX_2D;
+	const bool planes = o->flags || o->visible || o->lines;
 	bool points = false;
 
 	if (!o->matrix && !operands_have_points(o, d, &points))
@@ -133,5 +135,7 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	j->count_imageless = !planes;
 	j->from = flat ? flat_names[from - FLAT_WINDOW] : space_names[from];
 	j->space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
+	if (o->lines && !lines_prepare(o, d, from, to, j))
+		return false;
 	return operands_run_job(o, d, from, to, j);
 }

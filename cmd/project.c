@@ -2,6 +2,7 @@
 #include "../core/points/distance.h"
 #include "call/notes.h"
 #include "call/operands.h"
+#include "lines.h"
 #include "matrix.h"
 #include "call/option_row.h"
 #include "message/message.h"
@@ -47,7 +48,7 @@ void check_project(const struct options *o)
 static bool project_prepare(const struct document *d, const struct options *o,
     enum space from, enum space to, struct job *j)
 {
-	const bool needs_frustum = o->flags || o->visible;
+	const bool needs_frustum = o->flags || o->visible || o->lines;
 	const struct scene *s = &d->scene;
 	struct refusals *const faults = d->source.faults;
 
@@ -128,5 +129,7 @@ bool run_project(const struct options *o, struct document *d, struct job *j)
 		return matrix_print(o, d, &j->transform);
 	j->from = space_names[from];
 	j->space = space_names[to];
+	if (o->lines && !lines_prepare(o, d, from, to, j))
+		return false;
 	return operands_run_job(o, d, o->homogeneous ? SPACE_CLIP : from, to, j);
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Makes teapot.xyz and teapot.faces from the Bezier patches in teapot.patches. Each patch
-# becomes a grid of 8 x 8 cells, and each cell two triangles, whose corners go
+# Makes teapot.xyz and teapot.obj from the Bezier patches in teapot.patches. Each patch
+# becomes a grid of 8 x 8 cells, and each cell a face, whose corners go
 # counterclockwise as seen from outside. z of the patches points upward, and becomes y.
 # A corner that several triangles share is one vertex.
 # usage: teapot.pl, in any folder
@@ -48,15 +48,15 @@ for my $patch (@patch) {
 		for my $u (0 .. $cells - 1) {
 			my ($a, $b, $c, $d) = map { vertex($patch, @$_) }
 			    [$v, $u], [$v, $u + 1], [$v + 1, $u + 1], [$v + 1, $u];
-			push @face, grep {
-				$_->[0] != $_->[1] && $_->[1] != $_->[2] &&
-				    $_->[2] != $_->[0]
-			} [$a, $b, $c], [$a, $c, $d];
+			my %seen;
+			my @corner = grep { !$seen{$_}++ } $a, $b, $c, $d;
+			push @face, join ' ', map { $_ + 1 } @corner if @corner > 2;
 		}
 	}
 }
 
-my %lines = ('teapot.xyz' => \@vertex, 'teapot.faces' => [map { "@$_" } @face]);
+my %lines = ('teapot.xyz' => \@vertex,
+    'teapot.obj' => [(map { "v $_" } @vertex), map { "f $_" } @face]);
 for my $name (sort keys %lines) {
 	open my $out, '>', $name or die "$name: $!\n";
 	print $out "# made by teapot.pl from Martin Newell's teapot\n",

@@ -201,6 +201,28 @@ sub make_inputs {
 	}
 }
 
+# Makes a bumpy ball of 100,352 triangles as an OBJ file.
+sub make_mesh {
+	my ($folder) = @_;
+	my ($n, $pi) = (224, atan2 0, -1);
+	my @lines;
+	for my $i (0 .. $n) {
+		for my $k (0 .. $n - 1) {
+			my ($up, $round) = ($pi * $i / $n, 2 * $pi * $k / $n);
+			my $r = 2 + 0.1 * sin(9 * $up) * sin(8 * $round);
+			push @lines, sprintf "v %.6f %.6f %.6f\n",
+			    $r * sin($up) * cos $round, $r * cos $up,
+			    $r * sin($up) * sin $round;
+		}
+	}
+	for my $i (0 .. $n * $n - 1) {
+		my ($a, $b) = ($i + 1, $i - $i % $n + ($i + 1) % $n + 1);
+		push @lines, sprintf "f %d %d %d\nf %d %d %d\n", $a, $b, $b + $n,
+		    $a, $b + $n, $a + $n;
+	}
+	spew("$folder/mesh.obj", @lines);
+}
+
 # Returns the view matrix as the parameters of an affine transform in PROJ.
 sub affine {
 	my @m = map { [split] } split /\n/,
@@ -243,6 +265,8 @@ sub our_rows {
 	}
 	row('ray', '', "$run --ray scene.json {pixels}");
 	row('document', '', "$run {document}");
+	row("draw$_", '', "projcalc draw -j 1$_ scene.json {mesh.obj}")
+	    for '', ' --text';
 	row("-j $_", '', "projcalc project -j $_ scene.json {text}")
 	    for 2, 16, 64;
 	row('f64 -j 2', '', 'projcalc project -j 2 -i f64 scene.json {f64}',
@@ -472,6 +496,9 @@ sub others {
 	    $d->{cpu} * $points / 1e9;
 	printf "| memory for them beyond the document | %.0f MB |\n",
 	    ($d->{memory} - -s 'all/document') / 1e6;
+	printf "| `draw%s` of 100352 triangles | %.2f s |\n", $_,
+	    $row{"draw$_"}{cpu} * $points / 1e9
+	    for '', ' --text';
 	printf "| %s | %.2f ms |\n", $_->{name}, $_->{cpu} * $points / 40e6
 	    for grep { ($_->{group} // '') eq 'start' } @rows;
 	printf "| the text, %s, wall | %.2f s |\n", $_->{name},
@@ -568,6 +595,7 @@ spew('matrix', ask('projcalc project --matrix scene.json'));
 make_inputs('all', $points, $copies);
 make_inputs('few', $few, 1);
 make_kinds('all');
+make_mesh('all');
 my @memory = split /^/, ask('peers');
 our_rows();
 my $python = their_rows(grep { !/^projcalc/ } map { s/\t.*\n//r } @memory);

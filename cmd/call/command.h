@@ -21,7 +21,8 @@ enum command_kind {
 	COMMAND_INSPECT = 16,
 	COMMAND_TRACE = 32,
 	COMMAND_MATRIX_2D = 64, /* prints a 2D matrix, or the images of 2D points */
-	COMMAND_HELP = 128,
+	COMMAND_DRAW = 128,
+	COMMAND_HELP = 256,
 	COMMAND_ALL = 2 * COMMAND_HELP - 1,
 };
 
@@ -35,6 +36,8 @@ struct command {
 	/* Refuses options that do not go together, before documents are read; or
 	 * NULL. */
 	void (*check)(const struct options *);
+	/* Prints what was gathered of all documents, after the last; or NULL. */
+	void (*finish)(void);
 	/* params_read_document adds to a copy what the options need. */
 	struct document_wants wants;
 	/* The spaces of the matrix. COMMAND_MATRIX_3D prints points
@@ -50,8 +53,11 @@ bool run_trace(const struct options *, struct document *, struct job *);
 bool run_pick(const struct options *, struct document *, struct job *);
 bool run_fit(const struct options *, struct document *, struct job *);
 bool run_inspect(const struct options *, struct document *, struct job *);
+bool run_draw(const struct options *, struct document *, struct job *);
 void check_project(const struct options *);
 void check_pick(const struct options *);
+void check_draw(const struct options *);
+void finish_draw(void);
 
 /* Print help. help_all lists the commands, up to a row without a name. help_command
  * describes one command. help_member describes a member of the scene or of its objects,

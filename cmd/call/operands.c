@@ -362,6 +362,31 @@ static bool run_typed(const struct options *o, struct document *d, struct job *j
 	return !d->ends_run;
 }
 
+/* Returns whether the job takes an operand as an OBJ file. */
+static bool is_whole_obj(const struct options *o, const struct job *j,
+    const char *operand)
+{
+	return j->take_obj != NULL &&
+	    (o->in == FORMAT_OBJ ||
+		(o->in == FORMAT_SNIFF && format_of_name(operand) == FORMAT_OBJ));
+}
+
+static void take_obj(const struct options *o, const struct job *j, const char *name,
+    const struct input_text *t)
+{
+	struct place place = { .file = name };
+	struct refusal r = { .line = 0 };
+
+	if (o->columns.n > 0 || o->header || o->no_header)
+		die_at(EXIT_USAGE, &place,
+		    "--columns, --header and --no-header are for points",
+		    "leave them out");
+	if (j->take_obj(j, (struct span){ t->s, t->s + t->size }, &r))
+		return;
+	place.line = r.line;
+	die_at(EXIT_INPUT, &place, r.what, r.remedy);
+}
+
 /* With --scenes, the text of a file is kept for the next scenes. */
 static bool run_operand(const struct options *o, struct document *d, struct job *j,
     int i)
@@ -369,6 +394,7 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 	static struct input_text *kept;
 	const char *operand = i < o->n_points ? o->points[i] : "-";
 	const size_t kept_size = ((size_t)o->n_points + 1) * sizeof *kept;
+	const bool is_obj = is_whole_obj(o, j, operand);
 
 	if (input_first_char(operand) == '[')
 		return run_typed(o, d, j, operand);
@@ -377,7 +403,16 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
 		if (kept[i].s == NULL)
 			kept[i] = input_of_file(operand);
-		run_source(o, j, source_of_text(operand, kept[i].s, kept[i].size));
+		if (is_obj)
+			take_obj(o, j, operand, &kept[i]);
+		else
+			run_source(o, j,
+			    source_of_text(operand, kept[i].s, kept[i].size));
+	} else if (is_obj) {
+		struct input_text t = input_of_file(operand);
+
+		take_obj(o, j, operand, &t);
+		input_free(&t);
 	} else {
 		int fd = input_open(operand);
 

@@ -133,6 +133,14 @@ static void option_read_columns(struct options *o, const struct option_row *r,
 	}
 }
 
+static void option_read_background(struct options *o, const struct option_row *r,
+    char *word)
+{
+	if (strcmp(word, "-") == 0)
+		die(EXIT_USAGE, text("--%s: - is no file", r->name), NULL);
+	o->background = word;
+}
+
 static const char *const message_forms[] = { "text", "json", NULL };
 static const char *const color_names[] = { "auto", "always", "never", NULL };
 
@@ -141,7 +149,7 @@ enum {
 	TAKE_FLAGS = COMMAND_PROJECT | COMMAND_TRACE | COMMAND_MATRIX_2D,
 	PRINT_IMAGES = COMMAND_MATRIX_3D | TAKE_FLAGS,
 	PRINT_POINTS = PRINT_IMAGES | COMMAND_PICK,
-	READ_POINTS = PRINT_POINTS | COMMAND_FIT,
+	READ_POINTS = PRINT_POINTS | COMMAND_FIT | COMMAND_DRAW,
 	PRINT_NUMBERS = PRINT_POINTS | COMMAND_INSPECT,
 	ALL_BUT_HELP = COMMAND_ALL - COMMAND_HELP,
 };
@@ -171,7 +179,7 @@ const struct option_row option_rows[] = {
 	    "name or first line",
 	    "FORMAT", option_read_format, OFFSET(in), .words = format_names,
 	    FLAG(has_in), .points_only = true },
-	{ "output", 'o', ALL_BUT_HELP,
+	{ "output", 'o', ALL_BUT_HELP - COMMAND_DRAW,
 	    "print in this format; the default for points is the format of the input",
 	    "FORMAT", option_read_format, OFFSET(out), .words = format_names,
 	    FLAG(has_out) },
@@ -206,7 +214,7 @@ const struct option_row option_rows[] = {
 	{ "textbook", 0, COMMAND_INSPECT,
 	    "print textbook_error: what programs get that work in float or double",
 	    FLAG(textbook) },
-	{ "from", 0, COMMAND_PROJECT | COMMAND_TRACE,
+	{ "from", 0, COMMAND_PROJECT | COMMAND_TRACE | COMMAND_DRAW,
 	    "read points in this space: model, world, view, clip, ndc or device",
 	    "SPACE", option_read_word, OFFSET(from), .words = space_names,
 	    .word_aliases = space_aliases, FLAG(has_from) },
@@ -246,6 +254,17 @@ const struct option_row option_rows[] = {
 	{ "visible", 0, TAKE_FLAGS,
 	    "print only points inside the view volume or window",
 	    FLAG(visible), .points_only = true },
+	{ "lines", 0, COMMAND_PROJECT | COMMAND_MATRIX_2D | COMMAND_DRAW,
+	    "join points, and print the parts inside the view volume or window",
+	    FLAG(lines), .points_only = true },
+	{ "names", 0, COMMAND_DRAW,
+	    "write what follows the coordinates of a point beside its dot",
+	    FLAG(names), .points_only = true },
+	{ "background", 0, COMMAND_DRAW,
+	    "put this PNG or JPEG file behind the picture, stretched to the viewport",
+	    "FILE", .read = option_read_background },
+	{ "text", 0, COMMAND_DRAW, "draw in Braille of 80 columns, as on a terminal",
+	    FLAG(text) },
 	{ "keep-going", 0, ALL_BUT_HELP,
 	    "go on after a wrong scene or a bad line; print nan for the line",
 	    FLAG(keep_going) },

@@ -30,7 +30,7 @@ struct option_row {
 	bool points_only; /* the option is for points only */
 };
 
-enum { OPTIONS_MAX = 40 };
+enum { OPTIONS_MAX = 48 };
 
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];

@@ -113,6 +113,23 @@ static void check_output(struct options *o)
 		    "use -o text or -o json");
 }
 
+/* --lines prints runs of images, which are text. */
+static void check_lines(struct options *o)
+{
+	if (o->homogeneous || o->matrix || o->ray || o->plane.n > 0 || o->append ||
+	    o->flags || o->visible || o->directions)
+		die(EXIT_USAGE,
+		    "--lines excludes -H, -m, --ray, --plane, --append, --flags, "
+		    "--visible and --directions",
+		    NULL);
+	if (format_is_binary(o->in))
+		die(EXIT_USAGE, "--lines reads no binary points",
+		    "blank lines part its runs: use a format of lines");
+	if (o->has_out && o->out != FORMAT_TEXT)
+		die(EXIT_USAGE, "--lines prints text", "use -o text, or leave it out");
+	o->has_out = true;
+}
+
 /* Moves the operands to the beginning of `words`. Options may stand between operands,
  * unless the environment has POSIXLY_CORRECT. */
 void options_read(struct options *o, char **words)
@@ -141,6 +158,10 @@ void options_read(struct options *o, char **words)
 		o->in = o->has_separator ? FORMAT_CSV : FORMAT_SNIFF;
 	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
 		check_output(o);
+	if (o->command->kind == COMMAND_DRAW)
+		o->has_out = true; /* inputs may have several formats */
+	if (o->lines)
+		check_lines(o);
 	if (o->decimals.n > 0 && o->digits.n > 0)
 		die(EXIT_USAGE, "--decimals and --digits exclude each other", NULL);
 	if (o->has_separator && o->out != FORMAT_CSV) {

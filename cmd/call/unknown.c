@@ -33,7 +33,7 @@ static const char *find_option(const struct command *c, const char *name)
 {
 	/* in the order of the bits of enum command_kind */
 	static const char *const kinds[] = { "the 3D matrix commands", "project",
-		"pick", "fit", "inspect", "trace", "the 2D commands", "help" };
+		"pick", "fit", "inspect", "trace", "the 2D commands", "draw", "help" };
 	enum { KINDS = sizeof kinds / sizeof *kinds };
 	const struct option_row *r = option_find(name);
 	const char *takers[KINDS + 1] = { NULL };

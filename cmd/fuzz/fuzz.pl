@@ -48,6 +48,13 @@ for my $case (map { transcript($_) } glob 'testdata/transcripts/*.txt') {
 	seed('number', $name, $1) if $command =~ /(-?\d+\.?\d*(e\S\d+)?)/;
 }
 seed('document', basename($_), "\0" . slurp($_)) for glob 'testdata/*.json';
+for my $case (transcript('testdata/transcripts/draw.txt')) {
+	seed('obj', "$case->{name}-$1", $2) while $case->{command} =~
+	    /cat > (\w+)\.obj <<'END'\n(.*?)^END/msg;
+}
+seed('obj', 'box', join "\n", (map { 'v ' . join ' ', map { $_ / 9 } @$_ } [1, 1, 1],
+    [8, 1, 2], [8, 8, 3], [1, 8, 2], [2, 2, 9], [7, 2, 9], [7, 7, 9]), 'f 1 2 3 4',
+    'f 5//1 6 7/2', 'f 1 2 7 4 5', 'l 1 -1', "p 5 \\\n6", '');
 
 my $failed = 0;
 for my $path (@fuzzers) {

@@ -28,6 +28,9 @@ struct job {
 	void (*collect_chunk)(const struct job *, const struct chunk *);
 	void (*flush)(const struct job *);
 	void *data; /* data for these functions */
+	/* Gets each OBJ file whole, so that its lines are not read as points; or NULL.
+	 * Returns false, and what is wrong, if it refuses the text. */
+	bool (*take_obj)(const struct job *, struct span text, struct refusal *);
 
 	struct transform transform;
 	struct layout layout;

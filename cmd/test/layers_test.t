@@ -13,7 +13,7 @@ use File::Basename;
 use List::Util qw(max min sum uniq);
 
 # The folders that the program does not need.
-my $wing = qr{/(?:test|study|proof|bench|fuzz|demo)/};
+my $wing = qr{/(?:test|study|proof|bench|fuzz)/};
 
 # The library functions that core may call: for arithmetic and bytes, and those that
 # compilers insert.

@@ -182,6 +182,35 @@ for (['', "x,y,z\n", "x,y,z\n", '0,0,%d', '320,240,'],
 	waitpid $pid, 0;
 }
 
+# Runs of --lines, of which some are longer than a piece, with what ends them.
+for my $ends (20, 2000, 50000) {
+	my $text = join '', map { my $end = int rand $ends;
+		($end == 0 ? "\n" : $end == 1 ? "nan 0 0\n" : $end == 2 ? "bad\n" : '') .
+		sprintf("%g %g %g\n", map { 1e-3 * int rand 1e4 - 5e3 } 1 .. 3) }
+	    1 .. 20000;
+	spew("$tmp/in", $text);
+	my @said = same('--lines -q', "runs, one in $ends lines ends", 2, 16);
+	ok(length $said[1] > 10000, 'have parts');
+}
+
+# A run is kept until it ends, and then answered before the next one arrives.
+{
+	my $pid = open2(my $from, my $to, 'projcalc project --lines scene.json -');
+	my $bits = '';
+	vec($bits, fileno $from, 1) = 1;
+	for my $run (1 .. 3) {
+		syswrite $to, "0 0 0\n1 0 $run\n";
+		is(select(my $is = $bits, undef, undef, 0.2), 0, "run $run is kept");
+		syswrite $to, "\n";
+		is(select($is = $bits, undef, undef, 20), 1, 'until a blank line');
+		sysread $from, my $lines, 1000;
+		like($lines, $run == 1 ? qr/\A320 .*\n\d.*\n\z/ :
+		    qr/\A\n320 .*\n\d.*\n\z/, 'is answered whole');
+	}
+	close $to;
+	waitpid $pid, 0;
+}
+
 # The offset of a file before and after it is read.
 my $lines = join '', map { line_of(20 + $_ % 50, $_) } 1 .. 9000;
 spew("$tmp/in", "0 0 first\n$lines");

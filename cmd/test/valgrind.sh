@@ -41,4 +41,6 @@ check pick --at 320,240 --radius 99 scene.json teapot.xyz
 check pick --scenes --at 320,240 --radius 99 "$(cat scene.json scene.json)" teapot.xyz
 check fit scene.json teapot.xyz
 check inspect scene.json
+check draw demo.json teapot.obj
+check draw --text --lines --names demo.json teapot.obj inputs/three-points.txt
 check help --json

@@ -3,8 +3,7 @@
 
 #include <math.h>
 
-#include "../points/distance.h"
-#include "frustum.h"
+#include "clip.h"
 
 /* The corners of a box. Along an edge one bit of the index changes. */
 struct corners {
@@ -130,9 +129,7 @@ static void find_rectangle(const struct map *to_screen, const struct corners *c,
 
 			if ((a & bit) != 0 || sign * sum_sign(*far) >= 0)
 				continue;
-			for (int j = 0; j < 4; j++)
-				cut[j] = sum_negated_if(sign < 0,
-				    sum_minor(*near, q[j], *far, p[j]));
+			clip_cut(4, p, near, q, far, cut);
 			reaches_eye |= take_point(to_screen, cut, r);
 		}
 	}

@@ -1,0 +1,439 @@
+/* SPDX-License-Identifier: MIT */
+/* The command draw: reads geometry, clips it to a picture, and prints that. */
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../../core/derive/clip.h"
+#include "../../core/points/points.h"
+#include "../call/input.h"
+#include "../call/notes.h"
+#include "../call/operands.h"
+#include "../call/option_row.h"
+#include "../stream/runs.h"
+#include "braille.h"
+#include "obj.h"
+#include "svg.h"
+
+/* A document's drawing. `position` and `outside` belong to the vertices of the mesh. */
+struct drawing {
+	bool lines, flat;
+	struct mesh mesh;
+	double (*position)[3]; /* in the picture, with z the distance */
+	double (*view)[3];     /* in view space */
+	unsigned char *outside;
+	struct frame frame;
+	struct picture picture;
+	struct clipper clipper;
+	struct quick_cut quick;
+	struct clip_vertex end[2], cut[2];
+	struct clip_ring ring;
+	unsigned on; /* what the last vertex of a face that is cut is on */
+	struct run_reader reader;
+};
+
+void check_draw(const struct options *o)
+{
+	if (o->has_from && o->from > SPACE_VIEW)
+		die(EXIT_USAGE, "draw: --from is model, world or view", NULL);
+	if (o->background != NULL && !input_check(o->background))
+		die(EXIT_USAGE,
+		    text("--background: there is no file %s", o->background), NULL);
+}
+
+static void take_run(void *data, const struct run *run)
+{
+	struct drawing *w = data;
+	struct mesh *m = &w->mesh;
+	unsigned last = 0;
+
+	for (size_t i = 0; i < run->n; i++) {
+		const struct run_point *p = &run->point[i];
+		const double at[3] = { p->in[0], p->in[1], w->flat ? 0 : p->in[2] };
+		const unsigned vertex = mesh_vertex(m, at);
+		unsigned size = p->name_size;
+		const char *name = size > 0 ? run->names + p->name : "";
+
+		if (size > 1 && *name == '"' &&
+		    memchr(name + 1, '"', size - 1) == name + size - 1) {
+			name++;
+			size -= 2;
+		}
+		if (!w->lines || run->n == 1 || size > 0)
+			mesh_add_dot(m, vertex, name, size);
+		if (w->lines && i > 0)
+			mesh_add_segment(m, last, vertex, STROKE_LINE);
+		last = vertex;
+	}
+}
+
+/* Nothing is printed before the end. */
+static void keep(void *data)
+{
+	(void)data;
+}
+
+static bool take_obj(const struct job *j, struct span text, struct refusal *r)
+{
+	struct drawing *w = ((const struct run_reader *)j->data)->data;
+	struct obj obj = { 0 };
+	bool good = obj_read(text, &obj, r);
+
+	if (good && !w->flat && obj.flat_line > 0) {
+		refusal_set(r, NULL, "v has fewer than three numbers",
+		    "v 1 2 3 is a point");
+		r->line = obj.flat_line;
+		good = false;
+	}
+	if (good)
+		obj_add(&obj, &w->mesh);
+	obj_free(&obj);
+	return good;
+}
+
+/* Makes a position of an image on the device, whose z may be a distance. */
+static void place_image(const struct drawing *w, const double image[3], double at[3])
+{
+	const struct frame *f = &w->frame;
+	const double size = fmax(f->width, f->height);
+
+	at[0] = (image[0] - f->x) / size;
+	at[1] = (f->from_bottom ? f->y + f->height - image[1] : image[1] - f->y) / size;
+	at[2] = w->flat ? 0 : image[2];
+}
+
+/* Finds the positions of all vertices and the planes that they are outside of; if
+ * `view` is not NULL, also where they are in view space. */
+static void map_vertices(struct drawing *w, const struct job *j,
+    const struct transform *view)
+{
+	static COLUMN_ALIGNED double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
+	const double *const from[4] = { in[0], in[1], in[2] };
+	double *const to[4] = { out[0], out[1], out[2], out[3] };
+	const struct mesh *m = &w->mesh;
+
+	w->position = xrealloc(NULL, (m->points + 1) * sizeof *w->position);
+	w->outside = xrealloc(NULL, m->points + 1);
+	if (view != NULL)
+		w->view = xrealloc(NULL, (m->points + 1) * sizeof *w->view);
+	for (size_t i = 0; i < m->points; i += POINTS_BLOCK) {
+		const size_t left = m->points - i;
+		const size_t n = left < POINTS_BLOCK ? left : POINTS_BLOCK;
+
+		for (size_t k = 0; k < 3 * n; k++)
+			in[k % 3][k / 3] = m->point[i + k / 3][k % 3];
+		points_map(&j->transform, PRECISION_EXACT, from, to, n);
+		frustum_outside_all(&j->frustum, from, w->outside + i, n);
+		for (size_t k = 0; k < n; k++)
+			place_image(w, (double[]){ out[0][k], out[1][k], out[2][k] },
+			    w->position[i + k]);
+		if (view == NULL)
+			continue;
+		points_map(view, PRECISION_EXACT, from, to, n);
+		for (size_t k = 0; k < 3 * n; k++)
+			w->view[i + k / 3][k % 3] = out[k % 3][k / 3];
+	}
+}
+
+/* Writes the position of a vertex that a cut has made. Returns false if it has none, as
+ * the eye. */
+static bool place_cut(struct drawing *w, struct clip_vertex *v, double at[3])
+{
+	double image[4] = { 0 };
+
+	clip_image(&w->clipper, v, false, image);
+	place_image(w, image, at);
+	return isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]);
+}
+
+/* Adds a segment between two vertices, as far as it is in the view volume. */
+static void add_segment(struct drawing *w, const struct mesh_segment *m)
+{
+	struct segment s = { .vertex = { m->end[0], m->end[1] }, .stroke = m->stroke };
+	unsigned outside[2];
+
+	for (int i = 0; i < 2; i++) {
+		outside[i] = w->outside[m->end[i]];
+		memcpy(s.end[i], w->position[m->end[i]], sizeof s.end[i]);
+	}
+	if ((outside[0] & outside[1]) != 0)
+		return;
+	if ((outside[0] | outside[1]) != 0) {
+		for (int i = 0; i < 2; i++)
+			clip_vertex_set(&w->end[i], &w->clipper,
+			    w->mesh.point[m->end[i]], m->end[i], outside[i]);
+		if (!clip_segment(&w->clipper, &w->end[0], &w->end[1], w->cut))
+			return;
+		for (int i = 0; i < 2; i++)
+			if (w->cut[i].cut && !place_cut(w, &w->cut[i], s.end[i]))
+				return;
+	}
+	picture_add_segment(&w->picture, &s);
+}
+
+/* Adds the side of a face, to its last corner, where a plane has cut the face. */
+static void add_cut_side(struct drawing *w, const double from[3], const double to[3])
+{
+	struct segment s = { .vertex = { NO_VERTEX, NO_VERTEX },
+		.stroke = STROKE_EDGE };
+
+	memcpy(s.end[0], from, sizeof s.end[0]);
+	memcpy(s.end[1], to, sizeof s.end[1]);
+	picture_add_segment(&w->picture, &s);
+}
+
+struct cut_face {
+	struct drawing *drawing;
+	size_t first;               /* of its corners in the picture */
+	unsigned first_on, last_on; /* the planes that they are on */
+};
+
+/* Takes a corner of what is left of a triangle. */
+static void take_corner(void *data, struct clip_vertex *v)
+{
+	struct cut_face *f = data;
+	struct drawing *w = f->drawing;
+	struct picture *p = &w->picture;
+	double at[3];
+
+	if (!v->cut)
+		memcpy(at, w->position[v->index], sizeof at);
+	else if (!place_cut(w, v, at))
+		return;
+	const bool begins = p->corners == f->first;
+	const unsigned on = v->cut ? v->on : 0;
+
+	if (begins)
+		f->first_on = on;
+	else if ((f->last_on & on) != 0)
+		add_cut_side(w, p->corner[p->corners - 1], at);
+	picture_add_corner(p, at);
+	f->last_on = on;
+}
+
+/* Writes the normal of a triangle in view space, up to its length. */
+static void view_normal(const struct drawing *w, const unsigned corner[3], double n[3])
+{
+	const double *a, *b, *c;
+
+	n[0] = n[1] = n[2] = 0;
+	if (w->view == NULL)
+		return;
+	a = w->view[corner[0]];
+	b = w->view[corner[1]];
+	c = w->view[corner[2]];
+	for (int k = 0; k < 3; k++) {
+		const int i = (k + 1) % 3, j = (k + 2) % 3;
+
+		n[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+	}
+}
+
+static void add_triangle(struct drawing *w, const struct mesh_triangle *t)
+{
+	struct picture *p = &w->picture;
+	struct cut_face f = { .drawing = w, .first = p->corners };
+	unsigned some = 0, all = ~0u;
+	double normal[3];
+
+	for (int i = 0; i < 3; i++) {
+		some |= w->outside[t->corner[i]];
+		all &= w->outside[t->corner[i]];
+	}
+	if (all != 0)
+		return;
+	for (int i = 0; i < 3 && some == 0; i++)
+		picture_add_corner(p, w->position[t->corner[i]]);
+	if (some != 0) {
+		clip_ring_begin(&w->ring, &w->clipper, take_corner, &f);
+		for (int i = 0; i < 3; i++)
+			clip_ring_add(&w->ring, w->mesh.point[t->corner[i]],
+			    t->corner[i], w->outside[t->corner[i]]);
+		clip_ring_end(&w->ring);
+		if (p->corners > f.first + 1 && (f.first_on & f.last_on) != 0)
+			add_cut_side(w, p->corner[p->corners - 1], p->corner[f.first]);
+	}
+	if (p->corners < f.first + 3) {
+		p->corners = f.first;
+		return;
+	}
+	view_normal(w, t->corner, normal);
+	picture_add_face(p, f.first, t->corner, normal);
+}
+
+/* Makes the picture of the mesh. */
+static void clip_mesh(struct drawing *w, const struct document *d)
+{
+	const struct mesh *m = &w->mesh;
+	const struct convention *c = &d->scene.convention;
+	const double ahead = convention_looks_back(c) ? -1 : 1;
+	const double gaze[3] = { 0, 0, ahead };
+	/* from the upper left, and from the eye's side; its length is 1 */
+	const double lamp[3] = { -0.48, c->view_y_down ? -0.64 : 0.64, -0.6 * ahead };
+	struct picture *p = &w->picture;
+
+	for (size_t i = 0; i < m->triangles; i++)
+		add_triangle(w, &m->triangle[i]);
+	for (size_t i = 0; i < m->segments; i++)
+		if (w->view == NULL || m->segment[i].stroke == STROKE_LINE)
+			add_segment(w, &m->segment[i]);
+	for (size_t i = 0; i < m->dots; i++) {
+		const struct mesh_dot *from = &m->dot[i];
+		const char *name = m->names + from->name;
+		struct dot dot = { .vertex = from->vertex };
+
+		if (w->outside[from->vertex] != 0)
+			continue;
+		if (from->name_size > 0)
+			dot.name = (struct span){ name, name + from->name_size };
+		memcpy(dot.at, w->position[from->vertex], sizeof dot.at);
+		picture_add_dot(p, &dot);
+	}
+	picture_complete(p, lamp, gaze);
+}
+
+/* Sets what the scene alone decides. Returns false if it is refused. */
+static bool prepare(struct drawing *w, const struct options *o, struct document *d,
+    struct job *j, struct transform *view)
+{
+	struct scene *s = &d->scene;
+	struct refusals *const faults = d->source.faults;
+	const enum space from = d->flat ? FLAT_WINDOW : o->from;
+	const enum space to = d->flat ? FLAT_DEVICE : SPACE_DEVICE;
+	const double size = fmax(d->flat ? s->device.width : s->viewport.width,
+	    d->flat ? s->device.height : s->viewport.height);
+	struct distance distance;
+
+	/* the picture is the same in each convention, and needs true distances */
+	s->answer = NULL;
+	s->viewport.distance = !d->flat;
+	if (d->flat)
+		w->frame = (struct frame){ s->device.x, s->device.y, s->device.width,
+			s->device.height, !s->device.top_left };
+	else
+		w->frame = (struct frame){ s->viewport.x, s->viewport.y,
+			s->viewport.width, s->viewport.height,
+			s->convention.origin_bottom_left };
+	w->picture.width = w->frame.width / size;
+	w->picture.height = w->frame.height / size;
+	w->picture.parallel = true;
+	if (!d->flat) {
+		if (!distance_of(s, &distance, faults) ||
+		    !transform_of_scene(s, from, SPACE_VIEW, false, view, faults))
+			return false;
+		w->picture.parallel = distance.parallel;
+	}
+	if (!distance_transform(s, from, to, &j->transform, faults) ||
+	    !frustum_of(s, from, false, &j->frustum, faults) ||
+	    !clipper_of(s, from, to, &w->clipper, faults))
+		return false;
+	if (quick_cut_of(&w->quick, from, to, &j->transform, &j->frustum))
+		w->clipper.quick = &w->quick;
+	return true;
+}
+
+static bool refuse_what_cannot_be(const struct options *o, struct document *d)
+{
+	if (!d->flat)
+		return true;
+	if (!d->scene.has_device || !d->scene.has_window)
+		return document_refuse(d, d->scene.has_device ? "/window" : "/device",
+		    "missing",
+		    "a picture of two dimensions needs \"window\" and \"device\"");
+	d->is_usage = o->has_from;
+	return !o->has_from ||
+	    document_refuse(d, NULL, "--from is for scenes of three dimensions",
+		"leave it out");
+}
+
+/* Notes that there is nothing to see, but points. */
+static void note_empty(const struct drawing *w, const struct document *d)
+{
+	const struct picture *p = &w->picture;
+
+	if (!message_state.quiet && w->mesh.points > 0 &&
+	    p->segments + p->dots + p->faces == 0)
+		document_note(d, "", "nothing is in the picture",
+		    "'trace' says which planes points are outside of");
+}
+
+static void print_picture(struct drawing *w, bool text)
+{
+	static bool printed;
+
+	if (text) {
+		if (printed)
+			output_write("\n", 1);
+		printed = true;
+		braille_print(&w->picture, braille_columns());
+	} else {
+		picture_hide(&w->picture);
+		svg_add(&w->picture, &w->frame);
+	}
+}
+
+static void set_background(const char *name)
+{
+	static bool done;
+	struct refusal r;
+
+	if (name == NULL || done)
+		return;
+	struct input_text t = input_of_file(name);
+
+	if (!svg_set_background((struct span){ t.s, t.s + t.size }, &r))
+		die_at(EXIT_INPUT, &(struct place){ .file = name }, r.what, r.remedy);
+	input_free(&t);
+	done = true;
+}
+
+bool run_draw(const struct options *o, struct document *d, struct job *j)
+{
+	static struct drawing w;
+	static struct transform view;
+	const bool text = o->text || isatty(STDOUT_FILENO);
+	const enum space from = d->flat ? FLAT_WINDOW : o->from;
+
+	w.lines = o->lines;
+	w.flat = d->flat;
+	w.reader.names = o->names;
+	w.reader.take = take_run;
+	w.reader.flush = keep;
+	w.reader.data = &w;
+	set_background(o->background);
+	if (!refuse_what_cannot_be(o, d) || !prepare(&w, o, d, j, &view))
+		return false;
+	runs_prepare(&w.reader, j);
+	j->take_obj = take_obj;
+	j->from = d->flat ? NULL : space_names[from];
+	if (!d->flat)
+		notes_say_of_spaces(d, from, SPACE_DEVICE);
+	bool good = operands_run_job(o, d, from, d->flat ? FLAT_DEVICE : SPACE_DEVICE,
+	    j);
+
+	if (good) {
+		map_vertices(&w, j, text && !d->flat ? &view : NULL);
+		clip_mesh(&w, d);
+		good = !ex_has_overflowed() ||
+		    document_refuse(d, NULL, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
+	}
+	if (good) {
+		note_empty(&w, d);
+		print_picture(&w, text);
+	}
+	picture_free(&w.picture);
+	mesh_free(&w.mesh);
+	free(w.position);
+	free(w.view);
+	free(w.outside);
+	w.position = w.view = NULL;
+	w.outside = NULL;
+	return good;
+}
+
+void finish_draw(void)
+{
+	svg_print();
+}

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: MIT */
+#include "picture.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "grow.h"
+
+void picture_add_corner(struct picture *p, const double at[3])
+{
+	GROW(p->corner, p->corners, 1, p->corner_room);
+	memcpy(p->corner[p->corners++], at, sizeof *p->corner);
+}
+
+void picture_add_face(struct picture *p, size_t first, const unsigned vertex[3],
+    const double view_normal[3])
+{
+	struct face f = { .first = first, .n = (unsigned)(p->corners - first) };
+	double length = 0;
+
+	for (int k = 0; k < 3; k++)
+		length = hypot(length, view_normal[k]);
+	for (int k = 0; k < 3; k++) {
+		f.vertex[k] = vertex[k];
+		f.view_normal[k] = (float)(length > 0 ? view_normal[k] / length : 0);
+	}
+	GROW(p->face, p->faces, 1, p->face_room);
+	p->face[p->faces++] = f;
+}
+
+void picture_add_segment(struct picture *p, const struct segment *s)
+{
+	GROW(p->segment, p->segments, 1, p->segment_room);
+	p->segment[p->segments++] = *s;
+}
+
+void picture_add_dot(struct picture *p, const struct dot *dot)
+{
+	GROW(p->dot, p->dots, 1, p->dot_room);
+	p->dot[p->dots++] = *dot;
+}
+
+/* The distances of all that is in the picture. */
+struct extent {
+	double least, most;
+};
+
+static void extent_hold(struct extent *e, double distance)
+{
+	e->least = fmin(e->least, distance);
+	e->most = fmax(e->most, distance);
+}
+
+static void set_depth(const struct picture *p, const struct extent *e, double at[3])
+{
+	if (!p->parallel)
+		at[2] = -e->least / at[2];
+	else
+		at[2] = e->most > e->least ? (at[2] - e->least) / (e->most - e->least) :
+					     0;
+}
+
+static void set_depths(struct picture *p)
+{
+	struct extent e = { HUGE_VAL, -HUGE_VAL };
+
+	for (size_t i = 0; i < p->corners; i++)
+		extent_hold(&e, p->corner[i][2]);
+	for (size_t i = 0; i < 2 * p->segments; i++)
+		extent_hold(&e, p->segment[i / 2].end[i % 2][2]);
+	for (size_t i = 0; i < p->dots; i++)
+		extent_hold(&e, p->dot[i].at[2]);
+	for (size_t i = 0; i < p->corners; i++)
+		set_depth(p, &e, p->corner[i]);
+	for (size_t i = 0; i < 2 * p->segments; i++)
+		set_depth(p, &e, p->segment[i / 2].end[i % 2]);
+	for (size_t i = 0; i < p->dots; i++)
+		set_depth(p, &e, p->dot[i].at);
+}
+
+/* Sets the box and the plane of a face, by the products of its sides from its first
+ * corner. Returns their sign, or 0 if it is seen from the side. */
+static int set_plane(const struct picture *p, struct face *f)
+{
+	const double(*v)[3] = (const double(*)[3])p->corner + f->first;
+	double side = 0;
+
+	for (int k = 0; k < 3; k++) {
+		const int a = (k + 1) % 3, b = (k + 2) % 3;
+
+		f->low[k] = f->high[k] = v[0][k];
+		for (unsigned i = 1; i < f->n; i++) {
+			f->low[k] = fmin(f->low[k], v[i][k]);
+			f->high[k] = fmax(f->high[k], v[i][k]);
+		}
+		for (unsigned i = 1; i + 1 < f->n; i++)
+			f->normal[k] += (v[i][a] - v[0][a]) * (v[i + 1][b] - v[0][b]) -
+			    (v[i][b] - v[0][b]) * (v[i + 1][a] - v[0][a]);
+	}
+	for (int k = 0; k < 2; k++)
+		side = fmax(side, f->high[k] - f->low[k]);
+	/* it is at most about 1e-8 of the picture wide */
+	if (!(fabs(f->normal[2]) > 1e-8 * side))
+		return 0;
+	return f->normal[2] < 0 ? -1 : 1;
+}
+
+/* Turns the normal and the order of the corners. */
+static void turn(const struct picture *p, struct face *f)
+{
+	double(*v)[3] = p->corner + f->first, swap[3];
+
+	for (unsigned i = 0, k = f->n - 1; i < k; i++, k--) {
+		memcpy(swap, v[i], sizeof swap);
+		memcpy(v[i], v[k], sizeof swap);
+		memcpy(v[k], swap, sizeof swap);
+	}
+	for (int k = 0; k < 3; k++) {
+		f->normal[k] = -f->normal[k];
+		f->view_normal[k] = -f->view_normal[k];
+	}
+}
+
+void picture_complete(struct picture *p, const double lamp[3], const double gaze[3])
+{
+	double faces_away = 0; /* what the faces say together */
+	size_t n = 0;
+
+	set_depths(p);
+	for (size_t i = 0; i < p->faces; i++) {
+		struct face *f = &p->face[i];
+		const int sign = set_plane(p, f);
+
+		if (sign < 0)
+			turn(p, f);
+		for (int k = 0; k < 3 && sign != 0; k++)
+			faces_away += f->normal[2] * (double)f->view_normal[k] *
+			    gaze[k];
+		if (sign != 0)
+			p->face[n++] = *f;
+	}
+	p->faces = n;
+	for (size_t i = 0; i < n; i++) {
+		struct face *f = &p->face[i];
+		double light = 0;
+
+		for (int k = 0; k < 3; k++) {
+			f->view_normal[k] *= faces_away > 0 ? -1 : 1;
+			light += (double)f->view_normal[k] * lamp[k];
+		}
+		f->light = (float)fmax(light, 0);
+	}
+}
+
+void picture_free(struct picture *p)
+{
+	free(p->corner);
+	free(p->face);
+	free(p->segment);
+	free(p->dot);
+	*p = (struct picture){ 0 };
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* What a viewport shows: the images of dots, segments and faces that are in the view
+ * volume. x and y are from the viewport's top left corner, to the right and down, and 1
+ * is its greater side. z grows away from the eye, and planes stay planes: it is the
+ * distance along the gaze of a parallel projection, 0 at the nearest, and else -1 over
+ * the distance, -1 at the nearest. */
+#pragma once
+
+#include "../message/utf8.h"
+#include "mesh.h"
+
+/* The vertex of an end that a cut has made. Others are told by their indices. */
+#define NO_VERTEX UINT32_MAX
+
+/* A triangle, or what a cut has left of it, which is convex. */
+struct face {
+	double normal[3]; /* of its plane, away from the eye; normal[2] > 0 */
+	double low[3], high[3];
+	size_t first; /* of its corners, counterclockwise where y points up */
+	unsigned n, vertex[3];
+	float view_normal[3], light; /* the light is from 0 to 1 */
+};
+
+struct segment {
+	double end[2][3];
+	unsigned vertex[2];
+	enum stroke stroke;
+};
+
+struct dot {
+	double at[3];
+	unsigned vertex;
+	struct span name; /* borrowed of the mesh */
+};
+
+struct picture {
+	double width, height; /* of which the greater one is 1 */
+	bool parallel;
+	double (*corner)[3];
+	struct face *face;
+	struct segment *segment;
+	struct dot *dot;
+	size_t corners, faces, segments, dots;
+	size_t corner_room, face_room, segment_room, dot_room;
+};
+
+/* These add a corner, and make a face of the corners from `first` on, whose normal in
+ * view space is given up to its sign. */
+void picture_add_corner(struct picture *, const double at[3]);
+void picture_add_face(struct picture *, size_t first, const unsigned vertex[3],
+    const double view_normal[3]);
+void picture_add_segment(struct picture *, const struct segment *);
+void picture_add_dot(struct picture *, const struct dot *);
+
+/* Completes a picture of which all is added, with z the distance. Leaves out faces that
+ * are seen from the side. Faces are lit by a lamp in this direction of view space; the
+ * eye looks along `gaze`. */
+void picture_complete(struct picture *, const double lamp[3], const double gaze[3]);
+
+/* Returns how far `at` is beyond the plane of a face, times normal[2]. It is above 0 only
+ * if it is more than what the digits of usual files leave open: 2^-18, relative to the
+ * picture and to z. So lines on a face are not beyond it. */
+double picture_beyond(const struct picture *, const struct face *, const double at[3]);
+
+/* Returns whether the vertices of a segment are corners of a face: 0, 1 or both; then 1
+ * of *which is its index. */
+int picture_shared(const struct face *, const unsigned vertex[2], int *which);
+
+/* Replaces segments by those parts of them that no face hides, and leaves out dots that
+ * a face hides. Parts and gaps below 1e-5 of the picture are not told apart. */
+void picture_hide(struct picture *);
+
+void picture_free(struct picture *);

@@ -1,0 +1,341 @@
+/* SPDX-License-Identifier: MIT */
+/* The pictures become texts, which svg_print puts into one, as its first line tells the
+ * extent of all. x is that of the device, and y, too, if it counts from the top; else y
+ * is mirrored. */
+#include "svg.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../number/number.h"
+#include "grow.h"
+
+struct drawn {
+	struct frame frame;
+	size_t from, to; /* its bytes of the text */
+};
+
+static struct svg {
+	char *text;
+	size_t size, room;
+	struct drawn *drawn;
+	size_t n, drawn_room;
+	double unit;      /* numbers are rounded to multiples of 1 / unit */
+	char *background; /* the address of an image element; or NULL */
+} svg;
+
+static void put_bytes(const char *s, size_t n)
+{
+	GROW(svg.text, svg.size, n, svg.room);
+	memcpy(svg.text + svg.size, s, n);
+	svg.size += n;
+}
+
+static void put(const char *s)
+{
+	put_bytes(s, strlen(s));
+}
+
+/* Puts a text and a number. */
+static void put_with(const char *before, double v)
+{
+	char number[NUMBER_MAX];
+	const double units = v * svg.unit;
+	/* from 2^53 on there are no digits to round */
+	const double rounded = fabs(units) < 0x1p53 ? round(units) / svg.unit : v;
+	const char *end = number_write(number, rounded,
+	    (struct number_style){ NUMBER_SHORTEST, 0 });
+
+	put(before);
+	put_bytes(number, (size_t)(end - number));
+}
+
+/* Rounds the next numbers so that they change by at most 1e-5 of a size. */
+static void round_by(double size)
+{
+	svg.unit = pow(10, ceil(-log10(2e-5 * size)));
+}
+
+static double frame_size(const struct frame *f)
+{
+	return fmax(f->width, f->height);
+}
+
+static void put_place(const struct frame *f, const char *letter, const double at[3])
+{
+	put_with(letter, f->x + at[0] * frame_size(f));
+	put_with(" ", f->y + at[1] * frame_size(f));
+}
+
+/* Puts a text of XML, with U+FFFD for what XML or UTF-8 lacks. */
+static void put_escaped(struct span name)
+{
+	for (const char *s = name.s; s < name.end;) {
+		unsigned code = 0;
+		const int n = utf8_read(s, name.end, &code);
+
+		if (n == 0 || (code < ' ' && code != '\t') || (code & 0xfffe) == 0xfffe)
+			put("\xef\xbf\xbd");
+		else if (code == '<' || code == '&')
+			put(code == '<' ? "&lt;" : "&amp;");
+		else
+			put_bytes(s, (size_t)n);
+		s += n > 0 ? n : 1;
+	}
+}
+
+/* The classes of what is drawn, in the order in which it is. */
+static const char *const classes[] = { "edge", "line", "dot" };
+enum { CLASS_DOT = 2, CLASSES };
+
+/* Puts the path of a class; a segment goes on where the one before ended. */
+static void put_path(const struct picture *p, const struct frame *f, int class)
+{
+	const double *last = NULL;
+
+	for (size_t i = 0; i < p->segments && class != CLASS_DOT; i++) {
+		const struct segment *s = &p->segment[i];
+
+		if ((int)s->stroke != class)
+			continue;
+		if (last == NULL || memcmp(last, s->end[0], 2 * sizeof *last) != 0)
+			put_place(f, "\nM", s->end[0]);
+		put_place(f, "L", s->end[1]);
+		last = s->end[1];
+	}
+	for (size_t i = 0; i < p->dots && class == CLASS_DOT; i++) {
+		put_place(f, "\nM", p->dot[i].at);
+		put("h0");
+	}
+}
+
+static bool has_class(const struct picture *p, int class)
+{
+	for (size_t i = 0; i < p->segments && class != CLASS_DOT; i++)
+		if ((int)p->segment[i].stroke == class)
+			return true;
+	return class == CLASS_DOT && p->dots > 0;
+}
+
+/* Puts each name to the right of its dot or, in the right quarter, to the left. */
+static void put_names(const struct picture *p, const struct frame *f)
+{
+	for (size_t i = 0; i < p->dots; i++) {
+		const struct dot *dot = &p->dot[i];
+		const bool left = dot->at[0] > 0.75 * p->width;
+
+		if (dot->name.s == dot->name.end)
+			continue;
+		put_with("<text x=\"", f->x + dot->at[0] * frame_size(f));
+		put_with("\" y=\"", f->y + dot->at[1] * frame_size(f));
+		put(left ? "\" dx=\"-.5em\" text-anchor=\"end" : "\" dx=\".5em");
+		put("\" dy=\"-.2em\">");
+		put_escaped(dot->name);
+		put("</text>\n");
+	}
+}
+
+static void put_box(const struct frame *f, double y)
+{
+	put_with(" x=\"", f->x);
+	put_with("\" y=\"", y);
+	put_with("\" width=\"", f->width);
+	put_with("\" height=\"", f->height);
+	put("\"");
+}
+
+/* Over a background each path is drawn twice: light and wide, then dark. */
+static void put_class(const struct picture *p, const struct frame *f, int class)
+{
+	const bool photo = svg.background != NULL;
+	const char *name = classes[class];
+	char begin[64], use[128];
+
+	if (!has_class(p, class))
+		return;
+	snprintf(begin, sizeof begin,
+	    photo ? "<defs><path id=\"%s%zu\" d=\"" : "<path class=\"%s\" d=\"", name,
+	    svg.n);
+	put(begin);
+	put_path(p, f, class);
+	put("\"/>\n");
+	if (!photo)
+		return;
+	snprintf(use, sizeof use,
+	    "</defs><g class=\"halo\"><use class=\"%s\" href=\"#%s%zu\"/></g>\n"
+	    "<use class=\"%s\" href=\"#%s%zu\"/>\n",
+	    name, name, svg.n, name, name, svg.n);
+	put(use);
+}
+
+void svg_add(const struct picture *p, const struct frame *f)
+{
+	struct drawn d = { .frame = *f, .from = svg.size };
+
+	round_by(frame_size(f));
+	if (svg.background != NULL) {
+		put("<image preserveAspectRatio=\"none\"");
+		put_box(f, f->y);
+		put(" href=\"");
+		put(svg.background);
+		put("\"/>\n");
+	}
+	for (int class = 0; class < CLASSES; class ++)
+		put_class(p, f, class);
+	put_names(p, f);
+	d.to = svg.size;
+	GROW(svg.drawn, svg.n, 1, svg.drawn_room);
+	svg.drawn[svg.n++] = d;
+}
+
+/* Writes the characters of base64 (RFC 4648) for the bytes. Returns their end. */
+static char *write_base64(char *out, const unsigned char *s, size_t n)
+{
+	static const char digit[] =
+	    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+	for (size_t i = 0; i < n; i += 3) {
+		const unsigned b = (unsigned)s[i] << 16 |
+		    (i + 1 < n ? (unsigned)s[i + 1] << 8 : 0) |
+		    (i + 2 < n ? (unsigned)s[i + 2] : 0);
+
+		*out++ = digit[b >> 18];
+		*out++ = digit[b >> 12 & 63];
+		*out++ = i + 1 < n ? digit[b >> 6 & 63] : '=';
+		*out++ = i + 2 < n ? digit[b & 63] : '=';
+	}
+	return out;
+}
+
+bool svg_set_background(struct span file, struct refusal *r)
+{
+	static const char png[] = "\x89PNG\r\n\x1a\n", jpeg[] = "\xff\xd8\xff";
+	const size_t n = (size_t)(file.end - file.s);
+	const bool is_png = n > 8 && memcmp(file.s, png, 8) == 0;
+	char *at;
+
+	if (!is_png && !(n > 3 && memcmp(file.s, jpeg, 3) == 0)) {
+		refusal_set(r, NULL, "is neither a PNG nor a JPEG picture",
+		    "convert it to one");
+		return false;
+	}
+	svg.background = at = xrealloc(NULL, n / 3 * 4 + 64);
+	at = stpcpy(at, is_png ? "data:image/png;base64," : "data:image/jpeg;base64,");
+	*write_base64(at, (const unsigned char *)file.s, n) = '\0';
+	return true;
+}
+
+/* Puts the style. Widths are of a picture of 640 units. Without a background the
+ * colours are those of a light page or of a dark one. */
+static void put_style(double size)
+{
+	const bool photo = svg.background != NULL;
+	const double width = size / 640;
+
+	put("<style>\nsvg{color:#1b1b1f");
+	put(photo ? "}\n" : ";color-scheme:light dark}\n");
+	put(".edge,.line,.dot{fill:none;stroke-linecap:round;stroke-linejoin:round}\n");
+	put_with(".edge{stroke:currentColor;stroke-width:", 0.8 * width);
+	put_with("}\n.line{stroke:#1769c4;stroke-width:", 1.5 * width);
+	put_with("}\n.dot{stroke:#d8342c;stroke-width:", 5 * width);
+	put_with("}\ntext{fill:currentColor;font:", 13 * width);
+	put("px sans-serif}\n");
+	if (photo) {
+		put_with(".halo *{stroke:#fff;stroke-opacity:.75}\n"
+			 ".halo .edge{stroke-width:",
+		    3 * width);
+		put_with("}\n.halo .line{stroke-width:", 4 * width);
+		put_with("}\n.halo .dot{stroke-width:", 8 * width);
+		put_with("}\ntext{paint-order:stroke;stroke:#fff;stroke-width:",
+		    3 * width);
+		put("}\n");
+	} else {
+		put("@media(prefers-color-scheme:dark){svg{color:#e6e6ea}"
+		    ".line{stroke:#6cb2ff}.dot{stroke:#ff7a70}}\n");
+	}
+	put("</style>\n");
+}
+
+/* Returns the rectangle that holds all frames. */
+static struct frame frames_hull(void)
+{
+	struct frame f = svg.drawn[0].frame;
+	double right = f.x + f.width, bottom = f.y + f.height;
+
+	for (size_t i = 1; i < svg.n; i++) {
+		const struct frame *g = &svg.drawn[i].frame;
+
+		f.x = fmin(f.x, g->x);
+		f.y = fmin(f.y, g->y);
+		right = fmax(right, g->x + g->width);
+		bottom = fmax(bottom, g->y + g->height);
+	}
+	f.width = right - f.x;
+	f.height = bottom - f.y;
+	return f;
+}
+
+static void put_view_box(const struct frame *f)
+{
+	put_with("viewBox=\"", f->x);
+	put_with(" ", f->y);
+	put_with(" ", f->width);
+	put_with(" ", f->height);
+	put("\"");
+}
+
+/* Puts the first line. Pixels are the units of the viewport, unless they would be too
+ * few or too many to look at. */
+static void put_head(const struct frame *hull)
+{
+	const double size = frame_size(hull);
+	const double pixels = size >= 100 && size <= 10000 ? 1 : 640 / size;
+
+	round_by(size);
+	put("<svg xmlns=\"http://www.w3.org/2000/svg\" ");
+	put_view_box(hull);
+	svg.unit = 1000;
+	put_with(" width=\"", hull->width * pixels);
+	put_with("\" height=\"", hull->height * pixels);
+	put("\">\n");
+	round_by(size / 1000);
+	put_style(size);
+	round_by(size);
+}
+
+void svg_print(void)
+{
+	const size_t end = svg.size;
+	size_t from = end;
+
+	if (svg.n == 0)
+		return;
+	const struct frame hull = frames_hull();
+
+	put_head(&hull);
+	for (size_t i = 0; i < svg.n; i++) {
+		const struct drawn *d = &svg.drawn[i];
+		const struct frame *f = &d->frame;
+
+		if (svg.n > 1) {
+			put("<svg");
+			put_box(f,
+			    f->from_bottom ?
+				2 * hull.y + hull.height - f->y - f->height :
+				f->y);
+			put(" ");
+			put_view_box(f);
+			put(">\n");
+		}
+		output_write(svg.text + from, svg.size - from);
+		output_write(svg.text + d->from, d->to - d->from);
+		from = svg.size;
+		if (svg.n > 1)
+			put("</svg>\n");
+	}
+	put("</svg>\n");
+	output_write(svg.text + from, svg.size - from);
+	svg.size = svg.n = 0;
+}

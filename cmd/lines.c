@@ -1,0 +1,226 @@
+/* SPDX-License-Identifier: MIT */
+#include "lines.h"
+
+#include <string.h>
+
+#include "../core/derive/clip.h"
+#include "call/options.h"
+#include "stream/runs.h"
+
+enum { LINES_ROWS = 8 * NUMBER_BATCH };
+
+/* The rows that are not printed yet, and what their run needs. */
+struct lines {
+	struct run_reader reader;
+	struct clipper clipper;
+	struct quick_cut quick;
+	struct clip_ring ring;
+	struct clip_vertex end[2], cut[2];
+	const struct run *run;
+
+	int writes;  /* numbers in a row */
+	bool single; /* they are floats */
+	struct number_style style[4];
+	bool any;                /* a part was printed before */
+	bool begins;             /* the next row begins a part */
+	size_t n;                /* rows */
+	bool parted[LINES_ROWS]; /* a blank line stands above the row */
+	double image[4][LINES_ROWS];
+
+	/* of a polygon that is cut: its part's vertices, and the first's image */
+	size_t vertices;
+	double first[4];
+};
+
+static char *write_row(const struct lines *l, size_t row,
+    struct number_text (*t)[NUMBER_BATCH], char *out)
+{
+	if (l->parted[row])
+		*out++ = '\n';
+	for (int k = 0; k < l->writes; k++) {
+		out = number_text_put(out, &t[k][row % NUMBER_BATCH], l->image[k][row],
+		    l->single, l->style[k]);
+		*out++ = k < l->writes - 1 ? ' ' : '\n';
+	}
+	return out;
+}
+
+static void print_rows(void *data)
+{
+	enum { ROW_ROOM = 4 * (NUMBER_MAX + 1) + 1 };
+	static struct number_text t[4][NUMBER_BATCH];
+	static char text[NUMBER_BATCH * ROW_ROOM];
+	struct lines *l = data;
+
+	for (size_t from = 0; from < l->n; from += NUMBER_BATCH) {
+		const size_t left = l->n - from;
+		const size_t n = left < NUMBER_BATCH ? left : NUMBER_BATCH;
+		char *at = text;
+
+		for (int k = 0; k < l->writes; k++)
+			number_texts(&l->image[k][from], n, l->single, l->style[k],
+			    t[k]);
+		for (size_t i = from; i < from + n; i++)
+			at = write_row(l, i, t, at);
+		output_write(text, (size_t)(at - text));
+	}
+	l->n = 0;
+}
+
+static void add_row(struct lines *l, const double image[4])
+{
+	if (l->n == LINES_ROWS)
+		print_rows(l);
+	for (int k = 0; k < l->writes; k++)
+		l->image[k][l->n] = image[k];
+	l->parted[l->n++] = l->begins && l->any;
+	l->any = true;
+	l->begins = false;
+}
+
+/* Returns point i of the run as a vertex. Neighbours have one each, so that segments
+ * that follow one another share what they compute. */
+static struct clip_vertex *end_at(struct lines *l, size_t i)
+{
+	struct clip_vertex *v = &l->end[i % 2];
+	const struct run_point *p = &l->run->point[i];
+
+	if (v->index != i)
+		clip_vertex_set(v, &l->clipper, p->in, i, p->outside);
+	return v;
+}
+
+/* Finds the part of the segment from point i to the next. Returns false if there is
+ * none; else sets cut[0] and cut[1] to whether its ends are cut off, and the images of
+ * the ends. */
+static bool find_part(struct lines *l, size_t i, bool cut[2], double image[2][4])
+{
+	const struct run_point *p = &l->run->point[i], *q = p + 1;
+
+	memcpy(image[0], p->image, sizeof image[0]);
+	memcpy(image[1], q->image, sizeof image[1]);
+	cut[0] = cut[1] = false;
+	if ((p->outside | q->outside) == 0)
+		return true;
+	if ((p->outside & q->outside) != 0)
+		return false;
+	if (!clip_segment(&l->clipper, end_at(l, i), end_at(l, i + 1), l->cut))
+		return false;
+	for (int k = 0; k < 2; k++) {
+		cut[k] = l->cut[k].cut;
+		if (cut[k])
+			clip_image(&l->clipper, &l->cut[k], l->single, image[k]);
+	}
+	return true;
+}
+
+static void take_polyline(struct lines *l)
+{
+	const struct run_point *p = l->run->point;
+	bool goes_on = false, cut[2]; /* the part has come to point i */
+	double image[2][4];
+
+	l->end[0].index = l->end[1].index = SIZE_MAX;
+	l->begins = true;
+	if (l->run->n == 1 && p[0].outside == 0)
+		add_row(l, p[0].image);
+	for (size_t i = 0; i + 1 < l->run->n; i++) {
+		if (!find_part(l, i, cut, image)) {
+			goes_on = false;
+			continue;
+		}
+		if (!goes_on) {
+			l->begins = true;
+			add_row(l, image[0]);
+		}
+		add_row(l, image[1]);
+		goes_on = !cut[1];
+	}
+}
+
+/* Takes a vertex of the part of the polygon, which is printed from the second on. */
+static void take_vertex(void *data, struct clip_vertex *v)
+{
+	struct lines *l = data;
+	double image[4];
+
+	if (v->cut)
+		clip_image(&l->clipper, v, l->single, image);
+	else
+		memcpy(image, l->run->point[v->index].image, sizeof image);
+	if (l->vertices == 0)
+		memcpy(l->first, image, sizeof image);
+	if (l->vertices == 1)
+		add_row(l, l->first);
+	if (l->vertices > 0)
+		add_row(l, image);
+	l->vertices++;
+}
+
+static void take_polygon(struct lines *l)
+{
+	const struct run_point *p = l->run->point;
+	unsigned some = 0, all = ~0u;
+
+	for (size_t i = 0; i < l->run->n; i++) {
+		some |= p[i].outside;
+		all &= p[i].outside;
+	}
+	l->begins = true;
+	if (all != 0)
+		return;
+	if (some == 0) {
+		for (size_t i = 0; i < l->run->n; i++)
+			add_row(l, p[i].image);
+		return;
+	}
+	l->vertices = 0;
+	clip_ring_begin(&l->ring, &l->clipper, take_vertex, l);
+	for (size_t i = 0; i + 1 < l->run->n; i++)
+		clip_ring_add(&l->ring, p[i].in, i, p[i].outside);
+	clip_ring_end(&l->ring);
+	if (l->vertices > 1)
+		add_row(l, l->first);
+}
+
+static bool is_closed(const struct lines *l)
+{
+	const struct run_point *p = &l->run->point[0],
+			       *q = &l->run->point[l->run->n - 1];
+
+	for (int k = 0; k < l->clipper.in; k++)
+		if (p->in[k] != q->in[k])
+			return false;
+	return l->run->n > 3;
+}
+
+static void take_run(void *data, const struct run *run)
+{
+	struct lines *l = data;
+
+	l->run = run;
+	if (is_closed(l))
+		take_polygon(l);
+	else
+		take_polyline(l);
+}
+
+bool lines_prepare(const struct options *o, const struct document *d, enum space from,
+    enum space to, struct job *j)
+{
+	static struct lines l;
+
+	if (!clipper_of(&d->scene, from, to, &l.clipper, d->source.faults))
+		return false;
+	l.writes = j->transform.out;
+	l.single = o->precision == PRECISION_SINGLE;
+	for (int k = 0; k < l.writes; k++)
+		l.style[k] = options_style(o, k);
+	if (quick_cut_of(&l.quick, from, to, &j->transform, &j->frustum))
+		l.clipper.quick = &l.quick;
+	l.reader.take = take_run;
+	l.reader.flush = print_rows;
+	l.reader.data = &l;
+	runs_prepare(&l.reader, j);
+	return true;
+}
