@@ -49,16 +49,16 @@ static bool make_gaze_camera(struct scene *s, struct refusals *faults)
 
 	if (!camera_map(c, convention, true, &to_world, faults))
 		return false;
-	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION; k++)
+	for (int k = 0; k < 3 && !camera_has_eye(c); k++)
 		c->eye[k] = map_element_nearest(&to_world, 3, k, false);
-	if (c->way >= CAMERA_POSE)
+	if (camera_is_by_steps(c))
 		c->roll = 0;
 	turned.roll = 0;
 	turned.orthonormalize = true;
-	if (c->way >= CAMERA_ORIENTATION &&
+	if (!camera_is_by_gaze(c) &&
 	    !camera_map(&turned, convention, true, &to_world, faults))
 		return false;
-	for (int k = 0; k < 3 && c->way >= CAMERA_ORIENTATION; k++) {
+	for (int k = 0; k < 3 && !camera_is_by_gaze(c); k++) {
 		c->at[k] = along * map_element_nearest(&to_world, 2, k, false);
 		c->up[k] = upward * map_element_nearest(&to_world, 1, k, false);
 	}

@@ -12,7 +12,7 @@ static bool has_up_z(const struct scene *s)
 	const double tan_degree = 0.017455064928217585;
 	double gaze[3];
 
-	if (!s->has_camera || c->way > CAMERA_GAZE || c->up[0] != 0 || c->up[1] != 0 ||
+	if (!s->has_camera || !camera_is_by_gaze(c) || c->up[0] != 0 || c->up[1] != 0 ||
 	    c->up[2] == 0)
 		return false;
 	for (int i = 0; i < 3; i++)
@@ -47,8 +47,10 @@ static bool is_radians(double x)
 static bool steps_have_radians(const struct steps *l)
 {
 	for (int i = 0; l->step != NULL && i < l->n; i++)
-		if (l->unit == ANGLE_DEGREES && l->step[i].kind >= STEP_ROTATE_X &&
-		    l->step[i].kind <= STEP_ROTATE && is_radians(l->step[i].angle))
+		if (l->unit == ANGLE_DEGREES &&
+		    (step_is_about_axis(&l->step[i]) ||
+			l->step[i].kind == STEP_ROTATE) &&
+		    is_radians(l->step[i].angle))
 			return true;
 	return false;
 }
@@ -65,11 +67,11 @@ static bool has_radians(const struct scene *s)
 	double view = 0;
 
 	if (s->has_camera && s->camera.unit == ANGLE_DEGREES &&
-	    s->camera.way < CAMERA_POSE)
+	    !camera_is_by_steps(&s->camera))
 		found |= is_radians(s->camera.roll);
 	if (p->unit != ANGLE_DEGREES)
 		return found;
-	if (persp && p->section.way <= SECTION_VIEW_ANGLE)
+	if (persp && section_is_by_angle(p->section.way))
 		view = p->section.angle;
 	if (family == FAMILY_VOLUME && p->volume.eye_given_by == EYE_BY_ANGLE)
 		view = p->volume.view_angle;

@@ -31,7 +31,7 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 /* The length of a normal is that in view space if the camera is a rotation. */
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
-	const bool rotates = l->scene.camera.way < CAMERA_ROTATION;
+	const bool rotates = !camera_gives_3x3(&l->scene.camera);
 
 	for (int k = 0; k < 6; k++) {
 		const struct map *m = k < 4 ? &l->sides : &l->ends;
@@ -285,10 +285,10 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_RADIANS] = projection_family(p) == FAMILY_PERSP &&
 		    p->unit == ANGLE_DEGREES &&
 		    fmin(r->taxonomy.fov[0], r->taxonomy.fov[1]) < 3.2 &&
-		    (p->section.way <= SECTION_VIEW_ANGLE ||
+		    (section_is_by_angle(p->section.way) ||
 			p->section.way == SECTION_ANGLES),
 		[NOTE_OFF_CENTER] = projection_has_intrinsics(p) && is_off_center(s, r),
-		[NOTE_NO_ROTATION] = s->camera.way >= CAMERA_ROTATION &&
+		[NOTE_NO_ROTATION] = camera_gives_3x3(&s->camera) &&
 		    !is_rotation(&l->to_view, l->mirrors),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->clip_w[1]) < 0),

@@ -55,7 +55,7 @@ static inline bool projection_is_open(const struct projection *p)
 static inline bool projection_is_given_at_near(const struct projection *p)
 {
 	return projection_family(p) == FAMILY_PERSP && p->section.edges_at == 0 &&
-	    p->section.way >= SECTION_SIZE && p->section.way <= SECTION_EDGES;
+	    section_is_at_distance(p->section.way);
 }
 
 /* Returns whether the projection is a persp given by the intrinsics P. */
@@ -78,6 +78,10 @@ static inline bool projection_is_tilted(const struct projection *p)
  * says. Returns false, and adds a refusal, if it can't. */
 bool projection_map(const struct projection *, const struct convention *, bool inverse,
     struct map *, struct refusals *);
+
+/* Refuses what projection_map would refuse. Members that the document lacks or that
+ * were refused are NaN. */
+bool projection_check(const struct projection *, bool inverse, struct refusals *);
 
 /* Returns whether the near plane has ndc depth 1, as the row of the type tells. */
 bool projection_is_reversed(const struct projection *, const struct convention *);
