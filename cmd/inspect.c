@@ -247,3 +247,17 @@ bool run_inspect(const struct options *o, struct document *d, struct job *j)
 	output_write(out, (size_t)(p.at - out));
 	return true;
 }
+
+void judge_inspect(const struct options *o, const struct document *d)
+{
+	struct refusals *const faults = d->source.faults;
+	struct hull h;
+
+	(void)o;
+	if (d->flat)
+		scene_check(&d->scene, FLAT_WINDOW, FLAT_NDC, faults);
+	else
+		scene_check(&d->scene, SPACE_MODEL, SPACE_DEVICE, faults);
+	if (d->has_bounds)
+		hull_of(&d->bounds, d->flat ? 2 : 3, &h, faults);
+}

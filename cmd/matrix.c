@@ -135,3 +135,8 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	j->space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
 	return operands_run_job(o, d, from, to, j);
 }
+
+void judge_matrix(const struct options *o, const struct document *d)
+{
+	scene_check(&d->scene, o->command->from, o->command->to, d->source.faults);
+}

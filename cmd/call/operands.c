@@ -53,7 +53,7 @@ static void check_is_scene(const struct options *o)
 	if (array || join_numbers(o, words, 1, list))
 		die_at(EXIT_USAGE, &place, "holds points",
 		    params_points_remedy(o,
-			text("'%.200s'", array ? o->params : list)));
+			text("'%s'", array ? o->params : list)));
 }
 
 static void check_params(const struct options *o)

@@ -27,7 +27,7 @@ static void option_read_word(struct options *o, const struct option_row *r, char
 
 	if (found < 0)
 		die(EXIT_USAGE, text("--%s: unknown word '%s'", r->name, word),
-		    word_remedy(remedy, word, WORD_VALUE, r->words, ""));
+		    word_remedy_of_value(remedy, word, r->words, r->word_aliases, ""));
 	*at = (unsigned)found;
 }
 

@@ -139,9 +139,9 @@ const char *params_points_remedy(const struct options *o, const char *points)
 	const struct command *c = o->command;
 
 	return command_reads_points(c) ?
-	    text("a scene comes first, as in: projcalc %s scene.json %.200s", c->name,
-		points) :
-	    text("a scene is wanted, as in: projcalc %s %.1000s", c->name, c->example);
+	    text("a scene comes first, as in: projcalc %s scene.json %.*s", c->name,
+		(int)utf8_fit(points, 200), points) :
+	    text("a scene is wanted, as in: projcalc %s %s", c->name, c->example);
 }
 
 /* Returns whether the line at s begins like one of points: with a number, which may be

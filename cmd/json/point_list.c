@@ -3,12 +3,13 @@
 
 #include <string.h>
 
+#include "look.h"
 #include "text.h"
 
 static bool refuse_byte(const struct json_source *source, const char *s,
     const char *wanted)
 {
-	return value_refuse_text(source, s,
+	return look_refuse(source, s,
 	    text("expected %s, not '%c'", wanted, (unsigned char)*s < 0x7f ? *s : '?'),
 	    *s == ']' ? "remove the comma before it" : NULL);
 }

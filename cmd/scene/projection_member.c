@@ -304,12 +304,12 @@ static bool read_type(const struct value *v, struct projection *p)
 
 	p->type = PROJECTION_NONE;
 	if (!given && implied == PROJECTION_NONE)
-		return value_refuse(VALUE_MISSING(v, "type"), "missing",
+		return value_refuse(VALUE_NAMED(v, "type"), "missing",
 		    text("add \"type\": %s",
 			words_join(all, projection_type_names, " or ", "\"")));
-	/* with an implied type object_read refuses what is no type */
+	/* object_read refuses what is no type */
 	if (i < 0 && implied == PROJECTION_NONE)
-		return row->type->read(&m, row, &p->type);
+		return false;
 	p->type = i < 0 ? implied : PROJECTION_PERSP + (unsigned)i;
 	if (implied == PROJECTION_NONE || p->type == implied)
 		return true;
@@ -354,18 +354,16 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 		return value_refuse_type(v, "an object");
 	bool is_right = read_type(v, p);
 
-	if (p->type == PROJECTION_NONE)
-		return false;
+	if (p->type == PROJECTION_NONE) {
+		struct projection any;
+
+		return object_read(v, row, ANY_VARIANT, &any, NULL) && false;
+	}
 	/* an index in projection_type_names, which has no PROJECTION_NONE */
 	is_right = object_read(v, row, (int)p->type - 1, p, &found) && is_right;
 	p->unit = (enum angle_unit)v->source->unit;
 	complete_members(p, found.given, v->source->task);
 	p->aspect[1] = p->aspect[0] > 0 || found.left != 0;
-	if (is_right && p->section.way == SECTION_ANGLES &&
-	    !(p->section.angles[0] < p->section.angles[1] &&
-		p->section.angles[2] < p->section.angles[3]))
-		return value_refuse(VALUE_MISSING(v, "angles"), "not in order",
-		    "left below right, bottom below top");
 	return is_right;
 }
 
@@ -374,7 +372,7 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 static bool set_image_size(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
-	const struct value *given = VALUE_MISSING(v, "intrinsics");
+	const struct value *given = VALUE_NAMED(v, "intrinsics");
 	double full[2] = { 0 };
 	bool is_right = true;
 
@@ -408,10 +406,10 @@ bool projection_complete(const struct value *v, const struct viewport *viewport,
 		return true;
 	if (projection_has_intrinsics(p))
 		is_right = set_image_size(v, viewport, p);
-	if (p->aspect[0] > 0 || (p->aspect[1] == 0 && !widened))
+	if (p->aspect[0] != 0 || (p->aspect[1] == 0 && !widened))
 		return is_right;
 	if (viewport == NULL)
-		is_right = value_refuse(VALUE_MISSING(v, "aspect"), "missing",
+		is_right = value_refuse(VALUE_NAMED(v, "aspect"), "missing",
 		    "give it, or a \"viewport\"");
 	p->aspect[0] = p->aspect[1] = 1;
 	if (viewport != NULL && viewport->scale != SCALE_UNIFORM) {
@@ -445,5 +443,5 @@ static void print_projection(struct printer *printer, const struct member *row,
 	object_print(printer, row, (int)p.type - 1, ~hidden, &p);
 }
 
-const struct member_type type_projection = { NULL, read_projection, print_projection,
-	0 };
+const struct member_type type_projection = { .read = read_projection,
+	.print = print_projection };

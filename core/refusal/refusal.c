@@ -27,7 +27,9 @@ void refusal_set(struct refusal *r, const char *where, const char *what,
 
 static bool are_equal(const struct refusal *a, const struct refusal *b)
 {
-	return a->line == b->line && a->column == b->column &&
+	const bool has_pointer = *a->where != '\0';
+
+	return (has_pointer || (a->line == b->line && a->column == b->column)) &&
 	    strcmp(a->where, b->where) == 0 && strcmp(a->what, b->what) == 0 &&
 	    strcmp(a->remedy, b->remedy) == 0;
 }

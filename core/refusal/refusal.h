@@ -38,8 +38,8 @@ struct refusals {
 void refusal_set(struct refusal *, const char *where, const char *what,
     const char *remedy);
 
-/* Adds a refusal to the list, if there is one, unless the list has the same; or counts
- * it if the list is full. Returns false. */
+/* Adds a refusal to the list, if there is one, unless the list has the same of the
+ * same pointer; or counts it if the list is full. Returns false. */
 bool refuse(struct refusals *, const char *where, const char *what, const char *remedy);
 bool refuse_at(struct refusals *, const char *where, const char *what,
     const char *remedy, long long line, size_t column);

@@ -293,7 +293,7 @@ static bool own_map(const struct camera *c, const struct convention *convention,
 	if (camera_gives_3x3(c))
 		return camera_rotation_map(c, inverse, r, faults);
 	if (!(camera_is_by_gaze(c) ? axes_of_gaze(c, convention, &axes, faults) :
-				      axes_of_rotation(c, by_rvec, &axes, faults)))
+				     axes_of_rotation(c, by_rvec, &axes, faults)))
 		return false;
 	map_of_axes(&axes, c->eye, is_translation, inverse, r);
 	return true;
@@ -336,7 +336,7 @@ bool camera_check(const struct camera *given, const struct convention *conventio
 	if (isnan(c.roll))
 		c.roll = 0;
 	if (by_gaze ? are_known(3, c.eye) && are_known(3, c.at) && are_known(3, c.up) :
-		    are_known(4, c.orientation) && are_known(3, c.rvec) &&
+		      are_known(4, c.orientation) && are_known(3, c.rvec) &&
 		    are_known(9, c.rotation[0]))
 		return camera_map(&c, convention, inverse, &r, faults);
 	return !by_gaze || check_directions(&c, faults);
