@@ -63,6 +63,10 @@ enum {
 	SECTIONED = PERSP | PARALLEL, /* types with a cross-section */
 };
 
+/* A default of core as JSON. */
+#define TEXT_OF(number) TEXT_OF_TOKENS(number)
+#define TEXT_OF_TOKENS(...) #__VA_ARGS__
+
 #define MEMBER(types, label, value, field, ...) \
 	ROW(projection, label, value, field, .variants = types, __VA_ARGS__)
 #define NUMBER(types, label, field, ...) \
@@ -135,8 +139,8 @@ const struct member projection_members[] = {
 	    .range = &projector_angle_range,
 	    .about = "angle between projectors and picture, in place of kind"),
 	[ROW_DIRECTION] = ANGLE(OBLIQUE, "direction", shear.direction,
-	    .range = &range_any, .fallback = "45", .shown = true,
-	    .about = "direction in the picture of lines along the gaze"),
+	    .range = &range_any, .fallback = TEXT_OF(PROJECTION_DIRECTION),
+	    .shown = true, .about = "direction in the picture of lines along the gaze"),
 	[ROW_PLANE] = LENGTH(OBLIQUE, "plane", shear.plane, .fallback = "0",
 	    .about = "distance along the gaze of points that do not shear"),
 	[ROW_FOVY] = ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
@@ -211,7 +215,7 @@ const struct member projection_members[] = {
 	[ROW_MATRIX] = MEMBER(MATRIX, "matrix", type_matrix, matrix,
 	    .about = "matrix from view to clip space"),
 	[ROW_NEAR_RATIO] = NUMBER(PERSP | VOLUME, "near_ratio", near_ratio,
-	    .range = &near_ratio_range, .fallback = "0.0005",
+	    .range = &near_ratio_range, .fallback = TEXT_OF(PROJECTION_NEAR_RATIO),
 	    .about = "least near that fit finds, as a fraction of far"),
 	[ROW_MIN_NEAR] = SIZE(PERSP | VOLUME, "min_near", min_near,
 	    .about = "least distance of near from the eye that fit finds"),
@@ -326,7 +330,7 @@ static void complete_members(struct projection *p, uint64_t given, enum task tas
 	const bool near = (given & (HAS(NEAR) | HAS(PARALLEL_NEAR))) != 0;
 	const bool far = (given & (HAS(FAR) | HAS(PARALLEL_FAR))) != 0;
 
-	/* the default direction, 45, is in degrees in every document */
+	/* the default direction is in degrees in every document */
 	if ((given & HAS(DIRECTION)) != 0)
 		p->shear.direction_unit = p->unit;
 	if (family == FAMILY_PERSP && task != TASK_FIT) {
@@ -434,7 +438,8 @@ static void print_projection(struct printer *printer, const struct member *row,
 	if (p.aspect[1] != 1)
 		hidden |= HAS(ASPECT);
 	/* the default direction */
-	if (p.shear.direction == 45 && p.shear.direction_unit == ANGLE_DEGREES)
+	if (p.shear.direction == PROJECTION_DIRECTION &&
+	    p.shear.direction_unit == ANGLE_DEGREES)
 		hidden |= HAS(DIRECTION);
 	if (projection_is_open(&p))
 		hidden |= HAS(NEAR) | HAS(FAR) | HAS(REVERSE_Z);

@@ -172,7 +172,7 @@ static bool read_vectors(const struct value *v, const struct form *f, bool *colu
 }
 
 /* Returns whether the vectors of a matrix are not known: they are those of a convention
- * that was refused or that the camera needs and lacks, which is told. */
+ * that was refused or that the camera needs and lacks, which is what is told. */
 static bool lacks_convention(const struct value *v, const struct form *f)
 {
 	const struct json_source *s = v->source;
@@ -261,8 +261,9 @@ bool matrix_read_member(const struct value *object, const struct value *v,
 	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
 	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
 		m[3][3] = 1;
-	return !affine || f->rows == 0 || lacks_convention(object, f) ||
-	    check_transposed(object, m, columns);
+	if (!affine || f->rows == 0)
+		return true;
+	return !lacks_convention(object, f) && check_transposed(object, m, columns);
 }
 
 static bool read_matrix(const struct value *v, const struct member *row, void *out)

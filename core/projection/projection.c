@@ -51,8 +51,8 @@ enum projection_type projection_type_of(enum projection_family family, bool shea
 void projection_set_defaults(struct projection *p, enum projection_type type)
 {
 	*p = (struct projection){ .type = type,
-		.near_ratio = 0.0005,
-		.shear.direction = 45 };
+		.near_ratio = PROJECTION_NEAR_RATIO,
+		.shear.direction = PROJECTION_DIRECTION };
 }
 
 enum projection_family projection_family(const struct projection *p)

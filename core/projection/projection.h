@@ -7,6 +7,11 @@
 #include "section.h"
 #include "volume.h"
 
+/* Defaults: of the direction of an oblique projection, in degrees; and of the least
+ * near / far that the command fit finds. */
+#define PROJECTION_DIRECTION 45
+#define PROJECTION_NEAR_RATIO 0.0005
+
 struct projection {
 	enum projection_type type;
 	enum angle_unit unit; /* of all angles but shear.direction */
