@@ -276,6 +276,24 @@ static bool is_choice(const struct rule *rule)
 	return is;
 }
 
+/* Makes the fields of `rivals` unknown, but reads those of `kept` again that are the
+ * same, as a gaze is stored where a point to look at is. */
+static void forget_rivals(const struct reading *r, uint64_t rivals, uint64_t kept,
+    void *base)
+{
+	struct value m;
+
+	forget_all(r->table, rivals, base);
+	for (; rivals != 0 && base != NULL; rivals &= rivals - 1)
+		for (uint64_t left = kept; left != 0; left &= left - 1) {
+			const struct member *row = &r->table[__builtin_ctzll(left)];
+
+			if (row->offset == r->table[__builtin_ctzll(rivals)].offset &&
+			    object_member(r->v, row, &m))
+				object_read_member(&m, row, base);
+		}
+}
+
 /* Judges a rule. Returns the members that the object leaves to the viewport. A fault
  * that may come from an unknown member is not refused, too. */
 static uint64_t check_rule(const struct reading *r, const struct rule *rule, void *base)
@@ -302,7 +320,8 @@ static uint64_t check_rule(const struct reading *r, const struct rule *rule, voi
 	     rivals &= rivals - 1)
 		if ((in & ~r->given) == 0)
 			refuse_rival(r, rule, task, __builtin_ctzll(rivals), in);
-	forget_all(r->table, lacking | (given & ~in), base);
+	forget_all(r->table, lacking, base);
+	forget_rivals(r, given & ~in, in & r->given, base);
 	if (base != NULL && rule->field != 0)
 		*(unsigned *)(void *)((char *)base + rule->field - 1) = way->value;
 	if (lacking != 0)

@@ -129,13 +129,20 @@ static struct list {
 /* The lists as they are in the document, for printing. */
 static struct value given[2];
 
-static bool has_unknown_number(const struct step *s)
+/* Marks a step wrong of which a number is not known. An angle and a translation are
+ * compared with nothing: those that are not known become 0. */
+static void mark_unknown(struct step *s)
 {
-	double all = s->angle;
+	double others = 0;
 
-	for (int i = 0; i < 4; i++)
-		all += s->rotation[i] + (i < 3 ? s->translation[i] + s->scale[i] : 0);
-	return isnan(all);
+	if (isnan(s->angle))
+		s->angle = 0;
+	for (int i = 0; i < 3; i++) {
+		if (isnan(s->translation[i]))
+			s->translation[i] = 0;
+		others += s->rotation[i] + s->scale[i];
+	}
+	s->is_wrong |= isnan(others + s->rotation[3]);
 }
 
 /* Reads the step v, an object with one operation, to *s. */
@@ -159,7 +166,7 @@ static void read_step(const struct value *v, struct step *s)
 			other.is_wrong = !matrix_read_member(v, &m, row, other.matrix);
 		else
 			object_read_member(&m, row, &other);
-		other.is_wrong |= has_unknown_number(&other);
+		mark_unknown(&other);
 		if (operations == MEMBER_BIT(other.kind))
 			*s = other;
 		else
