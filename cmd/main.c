@@ -36,7 +36,8 @@
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
 #define FLAT_MAP(a, b, members)                                            \
-	COMMAND_MATRIX_2D, run_matrix, judge_matrix, .wants = { NEEDS_##members },               \
+	COMMAND_MATRIX_2D, run_matrix, judge_matrix,                       \
+	.wants = { NEEDS_##members },                                      \
 	.from = FLAT_##a, .to = FLAT_##b
 
 static const struct command commands[] = {
@@ -167,9 +168,8 @@ static int run_scenes(const struct options *o)
 	while (params_next_document(o)) {
 		if (run_scene(o, &d, &j, &faults, &answered))
 			continue;
-		const int status = d.is_usage && (!skips || d.ends_run) ?
-		    EXIT_USAGE :
-		    EXIT_INPUT;
+		const int status = d.is_usage && (!skips || d.ends_run) ? EXIT_USAGE :
+									  EXIT_INPUT;
 
 		document_tell(&d.source, status);
 		if (!skips || d.ends_run)

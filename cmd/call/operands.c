@@ -44,8 +44,8 @@ static int join_numbers(char *const *words, int n_words, char out[7 * NUMBER_MAX
 	return n;
 }
 
-/* Refuses PARAMS that are an array or numbers, and no file: they are points, if they are
- * no single number, which may be a name. */
+/* Refuses PARAMS that are an array or numbers, and no file: they are points, if they
+ * are no single number, which may be a name. */
 static void check_is_scene(const struct options *o)
 {
 	const struct place place = { .file = o->params };

@@ -183,9 +183,10 @@ static bool is_row(const char *s)
 static bool is_point(const char *s)
 {
 	const char *const end = s + 1 + strcspn(s + 1, "[]{}");
+	const char *name = *end == '}' ? s : end;
 	bool has[2] = { false };
 
-	for (const char *name = s; *end == '}' && name < end; name++)
+	for (; (name = memchr(name, '"', (size_t)(end - name))) != NULL; name++)
 		for (int i = 0; i < 2; i++)
 			has[i] |= strncasecmp(name, i == 0 ? "\"x\"" : "\"y\"", 3) == 0;
 	return has[0] && has[1];

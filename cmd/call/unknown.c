@@ -144,7 +144,8 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 	if (!topic && remedy == NULL &&
 	    (option || first == '{' || first == '[' || strpbrk(word, "./") != NULL ||
 		access(word, R_OK) == 0))
-		die(EXIT_USAGE, text("unknown command '%.*s'", (int)utf8_fit(word, 400), word),
+		die(EXIT_USAGE,
+		    text("unknown command '%.*s'", (int)utf8_fit(word, 400), word),
 		    "a command comes first, such as project or lookat; 'projcalc help' "
 		    "lists commands");
 	if (remedy == NULL)
@@ -157,7 +158,8 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 		remedy = topic ? "'projcalc help' lists commands, and 'projcalc help "
 				 "scene' members" :
 				 "'projcalc help' lists commands";
-	die(EXIT_USAGE, text("unknown %s '%.*s'", topic ? "topic" : "command",
+	die(EXIT_USAGE,
+	    text("unknown %s '%.*s'", topic ? "topic" : "command",
 		(int)utf8_fit(word, 400), word),
 	    remedy);
 }

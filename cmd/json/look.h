@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Looks at the text of a document: before cJSON reads it, as cJSON takes some of what is
- * no JSON; where cJSON stopped, to say why; and for the places of values, which cJSON
- * does not know. Nothing here is from cJSON. */
+/* Looks at the text of a document: before cJSON reads it, as cJSON takes some of what
+ * is no JSON; where cJSON stopped, to say why; and for the places of values, which
+ * cJSON does not know. Nothing here is from cJSON. */
 #pragma once
 
 #include "value.h"

@@ -159,8 +159,8 @@ size_t value_count(const struct value *v)
 	return value_is(v, JSON_ARRAY) ? (size_t)cJSON_GetArraySize(v->item) : 0;
 }
 
-/* Returns the end. In a name, ~ becomes ~0 and / becomes ~1 (RFC 6901). A name that does
- * not fit into the room is cut at a character, and what is in it is left out. */
+/* Returns the end. In a name, ~ becomes ~0 and / becomes ~1 (RFC 6901). A name that
+ * does not fit into the room is cut at a character, and what is in it is left out. */
 static char *write_pointer(const struct value *v, char *out, const char *end)
 {
 	enum { LEAST = sizeof "/..." + 24 }; /* an index has at most 20 digits */

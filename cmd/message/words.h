@@ -47,19 +47,20 @@ const struct remark *word_remark(const char *word, enum word_place place,
 /* Returns the word of words[], which NULL ends, that is nearest to `word`, itself or by
  * an alias (see word_index), if few edits make one of the other, else NULL. An edit
  * changes, adds or drops a letter, or swaps two neighbours; a word of two to five
- * letters may have one edit, of six to eight two, a longer one three. Or one begins with
- * the other, by three letters or more. */
+ * letters may have one edit, of six to eight two, a longer one three. Or one begins
+ * with the other, by three letters or more. */
 const char *word_nearest(const char *word, const char *const *words,
     const char *const *aliases);
 
 /* Writes a remedy for a word that is none of words[]: its remark, the nearest of them
- * ("did you mean NAME?"), which may be NULL, or all of them if there are at most twelve.
- * `quote` is before and after each word, as "\"". Returns out, which may be "". */
+ * ("did you mean NAME?"), which may be NULL, or all of them if there are at most
+ * twelve. `quote` is before and after each word, as "\"". Returns out, which may be "".
+ * */
 const char *word_remedy(char out[LIST_ROOM], const struct remark *, const char *near,
     const char *const *words, const char *quote);
 
-/* Writes a remedy for the argument of an option, or the string of a member, that is none
- * of words[] or their aliases. */
+/* Writes a remedy for the argument of an option, or the string of a member, that is
+ * none of words[] or their aliases. */
 const char *word_remedy_of_value(char out[LIST_ROOM], const char *word,
     const char *const *words, const char *const *aliases, const char *quote);
 

@@ -16,7 +16,7 @@ struct refusal {
 	/* The JSON pointer of a member, such as /camera/up; or "". The longest that
 	 * core makes has 98 tokens "/63/inverse". */
 	char where[1280];
-	char what[320];  /* what is wrong, as "parallel to the gaze" */
+	char what[320]; /* what is wrong, as "parallel to the gaze" */
 	/* what would be right, as "choose another up vector"; or "" */
 	char remedy[576];
 	/* The line, from 1, and the column, in bytes from 1; or 0, if only the pointer
@@ -33,8 +33,8 @@ struct refusals {
 	struct refusal list[REFUSALS_MAX];
 };
 
-/* Sets the parts of a refusal to copies, cut at a character where they do not fit. `where` and
- * `remedy` may be NULL. */
+/* Sets the parts of a refusal to copies, cut at a character where they do not fit.
+ * `where` and `remedy` may be NULL. */
 void refusal_set(struct refusal *, const char *where, const char *what,
     const char *remedy);
 
