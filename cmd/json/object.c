@@ -345,10 +345,7 @@ static void list_aliases(const struct reading *r, const char *names[MEMBERS_MAX 
 static void refuse_unknown(struct reading *r, const struct value *v)
 {
 	const char *names[MEMBERS_MAX + 1], *aliases[MEMBERS_MAX];
-	/* a document may be one object of a scene, such as a camera */
-	const char *object = v->parent->parent == NULL && v->parent->name == NULL ?
-	    v->source->row->name :
-	    v->parent->name;
+	const struct member *owner = v->source->scene_members;
 	const struct remark *remark;
 	const char *near = NULL;
 	char list[LIST_ROOM];
@@ -362,8 +359,10 @@ static void refuse_unknown(struct reading *r, const struct value *v)
 			near = word_nearest(v->name, names, aliases);
 		remedy = word_remedy(list, remark, near, names, "\"");
 	}
-	if (*remedy == '\0' && object != NULL)
-		remedy = text("'projcalc help %s' lists them", object);
+	while (owner->name != NULL && owner->members != r->table)
+		owner++;
+	if (*remedy == '\0' && owner->name != NULL)
+		remedy = text("'projcalc help %s' lists them", owner->name);
 	value_refuse(v, "unknown member", remedy);
 	r->has_unknown = true;
 	for (const struct member *row = r->table; row->name != NULL; row++) {
