@@ -321,8 +321,8 @@ static bool are_known(int n, const double *v)
 	return are;
 }
 
-/* What a check needs depends on the way: a refused eye is 0 where no other member is
- * compared with it. */
+/* What a check needs depends on the way: axes and a roll are compared with nothing, and
+ * a refused eye is 0 where no other member is compared with it. */
 bool camera_check(const struct camera *given, const struct convention *convention,
     bool inverse, struct refusals *faults)
 {
@@ -333,8 +333,8 @@ bool camera_check(const struct camera *given, const struct convention *conventio
 	for (int k = 0; k < 3; k++)
 		if (isnan(c.eye[k]) && c.way != CAMERA_AT)
 			c.eye[k] = 0;
-	if (isnan(c.roll))
-		c.roll = 0;
+	c.has_axes = false;
+	c.roll = 0;
 	if (by_gaze ? are_known(3, c.eye) && are_known(3, c.at) && are_known(3, c.up) :
 		      are_known(4, c.orientation) && are_known(3, c.rvec) &&
 		    are_known(9, c.rotation[0]))
