@@ -104,8 +104,11 @@ bool matrix_print(const struct options *o, const struct document *d,
 	return true;
 }
 
-/* Names of the flat spaces in the order of enum space. */
-static const char *const flat_names[] = { "window", "ndc", "device" };
+static const char *const flat_names[] = {
+	[FLAT_WINDOW - FLAT_WINDOW] = "window",
+	[FLAT_NDC - FLAT_WINDOW] = "ndc",
+	[FLAT_DEVICE - FLAT_WINDOW] = "device",
+};
 
 bool run_matrix(const struct options *o, struct document *d, struct job *j)
 {

@@ -134,7 +134,7 @@ static void forget(const struct member *row, void *base)
 						  1;
 
 	for (size_t i = 0; i < n; i++)
-		((double *)field)[i] = NAN;
+		((double *)field)[i] = (double)NAN;
 	if (type->forget != NULL)
 		type->forget(field);
 }

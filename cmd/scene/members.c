@@ -7,10 +7,19 @@
 #include "types.h"
 
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };
-static const char *const scale_names[] = { "fill", "uniform", NULL };
+static const char *const scale_names[] = {
+	[SCALE_FILL] = "fill",
+	[SCALE_UNIFORM] = "uniform",
+	[SCALE_UNIFORM + 1] = NULL,
+};
 static const char *const depth_names[] = { "buffer", "distance", NULL };
 static const char *const y_names[] = { "up", "down", NULL };
-static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
+static const char *const adapt_names[] = {
+	[ADAPT_STRETCH] = "stretch",
+	[ADAPT_GROW] = "grow",
+	[ADAPT_SHRINK] = "shrink",
+	[ADAPT_SHRINK + 1] = NULL,
+};
 
 /* Rows of tables, and their bits. */
 enum {

@@ -359,9 +359,10 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 	bool is_right = read_type(v, p);
 
 	if (p->type == PROJECTION_NONE) {
-		struct projection any;
+		struct projection any; /* of which nothing is known */
 
-		return object_read(v, row, ANY_VARIANT, &any, NULL) && false;
+		object_read(v, row, ANY_VARIANT, &any, NULL);
+		return false;
 	}
 	/* an index in projection_type_names, which has no PROJECTION_NONE */
 	is_right = object_read(v, row, (int)p->type - 1, p, &found) && is_right;

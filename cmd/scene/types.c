@@ -7,7 +7,11 @@
 
 #include "../../core/scene/scene.h"
 
-const char *const angle_unit_names[] = { "degrees", "radians", NULL };
+const char *const angle_unit_names[] = {
+	[ANGLE_DEGREES] = "degrees",
+	[ANGLE_RADIANS] = "radians",
+	[ANGLE_RADIANS + 1] = NULL,
+};
 
 static bool read_number_member(const struct value *v, const struct member *row,
     void *out)

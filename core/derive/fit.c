@@ -481,7 +481,7 @@ void fit_check(const struct scene *given, const struct bounds *b,
 	if (projection_is_none(p) || !prepare_projection(p, faults))
 		return;
 	if (projection_family(p) == FAMILY_VOLUME)
-		p->volume.z_near = p->volume.z_far = NAN; /* they are found */
+		p->volume.z_near = p->volume.z_far = (double)NAN; /* they are found */
 	projection_check(p, false, faults);
 }
 

@@ -215,7 +215,7 @@ static void refusals(void **state)
 static void make_unknown(double *v, size_t size)
 {
 	for (size_t i = 0; i < size / sizeof *v; i++)
-		v[i] = NAN;
+		v[i] = (double)NAN;
 }
 
 /* All parts are refused in one call, each for all that is wrong with it. Numbers that
