@@ -106,3 +106,15 @@ bool run_fit(const struct options *o, struct document *d, struct job *j)
 	document_print(d, o->out == FORMAT_JSON);
 	return true;
 }
+
+void judge_fit(const struct options *o, const struct document *d)
+{
+	const struct bounds *b = d->has_bounds ? &d->bounds : NULL;
+	struct hull h;
+
+	(void)o;
+	if (d->flat)
+		fit_check_window(&d->scene, b, &h, d->source.faults);
+	else
+		fit_check(&d->scene, b, d->source.faults);
+}

@@ -20,6 +20,19 @@ static void put_heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
+/* Prints in brackets other words that mean the same as words[]: "[opengl: gl]". */
+static void print_aliases(const char *const *words, const char *const *aliases)
+{
+	const char *before = " [";
+
+	for (int i = 0; aliases != NULL && words[i] != NULL; i++)
+		if (aliases[i] != NULL) {
+			output_printf("%s%s: %s", before, aliases[i], words[i]);
+			before = "; ";
+		}
+	output_printf("%s", *before == ';' ? "]" : "");
+}
+
 /* `types` are names of the object's types, of which it prints who has the member. */
 static void print_member(const struct member *row, const char *const *types)
 {
@@ -39,6 +52,7 @@ static void print_member(const struct member *row, const char *const *types)
 		output_printf("; default %s", row->fallback);
 	if (row->aliases != NULL)
 		output_printf(" [%s]", row->aliases);
+	print_aliases(row->words, row->word_aliases);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
 		if (row->variants >> i & 1) {
 			output_printf("%s%s", before, types[i]);
@@ -79,7 +93,11 @@ static void print_options(const struct command *c)
 		snprintf(left, sizeof left, "%s--%s %s",
 		    r->letter != 0 ? letter : "    ", r->name,
 		    r->argument != NULL ? r->argument : "");
-		output_printf("  %-24s %s\n", left, r->about);
+		output_printf("  %-24s %s", left, r->about);
+		if (r->word_aliases != NULL)
+			output_printf("\n%*s", 26, "");
+		print_aliases(r->words, r->word_aliases);
+		output_printf("\n");
 	}
 }
 

@@ -12,13 +12,29 @@
 #include "call/option_row.h"
 #include "message/message.h"
 
-/* Names in the order of enum taxon, enum taxon_kind and enum depth_buffer. */
-static const char *const taxon_names[] = { "orthographic", "oblique", "perspective",
-	"reverse perspective" };
-static const char *const kind_names[] = { "multiview", "isometric", "dimetric",
-	"trimetric", "cavalier", "cabinet", "general", "one-point", "two-point",
-	"three-point" };
-static const char *const buffer_names[] = { "unorm16", "unorm24", "float32" };
+static const char *const taxon_names[] = {
+	[TAXON_ORTHOGRAPHIC] = "orthographic",
+	[TAXON_OBLIQUE] = "oblique",
+	[TAXON_PERSPECTIVE] = "perspective",
+	[TAXON_REVERSE] = "reverse perspective",
+};
+static const char *const kind_names[] = {
+	[TAXON_MULTIVIEW] = "multiview",
+	[TAXON_ISOMETRIC] = "isometric",
+	[TAXON_DIMETRIC] = "dimetric",
+	[TAXON_TRIMETRIC] = "trimetric",
+	[TAXON_CAVALIER] = "cavalier",
+	[TAXON_CABINET] = "cabinet",
+	[TAXON_GENERAL] = "general",
+	[TAXON_ONE_POINT] = "one-point",
+	[TAXON_TWO_POINT] = "two-point",
+	[TAXON_THREE_POINT] = "three-point",
+};
+static const char *const buffer_names[] = {
+	[DEPTH_UNORM16] = "unorm16",
+	[DEPTH_UNORM24] = "unorm24",
+	[DEPTH_FLOAT32] = "float32",
+};
 
 /* Puts a member: an array of rows of n numbers each, or null if is_null is true. */
 static void put_rows(struct printer *p, const char *name, const double *v, int rows,
@@ -72,7 +88,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_string(put_name(p, "kind"), kind_names[t->kind]);
 	put_numbers(put_name(p, "foreshortening"), t->foreshortening, 3);
 	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
-	    t->taxon <= TAXON_OBLIQUE);
+	    t->taxon == TAXON_ORTHOGRAPHIC || t->taxon == TAXON_OBLIQUE);
 	put_number(put_name(p, "fovx"), t->fov[0]);
 	put_number(put_name(p, "fovy"), t->fov[1]);
 	put_numbers(put_name(p, "eye"), t->eye, 3);
@@ -284,4 +300,18 @@ bool run_inspect(const struct options *o, struct document *d, struct job *j)
 		return document_refuse(d, NULL, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
 	output_write(out, (size_t)(p.at - out));
 	return true;
+}
+
+void judge_inspect(const struct options *o, const struct document *d)
+{
+	struct refusals *const faults = d->source.faults;
+	struct hull h;
+
+	(void)o;
+	if (d->flat)
+		scene_check(&d->scene, FLAT_WINDOW, FLAT_NDC, faults);
+	else
+		scene_check(&d->scene, SPACE_MODEL, SPACE_DEVICE, faults);
+	if (d->has_bounds)
+		hull_of(&d->bounds, d->flat ? 2 : 3, &h, faults);
 }

@@ -23,7 +23,7 @@
 
 /* The command is for one type of projection. A viewport may determine its aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
-	COMMAND_MATRIX_3D, run_matrix,                                 \
+	COMMAND_MATRIX_3D, run_matrix, judge_matrix,                       \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
 	    .source.implied_type = type },                                 \
 	.from = SPACE_VIEW, .to = SPACE_CLIP
@@ -36,12 +36,13 @@
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
 #define FLAT_MAP(a, b, members)                                            \
-	COMMAND_MATRIX_2D, run_matrix, .wants = { NEEDS_##members },               \
+	COMMAND_MATRIX_2D, run_matrix, judge_matrix,                       \
+	.wants = { NEEDS_##members },                                      \
 	.from = FLAT_##a, .to = FLAT_##b
 
 static const struct command commands[] = {
 	{ "lookat", "print the matrix from world to view",
-	    COMMAND_MATRIX_3D, run_matrix,
+	    COMMAND_MATRIX_3D, run_matrix, judge_matrix,
 	    .wants = { NEEDS_ONE(CAMERA, 0) },
 	    .from = SPACE_WORLD, .to = SPACE_VIEW,
 	    .example = "-c d3d '{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
@@ -81,23 +82,23 @@ static const struct command commands[] = {
 	    .example = "-c d3d '{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, "
 	    "\"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "take points from any space to any other: to pixels, or back",
-	    COMMAND_PROJECT, run_project, check_project,
+	    COMMAND_PROJECT, run_project, judge_project, check_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "-c d3d '" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "trace",
 	    "print points in every space, and the planes that they are outside of",
-	    COMMAND_TRACE, run_trace,
+	    COMMAND_TRACE, run_trace, judge_trace,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "-c d3d '" SCENE_EXAMPLE "' '[1,1,1]'" },
 	{ "pick",
 	    "print the points within a radius of a device position, nearest first",
-	    COMMAND_PICK, run_pick, check_pick,
+	    COMMAND_PICK, run_pick, judge_pick, check_pick,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
 	    .example = "-c d3d --at 320,240 --radius 3 '" SCENE_EXAMPLE
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "print the scene with a camera that holds bounds or points tightly",
-	    COMMAND_FIT, run_fit,
+	    COMMAND_FIT, run_fit, judge_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .source.task = TASK_FIT,
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
@@ -106,14 +107,14 @@ static const struct command commands[] = {
 		"\"aspect\": 1.5}}' '[[-1,-1,-1], [1,1,1]]'" },
 	{ "draw",
 	    "draw points, lines and OBJ files: SVG or, on a terminal, Braille",
-	    COMMAND_DRAW, run_draw, check_draw, finish_draw,
+	    COMMAND_DRAW, run_draw, judge_draw, check_draw, finish_draw,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS },
-	    .example = "--text '" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
+	    .example = "-c d3d --text '" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "inspect",
 	    "describe the projection or 2D window: angles, edges, error bounds",
-	    COMMAND_INSPECT, run_inspect,
+	    COMMAND_INSPECT, run_inspect, judge_inspect,
 	    .wants = { .flat_members = SCENE_WINDOW,
 		.used = SCENE_SPATIAL | SCENE_BOUNDS },
 	    .example = "-c d3d '" SCENE_EXAMPLE "'" },
@@ -151,6 +152,8 @@ static bool run_scene(const struct options *o, struct document *d, struct job *j
 	faults->n = 0;
 	ex_has_overflowed(); /* forgets what a refused scene has left */
 	*answered = params_read_document(o, d, faults) && o->command->run(o, d, j);
+	if (!*answered && !d->ends_run)
+		o->command->judge(o, d);
 	if (!*answered)
 		return false;
 	return !ex_has_overflowed() ||
@@ -173,7 +176,8 @@ static int run_scenes(const struct options *o)
 	while (params_next_document(o)) {
 		if (run_scene(o, &d, &j, &faults, &answered))
 			continue;
-		const int status = d.is_usage && !skips ? EXIT_USAGE : EXIT_INPUT;
+		const int status = d.is_usage && (!skips || d.ends_run) ? EXIT_USAGE :
+									  EXIT_INPUT;
 
 		document_tell(&d.source, status);
 		if (!skips || d.ends_run)

@@ -105,8 +105,11 @@ bool matrix_print(const struct options *o, const struct document *d,
 	return true;
 }
 
-/* Names of the flat spaces in the order of enum space. */
-static const char *const flat_names[] = { "window", "ndc", "device" };
+static const char *const flat_names[] = {
+	[FLAT_WINDOW - FLAT_WINDOW] = "window",
+	[FLAT_NDC - FLAT_WINDOW] = "ndc",
+	[FLAT_DEVICE - FLAT_WINDOW] = "device",
+};
 
 bool run_matrix(const struct options *o, struct document *d, struct job *j)
 {
@@ -138,4 +141,9 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	if (o->lines && !lines_prepare(o, d, from, to, j))
 		return false;
 	return operands_run_job(o, d, from, to, j);
+}
+
+void judge_matrix(const struct options *o, const struct document *d)
+{
+	scene_check(&d->scene, o->command->from, o->command->to, d->source.faults);
 }

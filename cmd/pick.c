@@ -191,18 +191,30 @@ static void print_hits(const struct job *j)
 	free(out);
 }
 
+/* Refuses a circle that neither the call nor the scene gives. One that the scene gives
+ * wrongly is told already, and NaN. */
+static bool check_circle(const struct document *d, const struct options *o)
+{
+	const struct pick *p = &d->pick;
+	bool is_right = true;
+
+	if (o->pick_at.n == 0 && !p->has_at && !isnan(p->at[0]))
+		is_right = document_refuse(d, "/pick/at", "missing",
+		    "give --at X,Y and --radius R, or in the scene "
+		    "\"pick\": " PICK_EXAMPLE);
+	if (o->radius.n == 0 && p->radius == 0)
+		is_right = document_refuse(d, "/pick/radius", "missing",
+		    "give --radius R, or in the scene \"pick\": " PICK_EXAMPLE);
+	return is_right;
+}
+
 static bool hits_set_circle(const struct document *d, const struct options *o,
     struct hits *h)
 {
 	const struct pick *p = &d->pick;
 
-	if (o->pick_at.n == 0 && !p->has_at)
-		return document_refuse(d, "/pick/at", "missing",
-		    "give --at X,Y and --radius R, or in the scene "
-		    "\"pick\": " PICK_EXAMPLE);
-	if (o->radius.n == 0 && !(p->radius > 0))
-		return document_refuse(d, "/pick/radius", "missing",
-		    "give --radius R, or in the scene \"pick\": " PICK_EXAMPLE);
+	if (!check_circle(d, o))
+		return false;
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius.n > 0 ? *o->radius.v : p->radius;
@@ -241,4 +253,10 @@ bool run_pick(const struct options *o, struct document *d, struct job *j)
 	j->from = space_names[SPACE_MODEL];
 	notes_say_of_spaces(d, SPACE_MODEL, SPACE_DEVICE);
 	return operands_run_job(o, d, SPACE_MODEL, SPACE_DEVICE, j);
+}
+
+void judge_pick(const struct options *o, const struct document *d)
+{
+	check_circle(d, o);
+	scene_check(&d->scene, SPACE_MODEL, SPACE_DEVICE, d->source.faults);
 }

@@ -97,20 +97,36 @@ static bool project_check_alone(const struct options *o, struct document *d,
 	return document_refuse(d, NULL, what, remedy);
 }
 
+/* Sets the spaces of the points and of their images. */
+static void find_spaces(const struct options *o, const struct scene *s,
+    enum space *from, enum space *to)
+{
+	const bool back = o->ray || o->plane.n > 0;
+
+	*from = o->has_from ? o->from : back ? SPACE_DEVICE : SPACE_MODEL;
+	*to = o->has_to     ? o->to :
+	    back            ? SPACE_WORLD :
+	    s->has_viewport ? SPACE_DEVICE :
+			      SPACE_NDC;
+}
+
+void judge_project(const struct options *o, const struct document *d)
+{
+	enum space from, to;
+
+	find_spaces(o, &d->scene, &from, &to);
+	scene_check(&d->scene, from, to, d->source.faults);
+}
+
 bool run_project(const struct options *o, struct document *d, struct job *j)
 {
 	const bool plane = o->plane.n > 0;
 	const bool back = o->ray || plane;
 	const struct scene *s = &d->scene;
 	const bool projects = !projection_is_none(&s->projection);
-	const enum space from = o->has_from ? o->from :
-	    back                            ? SPACE_DEVICE :
-					      SPACE_MODEL;
-	const enum space to = o->has_to ? o->to :
-	    back                        ? SPACE_WORLD :
-	    s->has_viewport             ? SPACE_DEVICE :
-					  SPACE_NDC;
+	enum space from, to;
 
+	find_spaces(o, s, &from, &to);
 	if (!back && !project_check_alone(o, d, from, to))
 		return false;
 	matrix_check_unit_w(o, o->matrix, from, plane ? SPACE_VIEW : to);

@@ -191,3 +191,9 @@ bool run_trace(const struct options *o, struct document *d, struct job *j)
 	    d->scene.has_viewport ? SPACE_DEVICE : SPACE_NDC);
 	return operands_run_job(o, d, o->from, SPACE_NDC, j);
 }
+
+void judge_trace(const struct options *o, const struct document *d)
+{
+	scene_check(&d->scene, o->from, SPACE_DEVICE, d->source.faults);
+	scene_check(&d->scene, o->from, SPACE_MODEL, d->source.faults);
+}

@@ -33,6 +33,9 @@ struct command {
 	/* Prints the answer for a document; the job is zero at the first call. Returns
 	 * false if the document is refused. */
 	bool (*run)(const struct options *, struct document *, struct job *);
+	/* Adds to the refusals of a refused document what else is wrong with it, each
+	 * part by itself; its numbers that were refused are NaN. */
+	void (*judge)(const struct options *, const struct document *);
 	/* Refuses options that do not go together, before documents are read; or
 	 * NULL. */
 	void (*check)(const struct options *);
@@ -54,6 +57,13 @@ bool run_pick(const struct options *, struct document *, struct job *);
 bool run_fit(const struct options *, struct document *, struct job *);
 bool run_inspect(const struct options *, struct document *, struct job *);
 bool run_draw(const struct options *, struct document *, struct job *);
+void judge_matrix(const struct options *, const struct document *);
+void judge_project(const struct options *, const struct document *);
+void judge_trace(const struct options *, const struct document *);
+void judge_pick(const struct options *, const struct document *);
+void judge_fit(const struct options *, const struct document *);
+void judge_inspect(const struct options *, const struct document *);
+void judge_draw(const struct options *, const struct document *);
 void check_project(const struct options *);
 void check_pick(const struct options *);
 void check_draw(const struct options *);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "../message/message.h"
+#include "../message/utf8.h"
 #include "../number/number.h"
 #include "input.h"
 #include "notes.h"
@@ -18,42 +19,47 @@
 	"PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' shows"
 
 /* Writes the numbers of n_words words, from the first to one that is a file, as a JSON
- * array. Returns false if they are not as many as a point has coordinates. */
-static bool join_numbers(const struct options *o, char *const *words, int n_words,
-    char out[7 * NUMBER_MAX])
+ * array. Returns how many they are, or 0 if one is no number or they are more than a
+ * point has. */
+static int join_numbers(char *const *words, int n_words, char out[7 * NUMBER_MAX])
 {
-	int left = options_coordinates(o);
+	enum { MOST = 4 };
+	int n = 0;
 
-	*out++ = '[';
 	for (int i = 0; i < n_words && access(words[i], F_OK) != 0; i++) {
 		const char *s = words[i], *end = s + strlen(s);
 		double v;
 
 		while ((s += strspn(s, " ,")) < end) {
 			s = number_read(s, end, &v);
-			if (s == NULL || !isfinite(v) || left-- == 0 ||
+			if (s == NULL || !isfinite(v) || n++ == MOST ||
 			    (s < end && strchr(" ,", *s) == NULL))
-				return false;
+				return 0;
+			*out++ = n == 1 ? '[' : ',';
 			out = number_write(out, v,
 			    (struct number_style){ NUMBER_SHORTEST, 0 });
-			*out++ = left > 0 ? ',' : ']';
 		}
 	}
-	*out = '\0';
-	return left == 0;
+	strcpy(out, "]");
+	return n;
 }
 
-/* Refuses PARAMS that are an array or numbers, and no file: they are points. */
+/* Refuses PARAMS that are an array or numbers, and no file: they are points, if they
+ * are no single number, which may be a name. */
 static void check_is_scene(const struct options *o)
 {
 	const struct place place = { .file = o->params };
-	char list[7 * NUMBER_MAX], *words[] = { (char *)o->params };
 	const bool array = input_first_char(o->params) == '[';
+	char list[7 * NUMBER_MAX], *words[] = { (char *)o->params };
+	const int n = join_numbers(words, 1, list);
+	const int shown = array ? (int)utf8_fit(o->params, 190) : (int)strlen(list);
 
-	if (array || join_numbers(o, words, 1, list))
+	if (array || n > 1)
 		die_at(EXIT_USAGE, &place, "holds points",
 		    params_points_remedy(o,
-			text("'%.200s'", array ? o->params : list)));
+			!array && n < options_coordinates(o) ?
+			    "POINTS" :
+			    text("'%.*s'", shown, array ? o->params : list)));
 }
 
 static void check_params(const struct options *o)
@@ -89,7 +95,8 @@ void operands_check(const struct options *o)
 		if (input_is_stdin(place.file) && from_stdin)
 			die(EXIT_USAGE, "standard input is named twice", "name a file");
 		from_stdin |= input_is_stdin(place.file);
-		if (join_numbers(o, o->points + i, o->n_points - i, list))
+		if (join_numbers(o->points + i, o->n_points - i, list) ==
+		    options_coordinates(o))
 			die_at(EXIT_USAGE, &place,
 			    text("numbers of POINTS are in brackets: '%s'", list),
 			    NULL);
@@ -431,7 +438,7 @@ static void watch_behind(const struct scene *s, enum space from, enum space to,
 	j->finds_behind = !flat && !j->rays && from <= SPACE_CLIP && to >= SPACE_NDC &&
 	    j->transform.divide && j->transform.front;
 	j->may_have_other_axes = s->has_camera && from <= SPACE_WORLD &&
-	    camera_is_turned(&s->camera);
+	    !camera_is_by_gaze(&s->camera);
 }
 
 bool operands_run_job(const struct options *o, struct document *d, enum space from,

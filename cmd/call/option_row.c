@@ -11,12 +11,30 @@
 #include "../message/words.h"
 #include "../scene/convention_member.h"
 
-const char *const precision_names[] = { "exact", "double", "single", NULL };
+const char *const precision_names[] = {
+	[PRECISION_EXACT] = "exact",
+	[PRECISION_DOUBLE] = "double",
+	[PRECISION_SINGLE] = "single",
+	[PRECISION_SINGLE + 1] = NULL,
+};
 
-const char *const space_names[] = { "model", "world", "view", "clip", "ndc", "device",
-	NULL };
-const char *const space_aliases[] = { "object object_space model_space", "world_space",
-	"eye eye_space view_space", "clip_space", "ndc_space", "device_space" };
+const char *const space_names[] = {
+	[SPACE_MODEL] = "model",
+	[SPACE_WORLD] = "world",
+	[SPACE_VIEW] = "view",
+	[SPACE_CLIP] = "clip",
+	[SPACE_NDC] = "ndc",
+	[SPACE_DEVICE] = "device",
+	[SPACE_DEVICE + 1] = NULL,
+};
+const char *const space_aliases[] = {
+	[SPACE_MODEL] = "object object_space model_space",
+	[SPACE_WORLD] = "world_space",
+	[SPACE_VIEW] = "eye eye_space view_space",
+	[SPACE_CLIP] = "clip_space",
+	[SPACE_NDC] = "ndc_space",
+	[SPACE_DEVICE] = "device_space",
+};
 
 /* Sets *r->global, or the option's member, to the index of `word` in r->words. */
 static void option_read_word(struct options *o, const struct option_row *r, char *word)
@@ -27,7 +45,7 @@ static void option_read_word(struct options *o, const struct option_row *r, char
 
 	if (found < 0)
 		die(EXIT_USAGE, text("--%s: unknown word '%s'", r->name, word),
-		    word_remedy(remedy, word, WORD_VALUE, r->words, ""));
+		    word_remedy_of_value(remedy, word, r->words, r->word_aliases, ""));
 	*at = (unsigned)found;
 }
 

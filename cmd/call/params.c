@@ -8,6 +8,7 @@
 
 #include "../json/text.h"
 #include "../message/message.h"
+#include "../message/utf8.h"
 #include "../message/words.h"
 #include "input.h"
 #include "../scene/convention_member.h"
@@ -139,19 +140,42 @@ const char *params_points_remedy(const struct options *o, const char *points)
 	const struct command *c = o->command;
 
 	return command_reads_points(c) ?
-	    text("a scene comes first, as in: projcalc %s scene.json %.200s", c->name,
-		points) :
-	    text("a scene is wanted, as in: projcalc %s %.1000s", c->name, c->example);
+	    text("a scene comes first, as in: projcalc %s scene.json %.*s", c->name,
+		(int)utf8_fit(points, 200), points) :
+	    text("a scene is wanted, as in: projcalc %s %s", c->name, c->example);
+}
+
+/* Returns whether the line at s begins with a missing value and, behind it, a field. */
+static bool begins_missing(const char *s)
+{
+	static const char *const words[] = { "nan", "na", "n/a", "null" };
+	const size_t n = strcspn(s += strspn(s, "+-\"("), "\" \t\r\n,;");
+
+	for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+		if (n == strlen(words[i]) && strncasecmp(s, words[i], n) == 0)
+			return strspn(s + n, "\" \t,;") < strcspn(s + n, "\r\n");
+	return false;
 }
 
 /* Returns whether the line at s begins like one of points: with a number, which may be
- * in brackets, or with v, as in OBJ. */
+ * in brackets, or a missing one, or with v, as in OBJ. */
 static bool begins_point(const char *s)
 {
 	s += strspn(s, " \t");
 	if (*s == '[' || (*s == 'v' && (s[1] == ' ' || s[1] == '\t')))
 		return true;
-	return isdigit((unsigned char)s[strspn(s, "+-.(\"")]);
+	return isdigit((unsigned char)s[strspn(s, "+-.(\"")]) || begins_missing(s);
+}
+
+/* Returns whether two numbers or missing values are at s, in brackets or not. */
+static bool is_row(const char *s)
+{
+	s += strspn(s, " \t[");
+	if (*s == '\0' || *s == '\n' || !begins_point(s))
+		return false;
+	s += strcspn(s, " \t,;\r\n");
+	s += strspn(s, " \t,;");
+	return *s != '[' && *s != '{' && begins_point(s);
 }
 
 /* Returns whether the object at s is a point: it has x and y, and nothing that is in
@@ -159,9 +183,10 @@ static bool begins_point(const char *s)
 static bool is_point(const char *s)
 {
 	const char *const end = s + 1 + strcspn(s + 1, "[]{}");
+	const char *name = *end == '}' ? s : end;
 	bool has[2] = { false };
 
-	for (const char *name = s; *end == '}' && name < end; name++)
+	for (; (name = memchr(name, '"', (size_t)(end - name))) != NULL; name++)
 		for (int i = 0; i < 2; i++)
 			has[i] |= strncasecmp(name, i == 0 ? "\"x\"" : "\"y\"", 3) == 0;
 	return has[0] && has[1];
@@ -193,19 +218,49 @@ static bool holds_points(const char *s, bool may_be_device)
 	return false;
 }
 
-/* Refuses PARAMS that hold points, in any format. */
-static bool check_not_points(const struct options *o, struct document *d)
+/* Returns whether text begins like binary numbers: with bytes that no text has, but not
+ * as the files do that have a name. */
+static bool is_binary(const char *s, size_t n)
+{
+	const char *const end = s + (n < 32 ? n : 32);
+	struct refusal foreign;
+	unsigned code;
+
+	for (int k; s < end && *s != '{'; s += k) {
+		k = utf8_read(s, s + n, &code);
+		if (k == 0 || (code < ' ' && !json_is_blank(*s)))
+			return n % sizeof(float) == 0 &&
+			    !format_is_foreign(end - (n < 32 ? n : 32), n, false,
+				&foreign);
+		n -= (size_t)k;
+	}
+	return false;
+}
+
+/* Returns whether PARAMS hold points, in any format. Of a later document of --scenes
+ * only what it begins with is looked at. */
+static bool hold_points(const struct options *o)
 {
 	const char *s = params.text.s + params.begin;
 	const enum format f = format_of_name(params.name);
-	const bool table = (f == FORMAT_OBJ || format_rows[f].table) && *s != '{';
+	const bool table = f == FORMAT_OBJ || format_rows[f].table;
 	const bool may_be_device = o->command->wants.lone_member == SCENE_DEVICE;
-	const bool binary = format_is_binary(o->in) && *s != '{';
 
-	if (params.begin == params.end ||
-	    (!table && !binary && !holds_points(s, may_be_device)))
+	if (params.begin == params.end)
+		return false;
+	if (params.number > 1)
+		return *s == '{' ? !may_be_device && is_point(s) : is_row(s);
+	return (*s != '{' && (table || format_is_binary(o->in))) ||
+	    holds_points(s, may_be_device) ||
+	    is_binary(s, params.text.size - params.begin);
+}
+
+/* Refuses PARAMS that hold points, for all scenes. */
+static bool check_not_points(const struct options *o, struct document *d)
+{
+	if (!hold_points(o))
 		return true;
-	d->is_usage = true;
+	d->is_usage = d->ends_run = true;
 	return document_refuse(d, NULL, "holds points",
 	    params_points_remedy(o,
 		input_first_char(o->params) == '{' ? "points.json" : params.name));
@@ -242,7 +297,7 @@ bool params_read_document(const struct options *o, struct document *d,
 		    params.text.s + params.end, &params.line, &params.column);
 	*d = (struct document){ .source = wants.source };
 	d->source.name = params.name;
-	if (params.number == 1 && !check_not_points(o, d))
+	if (!check_not_points(o, d))
 		return false;
 	wants.source.two_numbers_hint = find_two_numbers_hint(o);
 	if (o->plane.n > 0)

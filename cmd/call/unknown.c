@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "../message/message.h"
+#include "../message/utf8.h"
 #include "../message/words.h"
 #include "input.h"
 #include "option_row.h"
@@ -25,6 +26,14 @@ const struct member *unknown_find_member(const char *name, const struct member *
 				return m;
 		}
 	return NULL;
+}
+
+/* Returns the remark on a word, or NULL. */
+static const char *remark_text(const char *word, enum word_place place)
+{
+	const struct remark *remark = word_remark(word, place, NULL);
+
+	return remark != NULL ? remark->text : NULL;
 }
 
 /* Returns what to write instead of `name`, an option that c, which may be NULL, lacks:
@@ -75,7 +84,7 @@ void unknown_check_option(const struct command *c, const char *word, const char 
 		if (option_is_for(option_find(name), c))
 			remedy = find_option(c, name);
 		if (remedy == NULL)
-			remedy = word_remark(name, WORD_OPTION);
+			remedy = remark_text(name, WORD_OPTION);
 		if (remedy == NULL)
 			remedy = find_option(c, name);
 		if (remedy == NULL)
@@ -87,7 +96,7 @@ void unknown_check_option(const struct command *c, const char *word, const char 
 		if (option_is_for(r, c))
 			names[n++] = r->name;
 	names[n] = NULL;
-	const char *near = word_nearest(name, names);
+	const char *near = word_nearest(name, names, NULL);
 
 	if (remedy == NULL)
 		remedy = near != NULL ? text("did you mean --%s?", near) :
@@ -106,7 +115,7 @@ static const char *find_near(const struct command *commands, bool topic,
 	for (const struct command *c = commands; c->name != NULL && n < NAMES_MAX; c++)
 		names[n++] = c->name;
 	names[n] = NULL;
-	near = word_nearest(word, names);
+	near = word_nearest(word, names, NULL);
 	if (near != NULL)
 		return text("did you mean 'projcalc %s%s'?", topic ? "help " : "",
 		    near);
@@ -119,7 +128,7 @@ static const char *find_near(const struct command *commands, bool topic,
 			names[n++] = m->name;
 	}
 	names[n] = NULL;
-	near = word_nearest(word, names);
+	near = word_nearest(word, names, NULL);
 	return near != NULL ? text("did you mean 'projcalc help %s'?", near) : NULL;
 }
 
@@ -129,13 +138,14 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 	const char first = input_first_char(word);
 	const bool option = *word == '-' &&
 	    (word[1] != '-' || option_find(word + 2) != NULL);
-	const char *remedy = word_remark(word, WORD_COMMAND);
+	const char *remedy = remark_text(word, WORD_COMMAND);
 
 	/* `word` looks like an option or operand, which has to follow a command */
 	if (!topic && remedy == NULL &&
 	    (option || first == '{' || first == '[' || strpbrk(word, "./") != NULL ||
 		access(word, R_OK) == 0))
-		die(EXIT_USAGE, text("unknown command '%.400s'", word),
+		die(EXIT_USAGE,
+		    text("unknown command '%.*s'", (int)utf8_fit(word, 400), word),
 		    "a command comes first, such as project or lookat; 'projcalc help' "
 		    "lists commands");
 	if (remedy == NULL)
@@ -148,6 +158,8 @@ void unknown_refuse_command(const struct command *commands, bool topic,
 		remedy = topic ? "'projcalc help' lists commands, and 'projcalc help "
 				 "scene' members" :
 				 "'projcalc help' lists commands";
-	die(EXIT_USAGE, text("unknown %s '%.400s'", topic ? "topic" : "command", word),
+	die(EXIT_USAGE,
+	    text("unknown %s '%.*s'", topic ? "topic" : "command",
+		(int)utf8_fit(word, 400), word),
 	    remedy);
 }

@@ -389,6 +389,12 @@ static void set_background(const char *name)
 	done = true;
 }
 
+void judge_draw(const struct options *o, const struct document *d)
+{
+	scene_check(&d->scene, d->flat ? FLAT_WINDOW : o->from,
+	    d->flat ? FLAT_DEVICE : SPACE_DEVICE, d->source.faults);
+}
+
 bool run_draw(const struct options *o, struct document *d, struct job *j)
 {
 	static struct drawing w;

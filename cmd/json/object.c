@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "object.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -92,30 +93,6 @@ static const char *find_owner(const struct value *v, const struct member *table)
 		       NULL;
 }
 
-/* Refuses an unknown member. Returns the row whose name is nearest, or NULL. */
-static const struct member *refuse_unknown(const struct value *v,
-    const struct member *table, int variant)
-{
-	const char *names[MEMBERS_MAX + 1];
-	const char *remark = word_remark(v->name, WORD_MEMBER);
-	const char *remedy = remark != NULL ? remark : find_owner(v, table);
-	/* a document may be one object of a scene, such as a camera */
-	const char *object = v->parent->parent == NULL && v->parent->name == NULL ?
-	    v->source->row->name :
-	    v->parent->name;
-	char list[LIST_ROOM];
-
-	list_names(table, variant, ALL_MEMBERS, names);
-	const char *near = remedy == NULL ? word_nearest(v->name, names) : NULL;
-
-	if (remedy == NULL)
-		remedy = word_remedy(list, v->name, WORD_MEMBER, names, "\"");
-	if (*remedy == '\0' && object != NULL)
-		remedy = text("'projcalc help %s' lists them", object);
-	value_refuse(v, "unknown member", remedy);
-	return near != NULL ? member_named(table, variant, near) : NULL;
-}
-
 /* Returns whether a member is not read: $schema, a name that begins with _ and, in the
  * outermost object, a member that any document may have. */
 static bool is_ignored(const struct value *v, const struct member *table)
@@ -146,11 +123,36 @@ static void read_default(const struct member *row, void *to)
 	memcpy(to, k->field, row->type->number_size * (row->n > 0 ? row->n : 1));
 }
 
+/* Makes the field of a member that was refused, or is missing, unknown. */
+static void forget(const struct member *row, void *base)
+{
+	const struct member_type *type = row->type;
+	void *const field = (char *)base + row->offset;
+	const size_t n = type->doubles > 0      ? type->doubles :
+	    type->number_size != sizeof(double) ? 0 :
+	    row->n > 0                          ? row->n :
+						  1;
+
+	for (size_t i = 0; i < n; i++)
+		((double *)field)[i] = (double)NAN;
+	if (type->forget != NULL)
+		type->forget(field);
+}
+
+static void forget_all(const struct member *table, uint64_t members, void *base)
+{
+	for (; members != 0 && base != NULL; members &= members - 1)
+		forget(&table[__builtin_ctzll(members)], base);
+}
+
 bool object_read_member(const struct value *v, const struct member *row, void *base)
 {
 	if (row->flag != 0)
 		*(bool *)((char *)base + row->flag - 1) = true;
-	return row->type->read(v, row, (char *)base + row->offset);
+	if (row->type->read(v, row, (char *)base + row->offset))
+		return true;
+	forget(row, base);
+	return false;
 }
 
 bool object_member(const struct value *object, const struct member *row,
@@ -166,13 +168,14 @@ bool object_member(const struct value *object, const struct member *row,
 }
 
 /* An object that is read: its table, and its members as bits of the rows. `meant` are
- * those that unknown ones may mean. */
+ * those that unknown ones surely mean. */
 struct reading {
 	const struct value *v;
 	const struct member *table;
 	int variant;
-	uint64_t given, meant, repeated;
-	bool remarked; /* an unknown member has a remark: it may be what is missing */
+	uint64_t given, meant;
+	uint64_t maybe;   /* members that unknown ones may stand for: none is missing */
+	bool has_unknown; /* an unknown member */
 };
 
 static uint64_t all_of(const struct way *w)
@@ -204,12 +207,21 @@ static void write_ways(char out[LIST_ROOM], const struct reading *r,
 	}
 }
 
-/* Refuses the first of `members`. If `way` is 0, the object lacks it; if not, it is not
- * of the way of which the object has the members `way`. */
-static bool refuse_way(const struct reading *r, const struct rule *rule, enum task task,
-    uint64_t members, uint64_t way)
+/* Refuses an object that lacks members, of which it names the first. */
+static void refuse_missing(const struct reading *r, const struct rule *rule,
+    enum task task, uint64_t members)
 {
-	const int first = __builtin_ctzll(members);
+	char ways[LIST_ROOM];
+
+	write_ways(ways, r, rule, task);
+	value_refuse(VALUE_NAMED(r->v, r->table[__builtin_ctzll(members)].name),
+	    "missing", rule->hint != NULL ? rule->hint : ways);
+}
+
+/* Refuses a member that is not of the way of which the object has the members `way`. */
+static void refuse_rival(const struct reading *r, const struct rule *rule,
+    enum task task, int member, uint64_t way)
+{
 	const char *names[MEMBERS_MAX + 1];
 	char ways[LIST_ROOM], rivals[LIST_ROOM];
 	uint64_t others = way;
@@ -218,73 +230,155 @@ static bool refuse_way(const struct reading *r, const struct rule *rule, enum ta
 	write_ways(ways, r, rule, task);
 	const char *hint = rule->hint != NULL ? rule->hint : ways;
 
-	if (way == 0)
-		return value_refuse(VALUE_MISSING(r->v, r->table[first].name),
-		    "missing", hint);
 	for (size_t i = 0; i < rule->n; i++)
-		if (all_of(&rule->ways[i]) >> first & 1)
+		if (all_of(&rule->ways[i]) >> member & 1)
 			others &= ~all_of(&rule->ways[i]);
 	list_names(r->table, r->variant, others != 0 ? others : way, names);
-	object_member(r->v, &r->table[first], &m);
-	return value_refuse(m.item != NULL ? &m :
-					     VALUE_MISSING(r->v, r->table[first].name),
+	object_member(r->v, &r->table[member], &m);
+	value_refuse(m.item != NULL ? &m : VALUE_NAMED(r->v, r->table[member].name),
 	    text("does not go with %s", words_join(rivals, names, " and ", "\"")),
 	    rule->rivals != NULL ? rule->rivals : hint);
 }
 
-/* Returns the way that the members of the object are, or NULL after a refusal. A fault
- * that may come from an unknown member is not refused, too. */
-static const struct way *find_way(const struct reading *r, const struct rule *rule,
-    enum task task)
+/* Returns the way that the members `given` of a rule are most likely of: a way that
+ * lacks none, if there is one, and of which the fewest others are given; else the way
+ * that has some of them, of which the fewest others are given, and the fewest lack. */
+static const struct way *find_way(const struct rule *rule, enum task task,
+    uint64_t given)
 {
-	uint64_t all = 0, extra = 0, lacking = 0, way = 0;
-
-	for (size_t i = 0; i < rule->n; i++)
-		all |= all_of(&rule->ways[i]);
-	const uint64_t given = (r->given | r->meant) & all;
+	const struct way *best = &rule->ways[0];
+	int least = 2 * MEMBERS_MAX * MEMBERS_MAX;
 
 	for (size_t i = 0; i < rule->n; i++) {
 		const struct way *const w = &rule->ways[i];
-		const uint64_t required = required_of(w, task);
-		const uint64_t missing = required & ~given, in = all_of(w) & given;
+		const uint64_t missing = required_of(w, task) & ~given;
+		const uint64_t in = all_of(w) & given;
+		const int rivals = __builtin_popcountll(given & ~in);
+		const int lacking = __builtin_popcountll(missing);
+		const int cost = lacking == 0 ? rivals :
+						MEMBERS_MAX * (1 + rivals) + lacking;
 
-		if (missing == 0 && in == given)
-			return w;
-		if (missing == 0 && in != 0 && extra == 0) {
-			extra = given & ~in;
-			way = in;
+		if ((in != 0 || cost == 0) && cost < least) {
+			best = w;
+			least = cost;
 		}
-		if (missing != required && lacking == 0)
-			lacking = missing;
 	}
-	for (size_t i = 0; extra == 0 && lacking == 0 && i < rule->n; i++)
-		if ((all_of(&rule->ways[i]) & given) != 0)
-			lacking = required_of(&rule->ways[i], task);
-	if (extra == 0 && lacking == 0)
-		lacking = required_of(&rule->ways[0], task);
-	if (extra != 0 ? ((extra | way) & r->meant & ~r->given) == 0 : !r->remarked)
-		refuse_way(r, rule, task, extra != 0 ? extra : lacking, way);
-	return NULL;
+	return best;
 }
 
-/* Judges a rule. Returns the members that the object leaves to the viewport. */
+/* Returns whether each way of a rule is one member: an unknown one stands for it. */
+static bool is_choice(const struct rule *rule)
+{
+	bool is = true;
+
+	for (size_t i = 0; i < rule->n; i++)
+		is &= __builtin_popcountll(rule->ways[i].has) == 1;
+	return is;
+}
+
+/* Makes the fields of `rivals` unknown, but reads those of `kept` again that are the
+ * same, as a gaze is stored where a point to look at is. */
+static void forget_rivals(const struct reading *r, uint64_t rivals, uint64_t kept,
+    void *base)
+{
+	struct value m;
+
+	forget_all(r->table, rivals, base);
+	for (; rivals != 0 && base != NULL; rivals &= rivals - 1)
+		for (uint64_t left = kept; left != 0; left &= left - 1) {
+			const struct member *row = &r->table[__builtin_ctzll(left)];
+
+			if (row->offset == r->table[__builtin_ctzll(rivals)].offset &&
+			    object_member(r->v, row, &m))
+				object_read_member(&m, row, base);
+		}
+}
+
+/* Judges a rule. Returns the members that the object leaves to the viewport. A fault
+ * that may come from an unknown member is not refused, too. */
 static uint64_t check_rule(const struct reading *r, const struct rule *rule, void *base)
 {
 	const enum task task = r->v->unused ? TASK_WHOLE : r->v->source->task;
-	const uint64_t given = r->given | r->meant;
+	uint64_t all = 0, given = r->given | r->meant;
 
 	if (!has_variant(rule->variants, r->variant) ||
 	    !has_variant(rule->tasks, (int)task) ||
 	    (rule->with != 0 && (rule->with & given) == 0) ||
 	    (rule->without & given) != 0)
 		return 0;
-	const struct way *way = find_way(r, rule, task);
+	for (size_t i = 0; i < rule->n; i++)
+		all |= all_of(&rule->ways[i]);
+	given &= all;
+	const struct way *const way = find_way(rule, task, given);
+	const uint64_t lacking = required_of(way, task) & ~given,
+		       in = all_of(way) & given;
 
-	if (way == NULL)
-		return 0;
+	if (lacking != 0 && (r->maybe & all) == 0 &&
+	    !(r->has_unknown && given == 0 && is_choice(rule)))
+		refuse_missing(r, rule, task, lacking);
+	for (uint64_t rivals = given & ~in & r->given; rivals != 0;
+	     rivals &= rivals - 1)
+		if ((in & ~r->given) == 0)
+			refuse_rival(r, rule, task, __builtin_ctzll(rivals), in);
+	forget_all(r->table, lacking, base);
+	forget_rivals(r, given & ~in, in & r->given, base);
 	if (base != NULL && rule->field != 0)
 		*(unsigned *)(void *)((char *)base + rule->field - 1) = way->value;
+	if (lacking != 0)
+		return 0;
 	return way->by_viewport & ~(task == TASK_FIT ? way->fitted : 0) & ~given;
+}
+
+/* Sets names[] and aliases[] to those of the rows that the variant has. */
+static void list_aliases(const struct reading *r, const char *names[MEMBERS_MAX + 1],
+    const char *aliases[MEMBERS_MAX])
+{
+	int n = 0;
+
+	list_names(r->table, r->variant, ALL_MEMBERS, names);
+	for (const struct member *row = r->table; row->name != NULL; row++)
+		if (has_variant(row->variants, r->variant))
+			aliases[n++] = row->aliases;
+}
+
+/* Refuses an unknown member, and notes which members it may stand for. */
+static void refuse_unknown(struct reading *r, const struct value *v)
+{
+	const char *names[MEMBERS_MAX + 1], *aliases[MEMBERS_MAX];
+	const struct member *owner = v->source->scene_members;
+	const struct remark *remark;
+	const char *near = NULL;
+	char list[LIST_ROOM];
+
+	list_aliases(r, names, aliases);
+	remark = word_remark(v->name, WORD_MEMBER, names);
+	const char *remedy = remark == NULL ? find_owner(v, r->table) : NULL;
+
+	if (remedy == NULL) {
+		if (remark == NULL)
+			near = word_nearest(v->name, names, aliases);
+		remedy = word_remedy(list, remark, near, names, "\"");
+	}
+	while (owner->name != NULL && owner->members != r->table)
+		owner++;
+	if (*remedy == '\0' && owner->name != NULL)
+		remedy = text("'projcalc help %s' lists them", owner->name);
+	value_refuse(v, "unknown member", remedy);
+	r->has_unknown = true;
+	for (const struct member *row = r->table; row->name != NULL; row++) {
+		const uint64_t bit = UINT64_C(1) << (row - r->table);
+		const bool is_meant = remark != NULL &&
+		    word_is_one_of(row->name, remark->names);
+
+		if (is_meant && !has_variant(row->variants, r->variant))
+			r->maybe = ALL_MEMBERS; /* the variant may be another */
+		if (!has_variant(row->variants, r->variant))
+			continue;
+		if (near != NULL && strcmp(row->name, near) == 0)
+			r->meant |= bit;
+		if (is_meant)
+			r->maybe |= bit;
+	}
 }
 
 static bool refuse_again(const struct value *v, const struct member *row)
@@ -305,6 +399,29 @@ static bool is_first(const struct value *object, const struct value *m)
 	return first.item == m->item;
 }
 
+/* Reads a member of an object whose variant is not known. It is wrong if it is for each
+ * variant that has it. */
+static void read_of_any_variant(const struct reading *r, const struct value *m)
+{
+	struct refusals *const faults = m->source->faults;
+	const size_t n = faults->n;
+	const struct member *first = NULL;
+	double field[16 * 4];
+
+	for (const struct member *row = r->table; row->name != NULL; row++) {
+		if (member_named(row, ANY_VARIANT, m->name) != row)
+			continue;
+		if (first == NULL)
+			first = row;
+		const bool is_right = row->type->read(m, row, field);
+
+		faults->n = n;
+		if (is_right)
+			return;
+	}
+	first->type->read(m, first, field);
+}
+
 static void read_each(struct reading *r, void *base)
 {
 	for (struct value m = value_child(r->v); m.item != NULL; value_next(&m)) {
@@ -316,20 +433,19 @@ static void read_each(struct reading *r, void *base)
 			continue;
 		}
 		if (row == NULL) {
-			row = refuse_unknown(&m, r->table, r->variant);
-			r->remarked |= word_remark(m.name, WORD_MEMBER) != NULL;
-			r->meant |= row != NULL ? UINT64_C(1) << (row - r->table) : 0;
+			refuse_unknown(r, &m);
 			continue;
 		}
 		const uint64_t bit = UINT64_C(1) << (row - r->table);
 
-		if ((r->given & ~r->repeated & bit) != 0)
+		if ((r->given & bit) != 0) {
 			refuse_again(&m, row);
-		r->repeated |= r->given & bit;
-		if ((r->given & bit) != 0)
 			continue;
+		}
 		r->given |= bit;
-		if (base != NULL)
+		if (base != NULL && r->variant == ANY_VARIANT)
+			read_of_any_variant(r, &m);
+		else if (base != NULL)
 			object_read_member(&m, row, base);
 	}
 }
@@ -341,15 +457,19 @@ bool object_read(const struct value *v, const struct member *row, int variant,
 	struct reading r = { .v = v, .table = row->members, .variant = variant };
 	uint64_t left = 0;
 
-	if (!value_is(v, JSON_OBJECT))
+	if (!value_is(v, JSON_OBJECT)) {
+		for (const struct member *m = row->members; m->name != NULL; m++)
+			forget_all(m, 1, base);
 		return value_refuse_type(v,
 		    text("an object%s%s", row->example != NULL ? " such as " : "",
 			row->example != NULL ? row->example : ""));
+	}
 	for (const struct member *m = row->members; m->name != NULL; m++)
 		if (base != NULL && m->fallback != NULL && m->type->number_size > 0 &&
 		    has_variant(m->variants, variant))
 			read_default(m, (char *)base + m->offset);
 	read_each(&r, base);
+	forget_all(row->members, r.meant & ~r.given, base);
 	for (const struct rule *rule = row->rules;
 	     rule != NULL && rule->n > 0 && variant != ANY_VARIANT; rule++)
 		left |= check_rule(&r, rule, base);
@@ -421,4 +541,4 @@ static void print_object(struct printer *p, const struct member *row, const void
 	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
-const struct member_type type_object = { NULL, read_object, print_object, 0 };
+const struct member_type type_object = { .read = read_object, .print = print_object };

@@ -7,7 +7,9 @@
  * The caller owns the struct that is read or printed; a struct that was read does not
  * refer to the document. What is wrong is added to the list of refusals of the document
  * (value.h), and reading goes on, so that all faults are found: a struct with a fault
- * is half read, and is for nothing but the search for other faults. */
+ * is half read, and is for nothing but the search for other faults. In it numbers that
+ * were refused, or that a rule misses, are NaN, of which no comparison holds: so no
+ * check tells a fault that follows from another. */
 #pragma once
 
 #include <stdint.h>
@@ -29,6 +31,11 @@ struct member_type {
 	/* NULL: members of this type are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
 	size_t number_size; /* bytes of a number in the field; 0: no defaults */
+	/* The doubles in the field, if not the row's n: those of a member that is
+	 * refused or missing become NaN. */
+	size_t doubles;
+	/* Marks a field that is no number as refused; NULL: no check reads such. */
+	void (*forget)(void *);
 };
 
 /* A row of a table. */

@@ -3,12 +3,13 @@
 
 #include <string.h>
 
+#include "look.h"
 #include "text.h"
 
 static bool refuse_byte(const struct json_source *source, const char *s,
     const char *wanted)
 {
-	return value_refuse_text(source, s,
+	return look_refuse(source, s,
 	    text("expected %s, not '%c'", wanted, (unsigned char)*s < 0x7f ? *s : '?'),
 	    *s == ']' ? "remove the comma before it" : NULL);
 }
@@ -69,6 +70,7 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 {
 	struct value e = { v->source, .parent = v, .unused = v->unused };
 	const char *p = *s, *stop;
+	size_t wrong = 0;
 
 	if (*p != '[') {
 		*s = value_end(p, end);
@@ -85,7 +87,7 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 		stop = value_end(p, end);
 		if (stop == NULL)
 			return refuse_byte(v->source, p, "a value");
-		check_element(&e, p, stop, e.index < (size_t)coordinates);
+		wrong += !check_element(&e, p, stop, e.index < (size_t)coordinates);
 		p = json_skip_blanks(stop, end);
 		if (*p == ']') {
 			e.index++;
@@ -100,7 +102,8 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 	    v->source->two_numbers_hint :
 	    "";
 
-	if (e.index < (size_t)coordinates)
+	/* of what is no number at all, how many there are is no fault of its own */
+	if (e.index < (size_t)coordinates && (wrong < e.index || e.index == 0))
 		value_refuse(v,
 		    text("has %zu element%s", e.index, e.index == 1 ? "" : "s"),
 		    text("%d coordinates are wanted%s%s", coordinates,

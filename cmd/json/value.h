@@ -35,6 +35,8 @@ struct json_source {
 	enum task task;
 	bool flat;                    /* the document is of two dimensions */
 	bool has_convention;          /* the document or the call names one */
+	bool is_convention_wrong;     /* it was refused */
+	bool is_camera;               /* the camera is read, which needs a convention */
 	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	/* For messages: the rows of a scene, and the row of the document itself, which
 	 * is a scene or one object of it. */
@@ -81,11 +83,6 @@ extern const struct value_range range_any, range_positive;
 bool value_parse_document(struct json_source *, char *text, size_t size,
     struct value *root, struct span *points);
 
-/* Sets *array to the text of an array, without blanks around it, of which only the
- * brackets and the bytes are looked at; or refuses what is not in brackets. */
-bool value_find_array(struct json_source *, char *text, size_t size,
-    struct span *array);
-
 /* Returns the value of a JSON text, such as a default, until a document is parsed. */
 struct value value_literal(const char *text);
 
@@ -95,8 +92,8 @@ struct value value_child(const struct value *);
 /* Replaces *v by the next element or member; after the last, v->item becomes NULL. */
 void value_next(struct value *v);
 
-/* A member that an object lacks, for a message that shows the member's pointer. */
-#define VALUE_MISSING(object, label)                  \
+/* A member of an object, which may lack it, by its name: for messages alone. */
+#define VALUE_NAMED(object, label)                    \
 	(&(struct value){ .source = (object)->source, \
 	    .parent = (object),                       \
 	    .name = (label) })
@@ -109,17 +106,9 @@ const char *value_string(const struct value *);
 
 size_t value_count(const struct value *); /* elements of an array; else 0 */
 
-/* Returns the place of the value to which a pointer leads or, if the value is missing,
- * of the object or array that lacks it. */
-struct place json_source_place(const struct json_source *, const char *pointer);
-
 /* Refuses a value: adds what is wrong with it and what would be right, which may be
  * NULL, to the list of the source. Returns false. */
 bool value_refuse(const struct value *, const char *what, const char *remedy);
-
-/* Refuses what stands at `at`, which is no JSON; names its line and column. */
-bool value_refuse_text(const struct json_source *, const char *at, const char *what,
-    const char *remedy);
 
 /* Refuses a value of the wrong type: "is a string; a number is wanted". */
 bool value_refuse_type(const struct value *, const char *wanted);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "utf8.h"
 
+#include <string.h>
+
 /* Refuses forms longer than needed, halves of surrogate pairs, and codes beyond
  * U+10FFFF (RFC 3629, section 4). */
 int utf8_read(const char *s, const char *end, unsigned *code)
@@ -33,5 +35,14 @@ int utf8_write(unsigned code, char out[4])
 	for (int i = n - 1; i > 0; i--, code >>= 6)
 		out[i] = (char)(0x80 | (code & 0x3f));
 	out[0] = (char)(first[n] | code);
+	return n;
+}
+
+size_t utf8_fit(const char *s, size_t most)
+{
+	size_t n = strnlen(s, most);
+
+	for (const bool is_cut = n == most; is_cut && n > 0 && (s[n] & 0xc0) == 0x80;)
+		n--;
 	return n;
 }

@@ -14,5 +14,8 @@ struct span {
  * bytes, or 0 if the bytes at s are no character. */
 int utf8_read(const char *s, const char *end, unsigned *code);
 
+/* Returns how many of the first `most` bytes of a string are whole characters. */
+size_t utf8_fit(const char *s, size_t most);
+
 /* Writes a character whose code is not half of a surrogate pair. Returns its length. */
 int utf8_write(unsigned code, char out[4]);

@@ -29,21 +29,40 @@ enum word_place {
 	WORD_MEMBER = 8, /* the name of a member */
 };
 
-/* Returns the remark on a word of other programs in a place, or NULL: what to write
- * instead of it. */
-const char *word_remark(const char *word, enum word_place place);
+/* What is said of words of other programs. */
+struct remark {
+	unsigned places; /* where they may stand, as bits of enum word_place */
+	/* The words, in lower case without _ and -, with blanks between them; and the
+	 * names that the remark says to write, as `words`, or NULL. */
+	const char *words, *names;
+	const char *text;
+};
 
-/* Returns the word of words[], which NULL ends, that is nearest to `word`, if few edits
- * make one of the other, else NULL. An edit changes, adds or drops a letter, or swaps
- * two neighbours; a word of two to five letters may have one edit, of six to eight two,
- * a longer one three. Or one begins with the other, by three letters or more. */
-const char *word_nearest(const char *word, const char *const *words);
+/* Returns the remark on a word of other programs in a place, or NULL: what to write
+ * instead of it. If there are several, it is that which says to write one of names[],
+ * which NULL ends. Of a value no other is. `names` may be NULL. */
+const struct remark *word_remark(const char *word, enum word_place place,
+    const char *const *names);
+
+/* Returns the word of words[], which NULL ends, that is nearest to `word`, itself or by
+ * an alias (see word_index), if few edits make one of the other, else NULL. An edit
+ * changes, adds or drops a letter, or swaps two neighbours; a word of two to five
+ * letters may have one edit, of six to eight two, a longer one three. Or one begins
+ * with the other, by three letters or more. */
+const char *word_nearest(const char *word, const char *const *words,
+    const char *const *aliases);
 
 /* Writes a remedy for a word that is none of words[]: its remark, the nearest of them
- * ("did you mean NAME?"), or all of them if there are at most twelve. `quote` is before
- * and after each word, as "\"". Returns out, which may be "". */
-const char *word_remedy(char out[LIST_ROOM], const char *word, enum word_place place,
+ * ("did you mean NAME?"), which may be NULL, or all of them if there are at most
+ * twelve. `quote` is before and after each word, as "\"". Returns out, which may be "".
+ * */
+const char *word_remedy(char out[LIST_ROOM], const struct remark *, const char *near,
     const char *const *words, const char *quote);
+
+/* Writes a remedy for the argument of an option, or the string of a member, that is
+ * none of words[] or their aliases. */
+const char *word_remedy_of_value(char out[LIST_ROOM], const char *word,
+    const char *const *words, const char *const *aliases, const char *quote);
 
 /* Writes words[] as a list such as "a", "b" or "c": with `quote` before and after each,
  * and `before_last`, such as " or ", before the last. Cuts the list at LIST_ROOM bytes.

@@ -87,15 +87,16 @@ static void print_convention_member(struct printer *p, const struct member *row,
 	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
-const struct member_type type_convention = { "a name or an object",
-	read_convention_member, print_convention_member, 0 };
+const struct member_type type_convention = { .name = "a name or an object",
+	.read = read_convention_member,
+	.print = print_convention_member };
 
 bool convention_require(const struct value *object, const char *name,
     const char *or_else)
 {
 	if (object->unused || object->source->has_convention)
 		return true;
-	return value_refuse(VALUE_MISSING(object, name), "needs a \"convention\"",
+	return value_refuse(VALUE_NAMED(object, name), "needs a \"convention\"",
 	    text("opencv has x right, y down, z forward, webgpu right, up, backward%s",
 		or_else));
 }

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../json/look.h"
 #include "../json/point_list.h"
 #include "../message/message.h"
 #include "convention_member.h"
@@ -64,16 +65,15 @@ static void check_members(const struct value *root, const struct document_wants 
 
 	if (w->flat_members == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 && (flat & ~w->used) != 0)
-		value_refuse(VALUE_MISSING(root,
-				 scene_members[__builtin_ctz(flat)].name),
+		value_refuse(VALUE_NAMED(root, scene_members[__builtin_ctz(flat)].name),
 		    "is of two dimensions", "so are w2n, n2w, n2d, d2n, w2d and d2w");
 	else if (missing != 0 && (w->used & SCENE_SPATIAL) == 0 &&
 	    (seen & SCENE_SPATIAL) != 0)
-		value_refuse(VALUE_MISSING(root, row->name), "missing",
+		value_refuse(VALUE_NAMED(root, row->name), "missing",
 		    "of a scene of three dimensions 'project', its --from and --to, "
 		    "--ray and --plane do this");
 	else if (missing != 0)
-		value_refuse(VALUE_MISSING(root, row->name), "missing",
+		value_refuse(VALUE_NAMED(root, row->name), "missing",
 		    text("add \"%s\": %s%s", row->name, row->example,
 			w->flat_members != 0 ?
 			    ", or for two dimensions \"window\": {}" :
@@ -83,9 +83,11 @@ static void check_members(const struct value *root, const struct document_wants 
 static void read_members(struct document *d, const struct value m[SCENE_ROWS],
     unsigned bits)
 {
-	for (int i = 0; i < SCENE_ROWS; i++)
+	for (int i = 0; i < SCENE_ROWS; i++) {
+		d->source.is_camera = i == SCENE_ROW_CAMERA;
 		if (bits >> i & 1)
 			object_read_member(&m[i], &scene_members[i], d);
+	}
 }
 
 /* Returns whether an object has the member `name` of its table. */
@@ -105,18 +107,20 @@ static bool convention_gives(const struct value *v, const char *name)
 					  v->item != NULL;
 }
 
-/* The members of a camera that need a convention, which says where the axes of view
- * space point. A gaze and up mean the same in all conventions. */
-static const char *const needs_convention[] = {
-	[CAMERA_ORIENTATION] = "orientation",
-	[CAMERA_RVEC] = "rvec",
-	[CAMERA_TRANSLATION] = "orientation",
-	[CAMERA_RVEC_TRANSLATION] = "rvec",
-	[CAMERA_ROTATION] = "rotation",
-	[CAMERA_ROTATION_TRANSLATION] = "rotation",
-	[CAMERA_POSE] = "pose",
-	[CAMERA_MATRIX] = "matrix",
-};
+/* Returns the first member that the camera has of those that need a convention, which
+ * says where the axes of view space point, or NULL. A gaze and up mean the same in all
+ * conventions. */
+static const char *needs_convention(const struct value *v)
+{
+	static const char *const names[] = { "orientation", "rvec", "rotation",
+		"translation", "pose", "matrix", NULL };
+	int i = 0;
+
+	while (names[i] != NULL &&
+	    !has_member(v, scene_members[SCENE_ROW_CAMERA].members, names[i]))
+		i++;
+	return names[i];
+}
 
 /* Returns whether a world, or a camera's matrix or steps, have a matrix of four rows of
  * four numbers without "vectors", so that only a convention says which vectors its rows
@@ -139,8 +143,10 @@ static bool has_bare_rows(const struct value *v)
  * for it. */
 static void check_camera(const struct value *v, const struct camera *c)
 {
-	const char *name = needs_convention[c->way];
+	const char *name = camera_is_by_gaze(c) ? NULL : needs_convention(v);
 
+	if (name == NULL)
+		return;
 	if (!c->has_axes)
 		convention_require(v, name, ", or give the camera \"axes\"");
 	else if (has_bare_rows(v))
@@ -155,7 +161,7 @@ static void check_distance(const struct value *viewport, const struct member *ta
 
 	for (int i = 0; i < 2; i++)
 		if (has_member(viewport, table, names[i])) {
-			value_refuse(VALUE_MISSING(viewport, names[i]),
+			value_refuse(VALUE_NAMED(viewport, names[i]),
 			    "not together with \"depth\": \"distance\"",
 			    "it is for \"buffer\"");
 			return;
@@ -184,8 +190,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	s->camera.has_default_up = s->has_camera &&
 	    !has_member(camera, scene_members[SCENE_ROW_CAMERA].members, "up");
 	/* also one without members, which is d3d's, is written */
-	if (s->has_camera && !d->written.convention &&
-	    needs_convention[s->camera.way] != NULL)
+	if (s->has_camera && !d->written.convention && value_is(camera, JSON_OBJECT))
 		check_camera(camera, &s->camera);
 	if (s->has_viewport && s->viewport.distance)
 		check_distance(viewport, table);
@@ -212,13 +217,16 @@ static void read_first(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_ROWS], unsigned seen)
 {
 	struct json_source *source = &d->source;
-	const size_t faults = source->faults->n;
 
 	d->scene.convention = w->convention != NULL ? *w->convention :
 						      conventions[CONVENTION_D3D];
-	read_members(d, m, seen & FIRST);
+	read_members(d, m, seen & SCENE_ANGLE_UNIT);
+	const size_t faults = source->faults->n;
+
+	read_members(d, m, seen & SCENE_CONVENTION);
 	/* a wrong convention would be one; an object without members is none */
-	source->has_convention = w->convention != NULL || source->faults->n != faults;
+	source->is_convention_wrong = source->faults->n != faults;
+	source->has_convention = w->convention != NULL || source->is_convention_wrong;
 	for (const struct member *row = convention_members; row->name != NULL; row++)
 		source->has_convention |= convention_gives(&m[SCENE_ROW_CONVENTION],
 		    row->name);
@@ -289,7 +297,7 @@ bool document_read_points(struct json_source *source, char *begin, size_t size,
 {
 	const struct value root = { .source = source };
 
-	return value_find_array(source, begin, size, points) &&
+	return look_for_array(source, begin, size, points) &&
 	    points_cut(&root, points, coordinates);
 }
 
@@ -347,7 +355,7 @@ static struct place document_place(const struct json_source *source,
 	    (pointer[lone + 1] == '\0' || pointer[lone + 1] == '/'))
 		pointer += lone + 1;
 	write_given_names(source, pointer, out);
-	return json_source_place(source, out);
+	return look_at_pointer(source, out);
 }
 
 bool document_refuse(const struct document *d, const char *where, const char *what,

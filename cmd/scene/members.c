@@ -7,10 +7,19 @@
 #include "types.h"
 
 static const char *const device_origins[] = { "bottom-left", "top-left", NULL };
-static const char *const scale_names[] = { "fill", "uniform", NULL };
+static const char *const scale_names[] = {
+	[SCALE_FILL] = "fill",
+	[SCALE_UNIFORM] = "uniform",
+	[SCALE_UNIFORM + 1] = NULL,
+};
 static const char *const depth_names[] = { "buffer", "distance", NULL };
 static const char *const y_names[] = { "up", "down", NULL };
-static const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
+static const char *const adapt_names[] = {
+	[ADAPT_STRETCH] = "stretch",
+	[ADAPT_GROW] = "grow",
+	[ADAPT_SHRINK] = "shrink",
+	[ADAPT_SHRINK + 1] = NULL,
+};
 
 /* Rows of tables, and their bits. */
 enum {
@@ -134,14 +143,18 @@ enum {
 static bool read_scale(const struct value *v, const struct member *row, void *out)
 {
 	unsigned *by = out;
+	double *const scales = (void *)((char *)out + TO_SCALES);
 
-	*by = SCALE_GIVEN;
-	if (value_is(v, JSON_ARRAY))
-		return value_numbers(v, &range_positive, 2,
-		    (double *)(void *)((char *)out + TO_SCALES));
-	if (value_string(v) == NULL)
+	/* one that is refused is the default, so that intrinsics do not exclude it */
+	*by = SCALE_FILL;
+	if (value_string(v) != NULL)
+		return value_word(v, row->words, NULL, by);
+	if (!value_is(v, JSON_ARRAY))
 		return value_refuse_type(v, "\"fill\", \"uniform\" or 2 numbers");
-	return value_word(v, row->words, NULL, by);
+	if (!value_numbers(v, &range_positive, 2, scales))
+		return false;
+	*by = SCALE_GIVEN;
+	return true;
 }
 
 static void print_scale(struct printer *p, const struct member *row, const void *at)
@@ -154,8 +167,10 @@ static void print_scale(struct printer *p, const struct member *row, const void 
 		put_string(p, row->words[by]);
 }
 
-static const struct member_type type_scale = { "fill, uniform or 2 sizes", read_scale,
-	print_scale, sizeof(unsigned) };
+static const struct member_type type_scale = { .name = "fill, uniform or 2 sizes",
+	.read = read_scale,
+	.print = print_scale,
+	.number_size = sizeof(unsigned) };
 
 enum {
 	VIEWPORT_ROW_MIN_Z = RECTANGLE_ROWS,
@@ -293,7 +308,7 @@ static bool read_bounds_point(const struct value *v, const struct member *row,
 }
 
 static const struct member_type type_bounds_point = { "3 numbers, or 2 of a window",
-	read_bounds_point, NULL, 0 };
+	read_bounds_point, NULL, .doubles = 3 };
 
 enum { BOUNDS_ROW_CENTER, BOUNDS_ROW_RADIUS, BOUNDS_ROW_MIN, BOUNDS_ROW_MAX };
 

@@ -63,6 +63,10 @@ enum {
 	SECTIONED = PERSP | PARALLEL, /* types with a cross-section */
 };
 
+/* A default of core as JSON. */
+#define TEXT_OF(number) TEXT_OF_TOKENS(number)
+#define TEXT_OF_TOKENS(...) #__VA_ARGS__
+
 #define MEMBER(types, label, value, field, ...) \
 	ROW(projection, label, value, field, .variants = types, __VA_ARGS__)
 #define NUMBER(types, label, field, ...) \
@@ -135,8 +139,8 @@ const struct member projection_members[] = {
 	    .range = &projector_angle_range,
 	    .about = "angle between projectors and picture, in place of kind"),
 	[ROW_DIRECTION] = ANGLE(OBLIQUE, "direction", shear.direction,
-	    .range = &range_any, .fallback = "45", .shown = true,
-	    .about = "direction in the picture of lines along the gaze"),
+	    .range = &range_any, .fallback = TEXT_OF(PROJECTION_DIRECTION),
+	    .shown = true, .about = "direction in the picture of lines along the gaze"),
 	[ROW_PLANE] = LENGTH(OBLIQUE, "plane", shear.plane, .fallback = "0",
 	    .about = "distance along the gaze of points that do not shear"),
 	[ROW_FOVY] = ANGLE(PERSP, "fovy", section.angle, .range = &fov_range,
@@ -211,7 +215,7 @@ const struct member projection_members[] = {
 	[ROW_MATRIX] = MEMBER(MATRIX, "matrix", type_matrix, matrix,
 	    .about = "matrix from view to clip space"),
 	[ROW_NEAR_RATIO] = NUMBER(PERSP | VOLUME, "near_ratio", near_ratio,
-	    .range = &near_ratio_range, .fallback = "0.0005",
+	    .range = &near_ratio_range, .fallback = TEXT_OF(PROJECTION_NEAR_RATIO),
 	    .about = "least near that fit finds, as a fraction of far"),
 	[ROW_MIN_NEAR] = SIZE(PERSP | VOLUME, "min_near", min_near,
 	    .about = "least distance of near from the eye that fit finds"),
@@ -304,12 +308,12 @@ static bool read_type(const struct value *v, struct projection *p)
 
 	p->type = PROJECTION_NONE;
 	if (!given && implied == PROJECTION_NONE)
-		return value_refuse(VALUE_MISSING(v, "type"), "missing",
+		return value_refuse(VALUE_NAMED(v, "type"), "missing",
 		    text("add \"type\": %s",
 			words_join(all, projection_type_names, " or ", "\"")));
-	/* with an implied type object_read refuses what is no type */
+	/* object_read refuses what is no type */
 	if (i < 0 && implied == PROJECTION_NONE)
-		return row->type->read(&m, row, &p->type);
+		return false;
 	p->type = i < 0 ? implied : PROJECTION_PERSP + (unsigned)i;
 	if (implied == PROJECTION_NONE || p->type == implied)
 		return true;
@@ -326,7 +330,7 @@ static void complete_members(struct projection *p, uint64_t given, enum task tas
 	const bool near = (given & (HAS(NEAR) | HAS(PARALLEL_NEAR))) != 0;
 	const bool far = (given & (HAS(FAR) | HAS(PARALLEL_FAR))) != 0;
 
-	/* the default direction, 45, is in degrees in every document */
+	/* the default direction is in degrees in every document */
 	if ((given & HAS(DIRECTION)) != 0)
 		p->shear.direction_unit = p->unit;
 	if (family == FAMILY_PERSP && task != TASK_FIT) {
@@ -397,8 +401,12 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 		return value_refuse_type(v, "an object");
 	bool is_right = read_type(v, p);
 
-	if (p->type == PROJECTION_NONE)
+	if (p->type == PROJECTION_NONE) {
+		struct projection any; /* of which nothing is known */
+
+		object_read(v, row, ANY_VARIANT, &any, NULL);
 		return false;
+	}
 	/* an index in projection_type_names, which has no PROJECTION_NONE */
 	is_right = object_read(v, row, (int)p->type - 1, p, &found) && is_right;
 	p->unit = (enum angle_unit)v->source->unit;
@@ -406,11 +414,6 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 	if (projection_is_given_matrix(p))
 		count_digits(p);
 	p->aspect[1] = p->aspect[0] > 0 || found.left != 0;
-	if (is_right && p->section.way == SECTION_ANGLES &&
-	    !(p->section.angles[0] < p->section.angles[1] &&
-		p->section.angles[2] < p->section.angles[3]))
-		return value_refuse(VALUE_MISSING(v, "angles"), "not in order",
-		    "left below right, bottom below top");
 	return is_right;
 }
 
@@ -419,7 +422,7 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 static bool set_image_size(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
-	const struct value *given = VALUE_MISSING(v, "intrinsics");
+	const struct value *given = VALUE_NAMED(v, "intrinsics");
 	double full[2] = { 0 };
 	bool is_right = true;
 
@@ -453,10 +456,10 @@ bool projection_complete(const struct value *v, const struct viewport *viewport,
 		return true;
 	if (projection_has_intrinsics(p))
 		is_right = set_image_size(v, viewport, p);
-	if (p->aspect[0] > 0 || (p->aspect[1] == 0 && !widened))
+	if (p->aspect[0] != 0 || (p->aspect[1] == 0 && !widened))
 		return is_right;
 	if (viewport == NULL)
-		is_right = value_refuse(VALUE_MISSING(v, "aspect"), "missing",
+		is_right = value_refuse(VALUE_NAMED(v, "aspect"), "missing",
 		    "give it, or a \"viewport\"");
 	p->aspect[0] = p->aspect[1] = 1;
 	if (viewport != NULL && viewport->scale != SCALE_UNIFORM) {
@@ -481,7 +484,8 @@ static void print_projection(struct printer *printer, const struct member *row,
 	if (p.aspect[1] != 1)
 		hidden |= HAS(ASPECT);
 	/* the default direction */
-	if (p.shear.direction == 45 && p.shear.direction_unit == ANGLE_DEGREES)
+	if (p.shear.direction == PROJECTION_DIRECTION &&
+	    p.shear.direction_unit == ANGLE_DEGREES)
 		hidden |= HAS(DIRECTION);
 	if (projection_is_open(&p))
 		hidden |= HAS(NEAR) | HAS(FAR) | HAS(REVERSE_Z);
@@ -490,5 +494,5 @@ static void print_projection(struct printer *printer, const struct member *row,
 	object_print(printer, row, (int)p.type - 1, ~hidden, &p);
 }
 
-const struct member_type type_projection = { NULL, read_projection, print_projection,
-	0 };
+const struct member_type type_projection = { .read = read_projection,
+	.print = print_projection };

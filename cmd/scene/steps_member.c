@@ -2,6 +2,8 @@
 /* The steps of a world or a camera are kept here until the next document with such a
  * list is read, and struct steps of core/scene points to them; of the world also the
  * value, which is printed as it was given, until the next document is parsed. */
+#include <math.h>
+
 #include "../../core/scene/scene.h"
 #include "types.h"
 
@@ -24,7 +26,7 @@ static bool read_factors(const struct value *v, const struct member *row, void *
 }
 
 static const struct member_type type_factors = { "number or 3 numbers", read_factors,
-	NULL, 0 };
+	NULL, .doubles = 3 };
 
 /* Rows of tables, and their bits. The operations have the index of their STEP_... */
 enum { ROTATE_AXIS, ROTATE_ANGLE };
@@ -65,7 +67,8 @@ static const struct rule node_rules[] = {
 
 static bool read_inverse(const struct value *, const struct member *, void *);
 
-static const struct member_type type_inverse = { "steps", read_inverse, NULL, 0 };
+static const struct member_type type_inverse = { .name = "steps",
+	.read = read_inverse };
 
 #define ANGLE(axis)                                                       \
 	ROW(step, "rotate_" axis, type_numbers, angle, .unit = "degrees", \
@@ -126,49 +129,77 @@ static struct list {
 /* The lists as they are in the document, for printing. */
 static struct value given[2];
 
+/* Marks a step wrong of which a number is not known. An angle and a translation are
+ * compared with nothing: those that are not known become 0. */
+static void mark_unknown(struct step *s)
+{
+	double others = 0;
+
+	if (isnan(s->angle))
+		s->angle = 0;
+	for (int i = 0; i < 3; i++) {
+		if (isnan(s->translation[i]))
+			s->translation[i] = 0;
+		others += s->rotation[i] + s->scale[i];
+	}
+	s->is_wrong |= isnan(others + s->rotation[3]);
+}
+
 /* Reads the step v, an object with one operation, to *s. */
-static bool read_step(const struct value *v, struct step *s)
+static void read_step(const struct value *v, struct step *s)
 {
 	struct found found;
 	struct value m;
-	const bool is_right = object_read(v, &step_row, 0, NULL, &found);
+	object_read(v, &step_row, 0, NULL, &found);
 	const uint64_t operations = found.given & ~MEMBER_BIT(STEP_VECTORS);
 
-	if (operations == 0)
-		return false;
-	s->kind = (unsigned)__builtin_ctzll(operations);
-	const struct member *operation = &step_members[s->kind];
+	s->is_wrong = operations == 0;
+	/* each operation is read, though only one is allowed */
+	for (uint64_t left = operations; left != 0; left &= left - 1) {
+		const struct member *row = &step_members[__builtin_ctzll(left)];
+		struct step other = *s;
+		const int n = reading->n;
 
-	/* reads the whole step, of which faults were told already */
-	if (s->kind == STEP_MATRIX)
-		return is_right && type_affine.read(v, operation, s->matrix);
-	return object_member(v, operation, &m) &&
-	    object_read_member(&m, operation, s) && is_right;
+		other.kind = (unsigned)(row - step_members);
+		object_member(v, row, &m);
+		if (other.kind == STEP_MATRIX)
+			other.is_wrong = !matrix_read_member(v, &m, row, other.matrix);
+		else
+			object_read_member(&m, row, &other);
+		mark_unknown(&other);
+		if (operations == MEMBER_BIT(other.kind))
+			*s = other;
+		else
+			reading->n = n;
+	}
+	s->is_wrong |= (operations & (operations - 1)) != 0;
 }
 
-static bool read_list(const struct value *v)
+/* Reads the elements of a list. Those that are no step become wrong ones. */
+static void read_list(const struct value *v)
 {
 	struct value e = value_child(v);
-	bool is_right = true;
 
 	for (; e.item != NULL && reading->n <= STEPS_MAX; value_next(&e)) {
-		if (!value_is(&e, JSON_OBJECT)) {
-			is_right = value_refuse_type(&e,
-			    "a step, an object of one operation such as "
-			    "{\"translate\": [0, 0, 1]},");
-			continue;
-		}
 		/* one more than there is room for, so that this is told once */
-		if (reading->n++ == STEPS_MAX)
-			return value_refuse(&e, "is one too many",
+		if (reading->n++ == STEPS_MAX) {
+			value_refuse(&e, "is one too many",
 			    "a list has at most 64 steps, with those inside of "
 			    "inverses");
+			return;
+		}
 		struct step *s = &reading->step[reading->n - 1];
 
 		*s = (struct step){ .rotation = { [3] = 1 }, .scale = { 1, 1, 1 } };
-		is_right = read_step(&e, s) && is_right;
+		if (value_is(&e, JSON_OBJECT)) {
+			read_step(&e, s);
+			continue;
+		}
+		s->is_wrong = true;
+		value_refuse_type(&e,
+		    "a step, an object of one operation such as {\"translate\": [0, 0, "
+		    "1]},");
 	}
-	return is_right;
 }
 
 static bool read_inverse(const struct value *v, const struct member *row, void *out)
@@ -178,10 +209,9 @@ static bool read_inverse(const struct value *v, const struct member *row, void *
 	(void)row;
 	if (!value_is(v, JSON_ARRAY))
 		return value_refuse_type(v, "an array of steps");
-	const bool is_right = read_list(v);
-
+	read_list(v);
 	*(int *)out = reading->n - n;
-	return is_right;
+	return true;
 }
 
 /* Returns whether an array is a list of steps: it is empty, or an element is an object
@@ -221,7 +251,7 @@ static bool read_steps(const struct value *v, const struct member *row, void *ou
 	const struct member *lone = value_is(v, JSON_OBJECT) ? find_lone_step(v) : NULL;
 	struct steps *steps = out;
 
-	steps->step = NULL;
+	*steps = (struct steps){ .step = NULL };
 	if (lone != NULL)
 		return value_refuse(v, "is no list",
 		    text("write a list of steps of one operation each, as they act on "
@@ -233,12 +263,16 @@ static bool read_steps(const struct value *v, const struct member *row, void *ou
 	given[is_world] = *v;
 	reading = &lists[is_world];
 	reading->n = 0;
-	const bool is_right = read_list(v);
-
+	read_list(v);
 	*steps = (struct steps){ .step = reading->step,
 		.n = reading->n,
 		.unit = (enum angle_unit)v->source->unit };
-	return is_right;
+	return reading->n <= STEPS_MAX;
+}
+
+static void forget_steps(void *steps)
+{
+	((struct steps *)steps)->is_wrong = true;
 }
 
 /* Puts a value of steps as it was given, but with the names of the rows, and without
@@ -284,4 +318,6 @@ static void print_steps(struct printer *p, const struct member *row, const void 
 		type_affine.print(p, row, steps->matrix);
 }
 
-const struct member_type type_steps = { "matrix or steps", read_steps, print_steps, 0 };
+/* A list with wrong steps is read: each step says whether it is wrong. */
+const struct member_type type_steps = { "matrix or steps", read_steps, print_steps,
+	.forget = forget_steps };

@@ -7,7 +7,11 @@
 
 #include "../../core/scene/scene.h"
 
-const char *const angle_unit_names[] = { "degrees", "radians", NULL };
+const char *const angle_unit_names[] = {
+	[ANGLE_DEGREES] = "degrees",
+	[ANGLE_RADIANS] = "radians",
+	[ANGLE_RADIANS + 1] = NULL,
+};
 
 static bool read_number_member(const struct value *v, const struct member *row,
     void *out)
@@ -40,10 +44,13 @@ static void print_numbers(struct printer *p, const struct member *row, const voi
 		put_numbers(p, at, (int)row->n);
 }
 
-const struct member_type type_numbers = { NULL, read_number_member, print_numbers,
-	sizeof(double) };
-const struct member_type type_far = { "size or \"infinity\"", read_far, print_numbers,
-	sizeof(double) };
+const struct member_type type_numbers = { .read = read_number_member,
+	.print = print_numbers,
+	.number_size = sizeof(double) };
+const struct member_type type_far = { .name = "size or \"infinity\"",
+	.read = read_far,
+	.print = print_numbers,
+	.number_size = sizeof(double) };
 
 static bool read_flag(const struct value *v, const struct member *row, void *out)
 {
@@ -67,7 +74,9 @@ static void print_flag(struct printer *p, const struct member *row, const void *
 		put_literal(p, is ? "true" : "false");
 }
 
-const struct member_type type_flag = { NULL, read_flag, print_flag, sizeof(bool) };
+const struct member_type type_flag = { .read = read_flag,
+	.print = print_flag,
+	.number_size = sizeof(bool) };
 
 static bool read_word_member(const struct value *v, const struct member *row, void *out)
 {
@@ -84,10 +93,11 @@ static void print_word(struct printer *p, const struct member *row, const void *
 	put_string(p, row->words[*(const unsigned *)at - row->word_0]);
 }
 
-const struct member_type type_word = { NULL, read_word_member, print_word,
-	sizeof(unsigned) };
+const struct member_type type_word = { .read = read_word_member,
+	.print = print_word,
+	.number_size = sizeof(unsigned) };
 
-const struct member_type type_points = { "a point or a list", NULL, NULL, 0 };
+const struct member_type type_points = { .name = "a point or a list" };
 
 const char *const vector_names[] = { "row", "column", NULL };
 
@@ -165,12 +175,23 @@ static bool read_vectors(const struct value *v, const struct form *f, bool *colu
 	return true;
 }
 
+/* Returns whether the vectors of a matrix are not known: they are those of a convention
+ * that was refused or that the camera needs and lacks, which is what is told. */
+static bool lacks_convention(const struct value *v, const struct form *f)
+{
+	const struct json_source *s = v->source;
+	struct value given;
+
+	return f->vectors == BY_DOCUMENT &&
+	    (s->is_convention_wrong || (s->is_camera && !s->has_convention)) &&
+	    !(value_is(v, JSON_OBJECT) && object_member(v, &matrix_members[1], &given));
+}
+
 /* `columns` says which vectors the rows of the matrix were read for. */
 static bool check_transposed(const struct value *v, const double m[4][4], bool columns)
 {
-	/* with faults the convention may be the wrong one */
-	if (v->source->faults->n > 0 || m[3][0] != 0 || m[3][1] != 0 || m[3][2] != 0 ||
-	    m[3][3] != 1 || (m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0))
+	if (m[3][0] != 0 || m[3][1] != 0 || m[3][2] != 0 || m[3][3] != 1 ||
+	    (m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0))
 		return true;
 	return columns ?
 	    value_refuse(v, "its rows are for row vectors",
@@ -210,41 +231,55 @@ static void set_matrix(const struct form *f, bool columns, const double e[16],
 			    i == j;
 }
 
-static bool read_matrix(const struct value *v, const struct member *row, void *out)
+bool matrix_read_member(const struct value *object, const struct value *v,
+    const struct member *row, double m[4][4])
 {
 	const enum matrix_use use = row->type == &type_matrix ? ANY_MATRIX :
 	    row->type == &type_affine                         ? STEP_MATRIX_ONLY :
 								AFFINE_MATRIX;
 	const bool affine = use != ANY_MATRIX;
-	double(*m)[4] = out, e[16] = { 0 };
-	struct value all = *v;
+	double e[16] = { 0 };
 	bool columns;
 
-	if (value_is(v, JSON_OBJECT) &&
-	    (!object_read(v, &matrix_row, 0, NULL, NULL) ||
-		!object_member(v, &matrix_members[0], &all)))
-		return false;
-	if (!value_is(&all, JSON_ARRAY))
-		return value_refuse_type(&all, text("an array of %s", form_names[use]));
-	if (use == AFFINE_MATRIX && value_count(&all) == 3) {
-		const struct value first = value_child(&all);
+	if (!value_is(v, JSON_ARRAY))
+		return value_refuse_type(v, text("an array of %s", form_names[use]));
+	if (use == AFFINE_MATRIX && value_count(v) == 3) {
+		const struct value first = value_child(v);
 
 		if (value_count(&first) == 3)
-			return value_refuse(&all, "is 3x3",
+			return value_refuse(v, "is 3x3",
 			    "append t to its rows: [R|t]; R alone is \"rotation\" of "
 			    "a camera, with \"eye\" or \"translation\"");
 	}
-	const struct form *f = find_form(&all, use);
+	const struct form *f = find_form(v, use);
 
-	if (f == NULL || !read_vectors(v, f, &columns) ||
-	    !read_rows(&all, f->rows > 0 ? f->rows : 4, f->rows > 0 ? f->columns : 4,
-		e))
+	if (f == NULL)
+		return false;
+	const size_t height = f->rows > 0 ? f->rows : 4,
+		     width = f->rows > 0 ? f->columns : 4;
+	const bool known = read_vectors(object, f, &columns);
+
+	if (!read_rows(v, height, width, e) || !known)
 		return false;
 	set_matrix(f, columns, e, m);
 	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
 	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
 		m[3][3] = 1;
-	return !affine || f->rows == 0 || check_transposed(v, m, columns);
+	if (!affine || f->rows == 0)
+		return true;
+	return !lacks_convention(object, f) && check_transposed(object, m, columns);
+}
+
+static bool read_matrix(const struct value *v, const struct member *row, void *out)
+{
+	struct value m = *v;
+
+	if (value_is(v, JSON_OBJECT)) {
+		object_read(v, &matrix_row, 0, NULL, NULL);
+		if (!object_member(v, &matrix_members[0], &m))
+			return false;
+	}
+	return matrix_read_member(v, &m, row, out);
 }
 
 static void print_affine(struct printer *p, const struct member *row, const void *at)
@@ -324,7 +359,7 @@ static bool read_axes(const struct value *v, const struct member *row, void *out
 		if (lines == (1u << 1 | 1u << 2 | 1u << 3) && word_equals(s, word))
 			return true;
 	}
-	return value_refuse(v, text("is \"%.60s\"", s),
+	return value_refuse(v, text("is \"%.*s\"", (int)utf8_fit(s, 60), s),
 	    "write where x, y and z point, one each of r or l, u or d, f or b: "
 	    "\"flu\" of ROS and Waymo, \"rub\" of GL, \"rdf\" of OpenCV");
 }
@@ -338,12 +373,15 @@ static void print_axes(struct printer *p, const struct member *row, const void *
 	put_string(p, word);
 }
 
-const struct member_type type_axes = { "a word as flu", read_axes, print_axes, 0 };
+const struct member_type type_axes = { .name = "a word as flu",
+	.read = read_axes,
+	.print = print_axes };
 
 const struct member_type type_rotation = { "3 rows of 3 numbers", read_rotation,
-	print_rotation, 0 };
-const struct member_type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct member_type type_affine = { "matrix", read_matrix, print_affine, 0 };
+	print_rotation, .doubles = 9 };
+const struct member_type type_matrix = { "matrix", read_matrix, NULL, .doubles = 16 };
+const struct member_type type_affine = { "matrix", read_matrix, print_affine,
+	.doubles = 16 };
 
 #define INTRINSICS_FORMS                                              \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
@@ -389,12 +427,13 @@ static bool read_four(const struct value *v, double k[3][4])
 	for (int i = 0; i < 2; i++, value_next(&element)) {
 		double size;
 
-		if (e[i] < 0 && good && !v->unused)
+		if (!value_is(&element, JSON_NUMBER) || v->unused)
+			continue;
+		if (e[i] < 0)
 			good = value_refuse(&element, "is a negative focal length",
 			    AS_P);
-		else
-			good &= !value_is(&element, JSON_NUMBER) ||
-			    value_number(&element, &range_positive, &size);
+		else if (e[i] <= SCENE_MAGNITUDE_MAX)
+			good &= value_number(&element, &range_positive, &size);
 		k[i][i] = e[i];
 		k[i][2] = e[2 + i];
 	}
@@ -451,4 +490,4 @@ static void print_intrinsics(struct printer *p, const struct member *row,
 }
 
 const struct member_type type_intrinsics = { "4 numbers, K or P", read_intrinsics,
-	print_intrinsics, 0 };
+	print_intrinsics, .doubles = 12 };

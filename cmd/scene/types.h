@@ -31,6 +31,11 @@ extern const char *const vector_names[];
  * vectors unless "vectors" says row. In the struct a double[4][4] for row vectors. */
 extern const struct member_type type_matrix, type_affine;
 
+/* Reads an array as type_affine or type_matrix does, whose row it is. `object` is the
+ * array itself, or an object with it and "vectors". */
+bool matrix_read_member(const struct value *object, const struct value *array,
+    const struct member *row, double out[4][4]);
+
 /* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
  * P; in the struct a double[3][4], the matrix P. */
 extern const struct member_type type_intrinsics;

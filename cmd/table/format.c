@@ -28,8 +28,16 @@ const struct format_row format_rows[] = {
 	[FORMAT_SNIFF] = { FORMAT_SNIFF, ',', LINES },
 };
 
-const char *const format_names[] = { "text", "csv", "tsv", "json", "obj", "f64", "f32",
-	NULL };
+const char *const format_names[] = {
+	[FORMAT_TEXT] = "text",
+	[FORMAT_CSV] = "csv",
+	[FORMAT_TSV] = "tsv",
+	[FORMAT_JSON] = "json",
+	[FORMAT_OBJ] = "obj",
+	[FORMAT_F64] = "f64",
+	[FORMAT_F32] = "f32",
+	[FORMAT_SNIFF] = NULL,
+};
 
 struct dialect dialect_of(enum format f, char separator)
 {

@@ -97,6 +97,21 @@ sub fits {
 	return 0;
 }
 
+# Returns whether a document can be typed alone, but for members that it lacks.
+sub is_right_alone {
+	my ($members) = @_;
+	my $call = $members->{camera} ? 'lookat' :
+	    $members->{projection} ? 'project -m --from view --to clip' :
+	    $members->{world} ? 'project -m --to world' :
+	    $members->{viewport} ? 'project -m --from ndc --to device' : undef;
+	return 1 if !$call;
+	spew("$tmp/alone", $json->encode($members));
+	my ($status, $said) = run("projcalc $call $tmp/alone 2>&1");
+	return 1 if $status == 0 || !grep { !/missing/ } split /\n/, $said;
+	diag($said);
+	return 0;
+}
+
 # Returns a value for a member, the i-th of those that are given together.
 sub value_of {
 	my ($row, $i) = @_;
@@ -147,7 +162,8 @@ sub wrong_in {
 		push @wrong, $1 if !works($1);
 	}
 	while ($said =~ s/($braces)//) {
-		push @wrong, $1 if !fits($json->decode($1));
+		my $members = $json->decode(my $object = $1);
+		push @wrong, $object if !fits($members) || !is_right_alone($members);
 	}
 	while ($said =~ s/($names) of ($names)(?: of type "(\w+)")?//) {
 		my ($members, $objects, $of) = ($1, $2, $3);
@@ -203,19 +219,22 @@ sub calls_of {
 		qw(window device)));
 }
 
-# The rows of the table: places, words and remark.
-my ($table) = slurp('cmd/message/words.c') =~ /\} remarks\[\] = \{(.*?)\n\};/s;
+# The rows of the table: places, words, the names that the remark says, and the remark.
+my ($table) = slurp('cmd/message/words.c') =~ / remarks\[\] = \{(.*?)\n\};/s;
 my $text = qr/(?:"(?:[^"\\]|\\.)*"\s*)+/;
-my @rows = map { [/^([\w |]+),\s*($text),\s*($text)$/] }
-    $table =~ /^\t\{ ([\w |]+,\s*$text,\s*$text)\}/mg;
+my @rows = map { [/^([\w |]+),\s*($text),\s*($text|NULL),\s*($text)$/] }
+    $table =~ /^\t\{ ([\w |]+,\s*$text,\s*(?:$text|NULL),\s*$text)\}/mg;
 is(scalar @rows, scalar(() = $table =~ /^\t\{/mg), 'every row is read');
 my %places = (CALL => 'COMMAND OPTION', ARGUMENT => 'OPTION VALUE',
     SETTING => 'OPTION MEMBER');
 my %seen;
 
 for my $row (@rows) {
-	my ($places, $words, $remark) = @$row;
-	$_ = join('', /"((?:[^"\\]|\\.)*)"/g) =~ s/\\"/"/gr for $words, $remark;
+	my ($places, $words, $names, $remark) = @$row;
+	$_ = join('', /"((?:[^"\\]|\\.)*)"/g) =~ s/\\"/"/gr
+	    for $words, $names, $remark;
+	my @unsaid = grep { $remark !~ /"$_"|--?\w+ $_\b/ } split / /, $names;
+	is("@unsaid", '', "says its names: $remark");
 	my @places = split / /, join ' ', map { $places{$_} // s/^WORD_//r }
 	    $places =~ /\w+/g;
 	my @then;
@@ -224,7 +243,9 @@ for my $row (@rows) {
 	unlike($words, qr/[A-Z_-]/, "as words are compared: $words");
 	for my $place (@places) {
 		for my $word (split / /, $words) {
-			ok(!$seen{"$place $word"}++, "$place $word stands in one row");
+			# of rows with names the one that fits what is there is said
+			ok(!$seen{"$place $word" . ($names && " $names")}++,
+			    "$place $word stands in one row");
 			my @calls = calls_of($place, $word);
 			my ($call) = grep {
 				my ($status, $said) = run("projcalc $_ 2>&1");

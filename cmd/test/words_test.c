@@ -87,21 +87,46 @@ static void test_nearest(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-		assert_text(word_nearest(cases[i].word, words), cases[i].near,
+		assert_text(word_nearest(cases[i].word, words, NULL), cases[i].near,
 		    cases[i].word);
+}
+
+static void test_nearest_by_alias(void **state)
+{
+	static const char *const names[] = { "near", "far", "left", NULL };
+	static const char *const aliases[] = { "znear near_plane", NULL, "l" };
+
+	(void)state;
+	assert_text(word_nearest("znaer", names, aliases), "near", "znaer");
+	assert_text(word_nearest("near_plan", names, aliases), "near", "near_plan");
+	assert_null(word_nearest("znaer", names, NULL));
+	/* an alias of a letter or two is near to too much */
+	assert_null(word_nearest("lx", names, aliases));
 }
 
 static void test_remark(void **state)
 {
+	static const char *const window[] = { "left", "right", "bottom", "top", NULL };
+	static const char *const camera[] = { "matrix", "eye", NULL };
+	const struct remark *r = word_remark("r", WORD_MEMBER, NULL);
+
 	(void)state;
-	assert_non_null(word_remark("unproject", WORD_COMMAND));
-	assert_non_null(word_remark("Un_Project", WORD_OPTION));
-	assert_null(word_remark("unproject", WORD_MEMBER));
-	assert_null(word_remark("unproject", WORD_VALUE));
-	assert_null(word_remark("_fov", WORD_MEMBER));
-	assert_null(word_remark("", WORD_MEMBER));
-	assert_null(word_remark("eye", WORD_MEMBER));
-	assert_text(word_remark("K", WORD_MEMBER), word_remark("P2", WORD_MEMBER), "K");
+	assert_non_null(word_remark("unproject", WORD_COMMAND, NULL));
+	assert_non_null(word_remark("Un_Project", WORD_OPTION, NULL));
+	assert_null(word_remark("unproject", WORD_MEMBER, NULL));
+	assert_null(word_remark("unproject", WORD_VALUE, NULL));
+	assert_null(word_remark("_fov", WORD_MEMBER, NULL));
+	assert_null(word_remark("", WORD_MEMBER, NULL));
+	assert_null(word_remark("eye", WORD_MEMBER, NULL));
+	assert_ptr_equal(word_remark("K", WORD_MEMBER, NULL),
+	    word_remark("P2", WORD_MEMBER, NULL));
+	/* of two the one that says to write what there is */
+	assert_ptr_equal(word_remark("r", WORD_MEMBER, camera), r);
+	assert_ptr_not_equal(word_remark("r", WORD_MEMBER, window), r);
+	assert_true(
+	    word_is_one_of("right", word_remark("r", WORD_MEMBER, window)->names));
+	/* a value's remark is of use only where its words are known */
+	assert_null(word_remark("metal", WORD_VALUE, window));
 }
 
 static void test_remedy(void **state)
@@ -135,8 +160,8 @@ static void test_remedy(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-		assert_text(word_remedy(out, cases[i].word, WORD_VALUE, cases[i].words,
-				cases[i].quote),
+		assert_text(word_remedy_of_value(out, cases[i].word, cases[i].words,
+				NULL, cases[i].quote),
 		    cases[i].remedy, cases[i].word);
 }
 
@@ -160,7 +185,7 @@ static void test_join(void **state)
 	    "a name of many letters, so that twelve of them are too long for a list";
 	for (int i = 1; i < 12; i++)
 		many[i] = many[0];
-	assert_int_equal(strlen(word_remedy(out, "view", WORD_VALUE, many, "\"")),
+	assert_int_equal(strlen(word_remedy(out, NULL, NULL, many, "\"")),
 	    LIST_ROOM - 1);
 }
 
@@ -170,6 +195,7 @@ int main(void)
 		cmocka_unit_test(test_equals),
 		cmocka_unit_test(test_lists),
 		cmocka_unit_test(test_nearest),
+		cmocka_unit_test(test_nearest_by_alias),
 		cmocka_unit_test(test_remark),
 		cmocka_unit_test(test_remedy),
 		cmocka_unit_test(test_join),

@@ -49,16 +49,16 @@ static bool make_gaze_camera(struct scene *s, struct refusals *faults)
 
 	if (!camera_map(c, convention, true, &to_world, faults))
 		return false;
-	for (int k = 0; k < 3 && c->way >= CAMERA_TRANSLATION; k++)
+	for (int k = 0; k < 3 && !camera_has_eye(c); k++)
 		c->eye[k] = map_element_nearest(&to_world, 3, k, false);
-	if (c->way >= CAMERA_POSE)
+	if (camera_is_by_steps(c))
 		c->roll = 0;
 	turned.roll = 0;
 	turned.orthonormalize = true;
-	if (camera_is_turned(c) &&
+	if (!camera_is_by_gaze(c) &&
 	    !camera_map(&turned, convention, true, &to_world, faults))
 		return false;
-	for (int k = 0; k < 3 && camera_is_turned(c); k++) {
+	for (int k = 0; k < 3 && !camera_is_by_gaze(c); k++) {
 		c->at[k] = along * map_element_nearest(&to_world, 2, k, false);
 		c->up[k] = upward * map_element_nearest(&to_world, 1, k, false);
 	}
@@ -429,11 +429,9 @@ static bool fit_volume(struct scene *s, const struct hull *h, struct refusals *f
 	    scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip, faults);
 }
 
-/* Gives valid numbers to those members that fit is going to find. */
-static bool fit_prepare(struct scene *s, struct refusals *faults)
+/* Gives valid numbers to those members of a projection that fit is going to find. */
+static bool prepare_projection(struct projection *p, struct refusals *faults)
 {
-	struct projection *p = &s->projection;
-
 	if (projection_is_tilted(p))
 		return refuse(faults, "/projection/intrinsics",
 		    "the last row of P does not begin 0, 0, 1",
@@ -458,7 +456,33 @@ static bool fit_prepare(struct scene *s, struct refusals *faults)
 		    "has nothing that can be fitted",
 		    "\"persp\", \"ortho\", \"oblique\" or \"volume\" is wanted");
 	}
-	return make_gaze_camera(s, faults);
+	return true;
+}
+
+/* Gives valid numbers to those members that fit is going to find. */
+static bool fit_prepare(struct scene *s, struct refusals *faults)
+{
+	return prepare_projection(&s->projection, faults) &&
+	    make_gaze_camera(s, faults);
+}
+
+void fit_check(const struct scene *given, const struct bounds *b,
+    struct refusals *faults)
+{
+	struct scene s = *given;
+	struct projection *const p = &s.projection;
+	struct hull h;
+
+	if (b != NULL)
+		hull_of(b, 3, &h, faults);
+	scene_check(&s, SPACE_MODEL, SPACE_WORLD, faults);
+	if (s.has_camera)
+		camera_check(&s.camera, &s.convention, true, faults);
+	if (projection_is_none(p) || !prepare_projection(p, faults))
+		return;
+	if (projection_family(p) == FAMILY_VOLUME)
+		p->volume.z_near = p->volume.z_far = (double)NAN; /* they are found */
+	projection_check(p, false, faults);
 }
 
 /* Puts the eye at the middle of the bounds' extents along the world axes. */
@@ -567,18 +591,28 @@ static void enclose_axis(const struct extents *r, int j, double margin, double *
 	*side = ratio_up(sum_scale(most, 2), sum_difference(1, 2 * margin));
 }
 
+bool fit_check_window(const struct scene *s, const struct bounds *b, struct hull *h,
+    struct refusals *faults)
+{
+	const struct window *w = &s->window;
+	const bool *has = w->has_edge;
+	bool is_right = true;
+
+	if (w->by_edges && has[0] && has[1] && w->right < w->left)
+		is_right = refuse(faults, "/window/right", "less than left",
+		    "fit does not mirror x; swap them");
+	return (b == NULL || hull_of(b, 2, h, faults)) && is_right;
+}
+
 bool fit_window(struct scene *s, const struct bounds *b, struct refusals *faults)
 {
 	struct window *w = &s->window;
-	const bool *has = w->has_edge, down = window_has_y_down(w);
+	const bool down = window_has_y_down(w);
 	struct map identity;
 	struct extents r;
 	struct hull h;
 
-	if (w->by_edges && has[0] && has[1] && w->right < w->left)
-		return refuse(faults, "/window/right", "less than left",
-		    "fit does not mirror x; swap them");
-	if (!hull_of(b, 2, &h, faults))
+	if (!fit_check_window(s, b, &h, faults))
 		return false;
 	map_identity(&identity);
 	for (int k = 0; k < 2; k++)

@@ -39,5 +39,12 @@ bool fit_directions(const struct scene *, bool has_eye, struct directions *,
  * by center, width and height, as frustum_outside finds. */
 bool fit_window(struct scene *, const struct bounds *, struct refusals *faults);
 
+/* Refuse what is wrong with each member that fit_scene and fit_window read by itself,
+ * as they stop at the first fault. Numbers that were refused are NaN. The bounds may be
+ * NULL. fit_check_window also makes the hull, and returns whether nothing is wrong. */
+void fit_check(const struct scene *, const struct bounds *, struct refusals *faults);
+bool fit_check_window(const struct scene *, const struct bounds *, struct hull *,
+    struct refusals *faults);
+
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */
 void fit_window_directions(struct directions *);

@@ -15,6 +15,8 @@ bool hull_of(const struct bounds *b, int dimensions, struct hull *h,
 		"/bounds/max/2",
 	};
 
+	bool is_right = true;
+
 	*h = (struct hull){ .n = b->n > 0 ? b->n : 1 << dimensions };
 	if (b->sphere) {
 		h->n = 1;
@@ -24,14 +26,14 @@ bool hull_of(const struct bounds *b, int dimensions, struct hull *h,
 	}
 	for (int i = 0; i < dimensions; i++) {
 		if (b->max[i] < b->min[i])
-			return refuse(faults, max_pointer[i], "less than min's",
+			is_right = refuse(faults, max_pointer[i], "less than min's",
 			    "give the least x, y, z as min");
 		for (int k = 0; k < h->n; k++)
 			h->point[k][i] = b->n > 0 ? b->point[k][i] :
 			    k >> i & 1            ? b->max[i] :
 						    b->min[i];
 	}
-	return true;
+	return is_right;
 }
 
 /* Returns lowest - first, where lowest is the least value on the hull of column j or,

@@ -59,7 +59,8 @@ static bool set_to_world(struct lens *l, struct refusals *faults)
 	const struct scene *s = &l->scene;
 	struct map *r = &l->to_world;
 
-	if (!s->has_camera || s->camera.way >= CAMERA_TRANSLATION)
+	if (!s->has_camera || !camera_has_eye(&s->camera) ||
+	    camera_gives_3x3(&s->camera))
 		return scene_map(s, SPACE_VIEW, SPACE_WORLD, r, faults);
 	map_copy(r, &l->to_view);
 	for (int i = 0; i < 9; i++)

@@ -28,9 +28,9 @@ bool note_is_no_rotation(const struct camera *c)
 	double m[4][4];
 	struct map r;
 
-	if (!camera_has_3x3(c) || c->orthonormalize)
+	if (!camera_gives_3x3(c) || c->orthonormalize)
 		return false;
-	if (c->way < CAMERA_POSE) {
+	if (!camera_is_by_steps(c)) {
 		for (int i = 0; i < 9; i++)
 			m[i / 3][i % 3] = c->rotation[i % 3][i / 3];
 		return is_no_rotation(m);
@@ -97,8 +97,10 @@ static bool are_radians(const double angles[4])
 static bool steps_have_radians(const struct steps *l)
 {
 	for (int i = 0; l->step != NULL && i < l->n; i++)
-		if (l->unit == ANGLE_DEGREES && l->step[i].kind >= STEP_ROTATE_X &&
-		    l->step[i].kind <= STEP_ROTATE && is_radians(l->step[i].angle))
+		if (l->unit == ANGLE_DEGREES &&
+		    (step_is_about_axis(&l->step[i]) ||
+			l->step[i].kind == STEP_ROTATE) &&
+		    is_radians(l->step[i].angle))
 			return true;
 	return false;
 }
@@ -115,11 +117,11 @@ static bool has_radians(const struct scene *s)
 	double view = 0;
 
 	if (s->has_camera && s->camera.unit == ANGLE_DEGREES &&
-	    s->camera.way < CAMERA_POSE)
+	    !camera_is_by_steps(&s->camera))
 		found |= is_radians(s->camera.roll);
 	if (p->unit != ANGLE_DEGREES)
 		return found;
-	if (persp && p->section.way <= SECTION_VIEW_ANGLE)
+	if (persp && section_is_by_angle(p->section.way))
 		view = p->section.angle;
 	if (family == FAMILY_VOLUME && p->volume.eye_given_by == EYE_BY_ANGLE)
 		view = p->volume.view_angle;

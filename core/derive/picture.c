@@ -31,7 +31,7 @@ static void set_near_edges(const struct lens *l, const struct upright *u,
 /* The length of a normal is that in view space if the camera is a rotation. */
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
-	const bool rotates = !camera_has_3x3(&l->scene.camera);
+	const bool rotates = !camera_gives_3x3(&l->scene.camera);
 
 	for (int k = 0; k < 6; k++) {
 		const struct map *m = k < 4 ? &l->sides : &l->ends;
@@ -353,7 +353,7 @@ static unsigned note_of_camera(const struct facts *f)
 {
 	const struct scene *s = &f->l->scene;
 
-	return note_if(s->has_camera && camera_has_3x3(&s->camera) &&
+	return note_if(s->has_camera && camera_gives_3x3(&s->camera) &&
 		!is_rotation(&f->l->to_view, f->l->mirrors),
 	    NOTE_NO_ROTATION);
 }

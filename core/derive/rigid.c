@@ -82,7 +82,7 @@ static bool find_frame(const struct lens *l, struct frame *f)
 {
 	const struct scene *s = &l->scene;
 
-	if (s->has_camera && camera_has_3x3(&s->camera)) {
+	if (s->has_camera && camera_gives_3x3(&s->camera)) {
 		if (!find_nearest_frame(l, f))
 			return false;
 	} else {

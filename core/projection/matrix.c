@@ -19,15 +19,26 @@ static bool is_transposed(const double m[4][4])
 	return row && !column && !affine;
 }
 
+bool matrix_check(const struct projection *p, struct refusals *faults)
+{
+	return !is_transposed(p->matrix) ||
+	    refuse(faults, "/projection/matrix", "is transposed",
+		"of 16 numbers w is made by 4, 8, 12 and 16; of rows, by the "
+		"last column in d3d and by the last row in other conventions");
+}
+
+bool matrix_check_map(const struct projection *p, bool inverse, struct refusals *faults)
+{
+	struct map r;
+
+	return isnan(p->matrix[0][0]) || matrix_map(p, NULL, inverse, &r, faults);
+}
+
 bool matrix_map(const struct projection *p, const struct convention *c, bool inverse,
     struct map *r, struct refusals *faults)
 {
 	(void)c;
 	map_of_doubles(p->matrix, r);
-	if (is_transposed(p->matrix))
-		return refuse(faults, "/projection/matrix", "is transposed",
-		    "of 16 numbers w is made by 4, 8, 12 and 16; of rows, by the "
-		    "last column in d3d and by the last row in other conventions");
 	return !inverse || map_invert(r) ||
 	    refuse(faults, "/projection/matrix", "singular", "it can't be inverted");
 }

@@ -4,6 +4,8 @@
 
 #include "type.h"
 
+bool matrix_check(const struct projection *, struct refusals *);
+bool matrix_check_map(const struct projection *, bool inverse, struct refusals *);
 bool matrix_map(const struct projection *, const struct convention *, bool inverse,
     struct map *, struct refusals *);
 bool matrix_is_reversed(const struct projection *, const struct convention *);

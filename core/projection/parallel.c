@@ -8,26 +8,30 @@
  *	 0   s1  0   0
  *	 0   0   1   0
  *	 t0  t1  t2  1 */
-static bool ortho_matrix(const struct projection *p, struct scaled_matrix *f,
-    struct refusals *faults)
+static void ortho_matrix(const struct projection *p, struct scaled_matrix *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
 	struct sum sums[2];
 
 	scaled_clear(f);
-	if (!section_sizes(p, 1, f, sums, faults))
-		return false;
+	section_sizes(p, 1, f, sums);
 	f->d[2] = sum_difference(b, a);
-	if (sum_sign(f->d[2]) == 0)
-		return refuse(faults, "/projection/far", "equal to near",
-		    "the planes must differ");
 	sum_set(&f->z[2], 1);
 	sum_set(&f->t[2], -a);
 	for (int k = 0; k < 2; k++)
 		f->t[k] = sum_neg(sums[k]);
 	sum_set(&f->t[3], 1);
-	return true;
+}
+
+bool parallel_check(const struct projection *p, struct refusals *faults)
+{
+	const bool is_right = section_check(p, faults);
+
+	if (p->near == p->far)
+		return refuse(faults, "/projection/far", "equal to near",
+		    "the planes must differ");
+	return is_right;
 }
 
 /* Shears the matrix of ortho by x' = x + c cos(direction) (depth - plane), y' = y + c
@@ -58,9 +62,8 @@ bool ortho_map(const struct projection *p, const struct convention *c, bool inve
 {
 	struct scaled_matrix f;
 
-	(void)c;
-	if (!ortho_matrix(p, &f, faults))
-		return false;
+	(void)c, (void)faults;
+	ortho_matrix(p, &f);
 	scaled_map(&f, inverse, r);
 	return true;
 }
@@ -70,9 +73,8 @@ bool oblique_map(const struct projection *p, const struct convention *c, bool in
 {
 	struct scaled_matrix f;
 
-	(void)c;
-	if (!ortho_matrix(p, &f, faults))
-		return false;
+	(void)c, (void)faults;
+	ortho_matrix(p, &f);
 	shear(p, &f);
 	scaled_map(&f, inverse, r);
 	return true;

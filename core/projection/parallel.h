@@ -14,6 +14,7 @@ struct projection_shear {
 	double plane; /* points at this distance along the gaze stay put */
 };
 
+bool parallel_check(const struct projection *, struct refusals *);
 bool ortho_map(const struct projection *, const struct convention *, bool inverse,
     struct map *, struct refusals *);
 bool oblique_map(const struct projection *, const struct convention *, bool inverse,

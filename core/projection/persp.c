@@ -32,8 +32,8 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
  *	 z0  z1  z2  1
  *	 0   0   t2  0
  * With intrinsics, it leads from the canonical space of prepend_intrinsics. */
-static bool persp_matrix(const struct projection *p, const struct convention *c,
-    struct scaled_matrix *f, struct refusals *faults)
+static void persp_matrix(const struct projection *p, const struct convention *c,
+    struct scaled_matrix *f)
 {
 	bool pixels = p->section.way == SECTION_INTRINSICS;
 	bool down = pixels && !c->origin_bottom_left;
@@ -43,17 +43,28 @@ static bool persp_matrix(const struct projection *p, const struct convention *c,
 	struct sum sums[2];
 
 	scaled_clear(f);
-	if (!section_sizes(p, distance, f, sums, faults))
-		return false;
-	if (!(p->near < p->far))
-		return refuse(faults, "/projection/near", "not less than far",
-		    "near is the plane nearer to the eye, also with "
-		    "\"reverse_z\": true");
+	section_sizes(p, distance, f, sums);
 	depth_column(p, f);
 	f->z[0] = sum_neg(sums[0]);
 	f->z[1] = sum_negated_if(!down, sums[1]);
 	sum_set(&f->z[3], 1);
-	return true;
+}
+
+bool persp_check(const struct projection *p, struct refusals *faults)
+{
+	const bool is_right = section_check(p, faults);
+
+	if (p->near >= p->far)
+		return refuse(faults, "/projection/near", "not less than far",
+		    "near is the plane nearer to the eye, also with "
+		    "\"reverse_z\": true");
+	return is_right;
+}
+
+static bool refuse_singular(struct refusals *faults)
+{
+	return refuse(faults, "/projection/intrinsics",
+	    "the left three columns of P are singular", "it can't be inverted");
 }
 
 /* Puts the affine map of P before r or, if inverse, its inverse after r. The map leads
@@ -73,8 +84,7 @@ static bool prepend_intrinsics(const struct projection *p, const struct conventi
 	}
 	map_of_doubles(m, &canonical);
 	if (inverse && !map_invert(&canonical))
-		return refuse(faults, "/projection/intrinsics",
-		    "the left three columns of P are singular", "it can't be inverted");
+		return refuse_singular(faults);
 	map_multiply(r, &canonical, !inverse);
 	map_set_origin(r, NULL);
 	return true;
@@ -85,9 +95,23 @@ bool persp_map(const struct projection *p, const struct convention *c, bool inve
 {
 	struct scaled_matrix f;
 
-	if (!persp_matrix(p, c, &f, faults))
-		return false;
+	persp_matrix(p, c, &f);
 	scaled_map(&f, inverse, r);
 	return p->section.way != SECTION_INTRINSICS ||
 	    prepend_intrinsics(p, c, inverse, r, faults);
+}
+
+bool persp_check_map(const struct projection *p, bool inverse, struct refusals *faults)
+{
+	struct sum row[3][3], cross[3];
+
+	for (int i = 0; i < 9; i++) {
+		const double e = p->section.intrinsics[i / 3][i % 3];
+
+		if (!inverse || p->section.way != SECTION_INTRINSICS || isnan(e))
+			return true;
+		sum_set(&row[i / 3][i % 3], e);
+	}
+	vec3_cross(row[0], row[1], cross);
+	return sum_sign(vec3_dot(cross, row[2])) != 0 || refuse_singular(faults);
 }

@@ -12,19 +12,27 @@ static const struct projection_row rows[] = {
 	    .is_none = true },
 	[PROJECTION_PERSP] = { .family = FAMILY_PERSP,
 	    .map = persp_map,
+	    .check = persp_check,
+	    .check_map = persp_check_map,
 	    .frame = FRAME_D3D },
 	[PROJECTION_ORTHO] = { .family = FAMILY_PARALLEL,
 	    .map = ortho_map,
+	    .check = parallel_check,
 	    .frame = FRAME_D3D },
 	[PROJECTION_OBLIQUE] = { .family = FAMILY_PARALLEL,
 	    .map = oblique_map,
+	    .check = parallel_check,
 	    .frame = FRAME_D3D,
 	    .is_sheared = true },
 	[PROJECTION_VOLUME] = { .family = FAMILY_VOLUME,
 	    .map = volume_map,
+	    .check = volume_check,
+	    .check_map = volume_check_map,
 	    .frame = FRAME_VIEW },
 	[PROJECTION_MATRIX] = { .family = FAMILY_FIXED,
 	    .map = matrix_map,
+	    .check = matrix_check,
+	    .check_map = matrix_check_map,
 	    .frame = FRAME_SCENE,
 	    .is_reversed = matrix_is_reversed,
 	    .is_given_matrix = true },
@@ -43,8 +51,8 @@ enum projection_type projection_type_of(enum projection_family family, bool shea
 void projection_set_defaults(struct projection *p, enum projection_type type)
 {
 	*p = (struct projection){ .type = type,
-		.near_ratio = 0.0005,
-		.shear.direction = 45 };
+		.near_ratio = PROJECTION_NEAR_RATIO,
+		.shear.direction = PROJECTION_DIRECTION };
 }
 
 enum projection_family projection_family(const struct projection *p)
@@ -67,13 +75,22 @@ bool projection_is_given_matrix(const struct projection *p)
 	return rows[p->type].is_given_matrix;
 }
 
+bool projection_check(const struct projection *p, bool inverse, struct refusals *faults)
+{
+	const struct projection_row *row = &rows[p->type];
+
+	return (row->check == NULL || row->check(p, faults)) &&
+	    (row->check_map == NULL || row->check_map(p, inverse, faults));
+}
+
 bool projection_map(const struct projection *p, const struct convention *c,
     bool inverse, struct map *r, struct refusals *faults)
 {
 	const struct projection_row *row = &rows[p->type];
 	struct convention given = { .right_handed = false };
 
-	if (!row->map(p, c, inverse, r, faults))
+	if ((row->check != NULL && !row->check(p, faults)) ||
+	    !row->map(p, c, inverse, r, faults))
 		return false;
 	if (row->frame == FRAME_SCENE)
 		return true;

@@ -7,6 +7,11 @@
 #include "section.h"
 #include "volume.h"
 
+/* Defaults: of the direction of an oblique projection, in degrees; and of the least
+ * near / far that the command fit finds. */
+#define PROJECTION_DIRECTION 45
+#define PROJECTION_NEAR_RATIO 0.0005
+
 struct projection {
 	enum projection_type type;
 	enum angle_unit unit; /* of all angles but shear.direction */
@@ -72,7 +77,7 @@ static inline bool projection_is_open(const struct projection *p)
 static inline bool projection_is_given_at_near(const struct projection *p)
 {
 	return projection_family(p) == FAMILY_PERSP && p->section.edges_at == 0 &&
-	    p->section.way >= SECTION_SIZE && p->section.way <= SECTION_EDGES;
+	    section_is_at_distance(p->section.way);
 }
 
 /* Returns whether the projection is a persp given by the intrinsics P. */
@@ -95,6 +100,10 @@ static inline bool projection_is_tilted(const struct projection *p)
  * says. Returns false, and adds a refusal, if it can't. */
 bool projection_map(const struct projection *, const struct convention *, bool inverse,
     struct map *, struct refusals *);
+
+/* Refuses what projection_map would refuse. Members that the document lacks or that
+ * were refused are NaN. */
+bool projection_check(const struct projection *, bool inverse, struct refusals *);
 
 /* Returns whether the near plane has ndc depth 1, as the row of the type tells. */
 bool projection_is_reversed(const struct projection *, const struct convention *);

@@ -26,7 +26,7 @@ static void sizes_by_aspect(const struct projection *p, struct scaled_matrix *f)
 	const bool wide = p->aspect[0] >= p->aspect[1];
 
 	_Static_assert(SECTION_WAYS == 10, "each way is read here or in section_sizes");
-	if (s->way <= SECTION_VIEW_ANGLE)
+	if (section_is_by_angle(s->way))
 		scaled_set_sizes(p->aspect,
 		    s->way == SECTION_FOVY || (s->way == SECTION_VIEW_ANGLE && wide),
 		    trig_cot(s->angle / 2, p->unit), 1, f);
@@ -38,8 +38,25 @@ static void sizes_by_aspect(const struct projection *p, struct scaled_matrix *f)
 		scaled_set_sizes(p->aspect, 1, f->s[0], s->height, f);
 }
 
-bool section_sizes(const struct projection *p, double d, struct scaled_matrix *f,
-    struct sum sums[2], struct refusals *faults)
+bool section_check(const struct projection *p, struct refusals *faults)
+{
+	const struct projection_section *s = &p->section;
+	static const char remedy[] = "the edges must differ";
+	bool is_right = true;
+
+	if (s->way == SECTION_EDGES && s->left == s->right)
+		is_right = refuse(faults, "/projection/right", "equal to left", remedy);
+	if (s->way == SECTION_EDGES && s->bottom == s->top)
+		is_right = refuse(faults, "/projection/top", "equal to bottom", remedy);
+	if (s->way == SECTION_ANGLES &&
+	    (s->angles[0] >= s->angles[1] || s->angles[2] >= s->angles[3]))
+		is_right = refuse(faults, "/projection/angles", "not in order",
+		    "left below right, bottom below top");
+	return is_right;
+}
+
+void section_sizes(const struct projection *p, double d, struct scaled_matrix *f,
+    struct sum sums[2])
 {
 	const struct projection_section *s = &p->section;
 	const double size[2] = { s->width, s->height };
@@ -57,12 +74,6 @@ bool section_sizes(const struct projection *p, double d, struct scaled_matrix *f
 			continue;
 		f->d[k] = sum_difference(s->edges[2 * k + 1], s->edges[2 * k]);
 		sums[k] = sum_difference(s->edges[2 * k], -s->edges[2 * k + 1]);
-		if (sum_sign(f->d[k]) == 0)
-			return k == 0 ? refuse(faults, "/projection/right",
-					    "equal to left", "the edges must differ") :
-					refuse(faults, "/projection/top",
-					    "equal to bottom", "the edges must differ");
 	}
 	sizes_by_aspect(p, f);
-	return true;
 }

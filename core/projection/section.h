@@ -22,6 +22,19 @@ enum section_way {
 
 enum { SECTION_WAYS = SECTION_INTRINSICS + 1 };
 
+/* Returns whether a way gives one angle of view. */
+static inline bool section_is_by_angle(enum section_way way)
+{
+	return way == SECTION_FOVY || way == SECTION_FOVX || way == SECTION_VIEW_ANGLE;
+}
+
+/* Returns whether a way gives sizes or edges, which are at a distance. */
+static inline bool section_is_at_distance(enum section_way way)
+{
+	return way == SECTION_SIZE || way == SECTION_WIDTH || way == SECTION_HEIGHT ||
+	    way == SECTION_EDGES;
+}
+
 struct projection_section {
 	enum section_way way;
 	double angle;
@@ -47,7 +60,11 @@ struct projection_section {
 
 struct projection;
 
+/* Refuses edges that are equal, and angles that are not in order. Numbers that were
+ * refused are NaN. */
+bool section_check(const struct projection *, struct refusals *);
+
 /* Sets s[0] / d[0] = 2 d / (r - l) and sums[0] / d[0] = (l + r) / (r - l), where l and
  * r are the left and right edge at distance d. Sets s[1], d[1] and sums[1] likewise. */
-bool section_sizes(const struct projection *, double d, struct scaled_matrix *,
-    struct sum sums[2], struct refusals *);
+void section_sizes(const struct projection *, double d, struct scaled_matrix *,
+    struct sum sums[2]);

@@ -38,6 +38,15 @@ struct projection_row {
 	bool (*map)(const struct projection *, const struct convention *, bool inverse,
 	    struct map *, struct refusals *);
 
+	/* Refuses members that do not go together, before `map`; NULL: all do. Members
+	 * that the document lacks or that were refused are NaN, of which no comparison
+	 * holds. */
+	bool (*check)(const struct projection *, struct refusals *);
+
+	/* Refuses what only `map` finds, such as a matrix without an inverse, if the
+	 * members that this needs are known; NULL: `map` refuses nothing. */
+	bool (*check_map)(const struct projection *, bool inverse, struct refusals *);
+
 	/* The conventions of view and clip space between which `map` leads. */
 	enum {
 		FRAME_D3D,   /* those of d3d */

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "volume.h"
 
+#include <math.h>
+
 #include "projection.h"
 
 static void volume_section(const struct projection *p, struct scaled_matrix *f)
@@ -75,6 +77,36 @@ static bool refuse_eye_plane(const struct projection *p, struct refusals *faults
 	return refuse(faults, by[k].where, by[k].what, by[k].remedy);
 }
 
+/* Returns whether the numbers that say where the eye is are known. */
+static bool knows_eye(const struct projection *p)
+{
+	const struct projection_volume *v = &p->volume;
+	double all = v->z_near + v->z_far;
+
+	if (v->eye_given_by == EYE_BY_INVERSE_Z)
+		all += v->inverse_eye_z;
+	if (v->eye_given_by == EYE_BY_POINT)
+		all += v->eye[2];
+	if (v->eye_given_by == EYE_BY_ANGLE)
+		all += v->view_angle + v->half_width + v->half_height + p->aspect[0] +
+		    p->aspect[1];
+	return !isnan(all);
+}
+
+bool volume_check(const struct projection *p, struct refusals *faults)
+{
+	const struct projection_volume *v = &p->volume;
+	bool is_right = true;
+
+	if (v->z_near == v->z_far)
+		is_right = refuse(faults, "/projection/z_far", "equal to z_near",
+		    "the planes must differ");
+	if (v->eye_given_by == EYE_BY_POINT && v->eye[2] == 0)
+		return refuse(faults, "/projection/eye",
+		    "its z is 0, in the rectangle's plane", "move the eye off it");
+	return is_right;
+}
+
 /* If the matrix has errors, lets images of the plane z_near have none of those that
  * multiply the difference from z_near, as that of depth does. */
 static void set_near_plane(double z_near, struct scaled_matrix *f)
@@ -106,12 +138,6 @@ static bool volume_matrix(const struct projection *p, struct scaled_matrix *f,
 	scaled_clear(f);
 	volume_section(p, f);
 	f->d[2] = sum_sub(zn, zf);
-	if (sum_sign(f->d[2]) == 0)
-		return refuse(faults, "/projection/z_far", "equal to z_near",
-		    "the planes must differ");
-	if (v->eye_given_by == EYE_BY_POINT && v->eye[2] == 0)
-		return refuse(faults, "/projection/eye",
-		    "its z is 0, in the rectangle's plane", "move the eye off it");
 	projection_inverse_eye_z(p, &qn, &qd);
 	struct sum wf = sum_sub(qd, sum_mul(qn, zf));
 	struct sum wn = sum_sub(qd, sum_mul(qn, zn));
@@ -145,4 +171,19 @@ bool volume_map(const struct projection *p, const struct convention *c, bool inv
 		return false;
 	scaled_map(&f, inverse, r);
 	return true;
+}
+
+bool volume_check_map(const struct projection *p, bool inverse, struct refusals *faults)
+{
+	struct scaled_matrix f;
+	struct projection known = *p;
+
+	(void)inverse;
+	if (p->volume.eye_given_by != EYE_BY_ANGLE) {
+		known.volume.half_width = known.volume.half_height = 1;
+		known.aspect[0] = known.aspect[1] = 1;
+	}
+	known.volume.tan_skew[0] = known.volume.tan_skew[1] = 0;
+	known.volume.eye[0] = known.volume.eye[1] = 0;
+	return !knows_eye(p) || volume_matrix(&known, &f, faults);
 }

@@ -8,6 +8,8 @@ static void copy_cut(char *to, size_t room, const char *s)
 	size_t n = s != NULL ? strlen(s) : 0;
 
 	n = n < room ? n : room - 1;
+	while (n > 0 && (s[n] & 0xc0) == 0x80) /* within a character of UTF-8 */
+		n--;
 	if (n > 0)
 		memcpy(to, s, n);
 	to[n] = '\0';
@@ -23,13 +25,39 @@ void refusal_set(struct refusal *r, const char *where, const char *what,
 	r->column = 0;
 }
 
-bool refuse(struct refusals *faults, const char *where, const char *what,
-    const char *remedy)
+static bool are_equal(const struct refusal *a, const struct refusal *b)
+{
+	const bool has_pointer = *a->where != '\0';
+
+	return (has_pointer || (a->line == b->line && a->column == b->column)) &&
+	    strcmp(a->where, b->where) == 0 && strcmp(a->what, b->what) == 0 &&
+	    strcmp(a->remedy, b->remedy) == 0;
+}
+
+bool refuse_at(struct refusals *faults, const char *where, const char *what,
+    const char *remedy, long long line, size_t column)
 {
 	if (faults == NULL)
 		return false;
-	if (faults->n < REFUSALS_MAX)
-		refusal_set(&faults->list[faults->n], where, what, remedy);
-	faults->n++;
+	const size_t n = faults->n++;
+
+	if (n >= REFUSALS_MAX)
+		return false;
+	struct refusal *const r = &faults->list[n];
+
+	refusal_set(r, where, what, remedy);
+	r->line = line;
+	r->column = column;
+	for (size_t i = 0; i < n; i++)
+		if (are_equal(&faults->list[i], r)) {
+			faults->n--;
+			break;
+		}
 	return false;
+}
+
+bool refuse(struct refusals *faults, const char *where, const char *what,
+    const char *remedy)
+{
+	return refuse_at(faults, where, what, remedy, 0, 0);
 }

@@ -13,12 +13,14 @@
 #include <stddef.h>
 
 struct refusal {
-	char where[256]; /* the JSON pointer of a member, such as /camera/up; or "" */
-	char what[320];  /* what is wrong, as "parallel to the gaze" */
+	/* The JSON pointer of a member, such as /camera/up; or "". The longest that
+	 * core makes has 98 tokens "/63/inverse". */
+	char where[1280];
+	char what[320]; /* what is wrong, as "parallel to the gaze" */
 	/* what would be right, as "choose another up vector"; or "" */
 	char remedy[576];
-	/* The line, from 1, and the column, in bytes from 1, of what has no pointer:
-	 * text that is no JSON, or a line of points; or 0. */
+	/* The line, from 1, and the column, in bytes from 1; or 0, if only the pointer
+	 * says where. */
 	long long line;
 	size_t column;
 };
@@ -31,11 +33,13 @@ struct refusals {
 	struct refusal list[REFUSALS_MAX];
 };
 
-/* Sets the parts of a refusal to copies, cut where they do not fit. `where` and
- * `remedy` may be NULL. */
+/* Sets the parts of a refusal to copies, cut at a character where they do not fit.
+ * `where` and `remedy` may be NULL. */
 void refusal_set(struct refusal *, const char *where, const char *what,
     const char *remedy);
 
-/* Adds a refusal to the list, if there is one, or counts it if the list is full.
- * Returns false. */
+/* Adds a refusal to the list, if there is one, unless the list has the same of the
+ * same pointer; or counts it if the list is full. Returns false. */
 bool refuse(struct refusals *, const char *where, const char *what, const char *remedy);
+bool refuse_at(struct refusals *, const char *where, const char *what,
+    const char *remedy, long long line, size_t column);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "camera.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,10 +13,27 @@ struct axes {
 	struct sum v[3][3], scale[3], divisor;
 };
 
-static bool refuse_no_direction(const char *pointer, struct refusals *faults)
+static bool are_equal(const double a[3], const double b[3])
 {
-	return refuse(faults, pointer, "has no direction",
-	    "at least one element must not be 0");
+	return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/* Refuses a gaze, which may be at - eye, and an up that have no direction. */
+static bool check_directions(const struct camera *c, struct refusals *faults)
+{
+	static const double zero[3] = { 0 };
+	static const char no_direction[] = "has no direction",
+			  remedy[] = "at least one element must not be 0";
+	bool is_right = true;
+
+	if (c->way == CAMERA_AT && are_equal(c->at, c->eye))
+		is_right = refuse(faults, "/camera/at", "equal to the eye",
+		    "choose another point to look at");
+	if (c->way == CAMERA_GAZE && are_equal(c->at, zero))
+		is_right = refuse(faults, "/camera/gaze", no_direction, remedy);
+	if (are_equal(c->up, zero))
+		is_right = refuse(faults, "/camera/up", no_direction, remedy);
+	return is_right;
 }
 
 /* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
@@ -26,17 +44,13 @@ static bool axes_of_gaze(const struct camera *c, const struct convention *conven
 	struct sum up[3], *x = a->v[0], *y = a->v[1], *z = a->v[2];
 	bool at = c->way == CAMERA_AT;
 
+	if (!check_directions(c, faults))
+		return false;
 	for (int i = 0; i < 3; i++) {
 		z[i] = sum_negated_if(convention->right_handed,
 		    sum_difference(c->at[i], at ? c->eye[i] : 0));
 		sum_set(&up[i], c->up[i]);
 	}
-	if (vec3_is_zero(z))
-		return at ? refuse(faults, "/camera/at", "equal to the eye",
-				"choose another point to look at") :
-			    refuse_no_direction("/camera/gaze", faults);
-	if (vec3_is_zero(up))
-		return refuse_no_direction("/camera/up", faults);
 	vec3_cross(up, z, x);
 	vec3_cross(z, x, y);
 	struct sum xx = vec3_dot(x, x), zz = vec3_dot(z, z);
@@ -273,14 +287,14 @@ static bool own_map(const struct camera *c, const struct convention *convention,
 	bool by_rvec = c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION;
 	struct axes axes;
 
-	if (c->way == CAMERA_MATRIX || c->way == CAMERA_POSE)
+	if (camera_is_by_steps(c))
 		return map_of_steps(c, &c->steps, camera_3x3_pointer(c),
 		    inverse != (c->way == CAMERA_POSE), c->way == CAMERA_POSE, r,
 		    faults);
-	if (camera_has_3x3(c))
+	if (camera_gives_3x3(c))
 		return camera_rotation_map(c, inverse, r, faults);
-	if (!(c->way <= CAMERA_GAZE ? axes_of_gaze(c, convention, &axes, faults) :
-				      axes_of_rotation(c, by_rvec, &axes, faults)))
+	if (!(camera_is_by_gaze(c) ? axes_of_gaze(c, convention, &axes, faults) :
+				     axes_of_rotation(c, by_rvec, &axes, faults)))
 		return false;
 	map_of_axes(&axes, c->eye, is_translation, inverse, r);
 	return true;
@@ -293,8 +307,38 @@ bool camera_map(const struct camera *c, const struct convention *convention,
 		return false;
 	if (c->has_axes)
 		append_axes(c, convention, inverse, r);
-	if (c->roll != 0 && c->way < CAMERA_POSE)
+	if (c->roll != 0 && !camera_is_by_steps(c))
 		camera_roll(convention->view_y_down ? -c->roll : c->roll, c->unit,
 		    inverse, r);
 	return true;
+}
+
+static bool are_known(int n, const double *v)
+{
+	bool are = true;
+
+	for (int i = 0; i < n; i++)
+		are &= !isnan(v[i]);
+	return are;
+}
+
+/* What a check needs depends on the way: axes and a roll are compared with nothing, and
+ * a refused eye is 0 where no other member is compared with it. */
+bool camera_check(const struct camera *given, const struct convention *convention,
+    bool inverse, struct refusals *faults)
+{
+	const bool by_gaze = camera_is_by_gaze(given);
+	struct camera c = *given;
+	struct map r;
+
+	for (int k = 0; k < 3; k++)
+		if (isnan(c.eye[k]) && c.way != CAMERA_AT)
+			c.eye[k] = 0;
+	c.has_axes = false;
+	c.roll = 0;
+	if (by_gaze ? are_known(3, c.eye) && are_known(3, c.at) && are_known(3, c.up) :
+		      are_known(4, c.orientation) && are_known(3, c.rvec) &&
+		    are_known(9, c.rotation[0]))
+		return camera_map(&c, convention, inverse, &r, faults);
+	return !by_gaze || check_directions(&c, faults);
 }

@@ -9,8 +9,7 @@
 
 struct camera {
 	double eye[3]; /* or translation: the world's origin in view space */
-	/* the members that give the camera; from CAMERA_ROTATION on, its 3x3 part is
-	 * given, which need not be a rotation */
+	/* the members that give the camera */
 	enum camera_way {
 		CAMERA_AT,                   /* eye, at and up */
 		CAMERA_GAZE,                 /* eye, gaze and up */
@@ -48,22 +47,30 @@ struct camera {
 	bool orthonormalize; /* replace the 3x3 part by its nearest rotation */
 };
 
+/* Returns whether the camera is given by a direction of the gaze and up. */
+static inline bool camera_is_by_gaze(const struct camera *c)
+{
+	return c->way == CAMERA_AT || c->way == CAMERA_GAZE;
+}
+
+/* Returns whether the camera is given as a whole, by a matrix or steps. */
+static inline bool camera_is_by_steps(const struct camera *c)
+{
+	return c->way == CAMERA_POSE || c->way == CAMERA_MATRIX;
+}
+
+/* Returns whether the camera's 3x3 part is given, which need not be a rotation. */
+static inline bool camera_gives_3x3(const struct camera *c)
+{
+	return camera_is_by_steps(c) || c->way == CAMERA_ROTATION ||
+	    c->way == CAMERA_ROTATION_TRANSLATION;
+}
+
 /* Returns whether the eye is given, not the world's origin in view space. */
 static inline bool camera_has_eye(const struct camera *c)
 {
-	return c->way < CAMERA_TRANSLATION || c->way == CAMERA_ROTATION;
-}
-
-/* Returns whether a rotation or a matrix gives the directions, not a gaze and up. */
-static inline bool camera_is_turned(const struct camera *c)
-{
-	return c->way >= CAMERA_ORIENTATION;
-}
-
-/* Returns whether the 3x3 part is given, which need not be a rotation. */
-static inline bool camera_has_3x3(const struct camera *c)
-{
-	return c->way >= CAMERA_ROTATION;
+	return camera_is_by_gaze(c) || c->way == CAMERA_ORIENTATION ||
+	    c->way == CAMERA_RVEC || c->way == CAMERA_ROTATION;
 }
 
 /* Returns whether the axes are of the other handedness than view space. If a camera of
@@ -79,6 +86,11 @@ bool camera_mirrors(const struct camera *, const struct convention *);
  * 0. */
 bool camera_map(const struct camera *, const struct convention *, bool inverse,
     struct map *, struct refusals *faults);
+
+/* Refuses what camera_map would refuse, where the numbers that a check compares are
+ * known: those that a document lacks or that were refused are NaN. */
+bool camera_check(const struct camera *, const struct convention *, bool inverse,
+    struct refusals *faults);
 
 /* Returns the pointer to the member that gives the camera's 3x3 part. */
 const char *camera_3x3_pointer(const struct camera *);

@@ -109,6 +109,33 @@ static bool map_to_next(const struct scene *s, enum space first, bool inverse,
 	return true;
 }
 
+static void check_member(const struct scene *s, enum space first, bool inverse,
+    struct refusals *faults)
+{
+	struct map r;
+
+	if (first == SPACE_MODEL && s->has_world)
+		steps_map(&s->world, "/world", inverse, false, &r, faults);
+	if (first == SPACE_WORLD && s->has_camera)
+		camera_check(&s->camera, &s->convention, inverse, faults);
+	if (first == SPACE_VIEW)
+		projection_check(&s->projection, inverse, faults);
+	if (first == SPACE_NDC && s->has_viewport)
+		viewport_check(&s->viewport, inverse, faults);
+	if (first == FLAT_WINDOW && s->has_window)
+		window_check(&s->window, s->has_device, faults);
+}
+
+void scene_check(const struct scene *s, enum space from, enum space to,
+    struct refusals *faults)
+{
+	const bool back = from > to;
+
+	for (enum space i = back ? to : from; i < (back ? from : to); i++)
+		check_member(s, i, back, faults);
+	ex_has_overflowed(); /* a part that lost digits is not what was asked for */
+}
+
 bool scene_map_factor(const struct scene *s, enum space from, enum space to,
     struct map *r, struct refusals *faults)
 {

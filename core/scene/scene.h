@@ -72,6 +72,12 @@ bool scene_is_size(double);
  * document: numbers are in range, near differs from far, and opposite edges differ. */
 bool scene_is_valid(const struct scene *);
 
+/* Refuses all that is wrong with the members that make a map between two spaces, each
+ * member by itself, as scene_map stops at the first. For scenes that were refused:
+ * numbers that were refused or are missing are NaN, and steps are marked. */
+void scene_check(const struct scene *, enum space from, enum space to,
+    struct refusals *faults);
+
 /* Computes the map between two spaces, both flat or neither: the product of the maps
  * from each space to the next. Images are homogeneous; transform.h divides them. */
 bool scene_map(const struct scene *, enum space from, enum space to, struct map *,

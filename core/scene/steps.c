@@ -153,7 +153,7 @@ static bool rotation_of_step(const struct product *p, const struct step *s,
 		return rotation_about(s->rotation, v) ||
 		    refuse_step(p, "its rvec is longer than 2 pi",
 			"the length is the angle in radians");
-	if (s->kind <= STEP_ROTATE_Z) {
+	if (step_is_about_axis(s)) {
 		rotate_about((int)s->kind - STEP_ROTATE_X, s->angle, unit, v);
 		return true;
 	}
@@ -190,8 +190,11 @@ static bool append_step(struct product *p, const struct step *s, bool inverse)
 static bool append_parts(struct product *p, const struct step *s, bool inverse)
 {
 	struct step part = *s;
+	bool is_right = true;
 
 	p->at = s;
+	if (s->is_wrong)
+		return false;
 	if (s->kind != STEP_NODE)
 		return append_step(p, s, inverse);
 	for (int i = 0; i < 3; i++) {
@@ -199,9 +202,9 @@ static bool append_parts(struct product *p, const struct step *s, bool inverse)
 		    i == 1                             ? STEP_QUATERNION :
 							 STEP_TRANSLATE;
 		if (!append_step(p, &part, inverse))
-			return false;
+			is_right = false;
 	}
-	return true;
+	return is_right;
 }
 
 /* Appends the steps from s to `end` or, if inverse, the inverse of each from the last
@@ -213,15 +216,13 @@ static bool append_all(struct product *p, const struct step *s, const struct ste
 		return true;
 	const struct step *next = s + 1 + s->inner;
 	const bool regular = p->regular;
+	bool is_right = !inverse || append_all(p, next, end, inverse);
 
-	if (inverse && !append_all(p, next, end, inverse))
-		return false;
 	p->regular |= s->kind == STEP_INVERSE;
-	if (!(s->kind == STEP_INVERSE ? append_all(p, s + 1, next, !inverse) :
-					append_parts(p, s, inverse)))
-		return false;
+	is_right &= s->kind == STEP_INVERSE ? append_all(p, s + 1, next, !inverse) :
+					      append_parts(p, s, inverse);
 	p->regular = regular;
-	return inverse || append_all(p, next, end, inverse);
+	return (inverse || append_all(p, next, end, inverse)) && is_right;
 }
 
 bool steps_refuse_too_wide(const char *pointer, struct refusals *faults)
@@ -234,6 +235,8 @@ bool steps_map(const struct steps *s, const char *pointer, bool inverse, bool re
 {
 	struct product p = { s, pointer, regular, NULL, r, faults };
 
+	if (s->is_wrong)
+		return false;
 	if (s->step == NULL && !inverse && !regular) {
 		map_of_doubles(s->matrix, r);
 		return map_is_affine(r) ||

@@ -30,22 +30,32 @@ struct step {
 	int inner;
 	double translation[3], rotation[4], scale[3], angle;
 	double matrix[4][4]; /* for row vectors */
+	bool is_wrong;       /* it was refused: it is nothing */
 };
 
 enum { STEPS_MAX = 64 };
+
+/* Returns whether a step rotates about an axis of the coordinates, by its angle. */
+static inline bool step_is_about_axis(const struct step *s)
+{
+	return s->kind == STEP_ROTATE_X || s->kind == STEP_ROTATE_Y ||
+	    s->kind == STEP_ROTATE_Z;
+}
 
 struct steps {
 	const struct step *step; /* NULL: `matrix` is given instead */
 	int n;                   /* counts the steps inside of inverses, too */
 	enum angle_unit unit;
 	double matrix[4][4]; /* for row vectors */
+	bool is_wrong;       /* the matrix, or what is no list, was refused */
 };
 
 /* Computes the map of the steps or of the matrix; if inverse, its inverse, which is the
  * product of the inverse of each step in the opposite order. The origin of the map is 0
  * or, for the inverse of one matrix, its last row. If `regular`, a singular matrix is
  * refused in both directions. `pointer` leads to the member; a refusal adds to it where
- * the step at fault is. */
+ * the step at fault is. All steps at fault are refused; of those that are wrong already
+ * only false is returned. */
 bool steps_map(const struct steps *, const char *pointer, bool inverse, bool regular,
     struct map *, struct refusals *faults);
 

@@ -19,19 +19,29 @@ static void ndc_axis(struct map *r, int i, struct sum n, double d, struct sum of
 	r->origin[i] = inverse ? sum_double(offset) : 0;
 }
 
+bool window_check(const struct window *w, bool has_device, struct refusals *faults)
+{
+	bool is_right = true;
+
+	if (w->by_edges && w->left == w->right)
+		is_right = refuse(faults, "/window/right", "equal to left",
+		    "the edges must differ");
+	if (w->by_edges && w->bottom == w->top)
+		is_right = refuse(faults, "/window/top", "equal to bottom",
+		    "the edges must differ");
+	if (w->adapt != ADAPT_STRETCH && !has_device)
+		is_right = refuse(faults, "/window/adapt",
+		    "there is no device to adapt to", "add \"device\"");
+	return is_right;
+}
+
 /* Sets the magnitudes of the sides, the centre, and whether the axes are mirrored. */
-static bool window_shape(const struct window *w, struct sum size[2],
-    struct sum center[2], bool mirrors[2], struct refusals *faults)
+static void window_shape(const struct window *w, struct sum size[2],
+    struct sum center[2], bool mirrors[2])
 {
 	const double low[2] = { w->left, w->bottom };
 	const double high[2] = { w->right, w->top };
 
-	if (w->by_edges && w->left == w->right)
-		return refuse(faults, "/window/right", "equal to left",
-		    "the edges must differ");
-	if (w->by_edges && w->bottom == w->top)
-		return refuse(faults, "/window/top", "equal to bottom",
-		    "the edges must differ");
 	sum_set(&size[0], w->width);
 	sum_set(&size[1], w->height);
 	for (int i = 0; i < 2; i++) {
@@ -43,7 +53,6 @@ static bool window_shape(const struct window *w, struct sum size[2],
 		}
 		center[i] = sum_add(center[i], sum_of_double(w->pan[i]));
 	}
-	return true;
 }
 
 /* Gives the window the device's aspect. The new size is size / divisor. */
@@ -65,11 +74,9 @@ bool window_map(const struct window *w, const struct device *d, bool inverse,
 	double divisor[2] = { 1, 1 }, origin[3] = { 0 };
 	bool mirrors[2];
 
-	if (!window_shape(w, size, center, mirrors, faults))
+	if (!window_check(w, d != NULL, faults))
 		return false;
-	if (w->adapt != ADAPT_STRETCH && d == NULL)
-		return refuse(faults, "/window/adapt", "there is no device to adapt to",
-		    "add \"device\"");
+	window_shape(w, size, center, mirrors);
 	if (w->adapt != ADAPT_STRETCH)
 		window_adapt(w, d, size, divisor);
 	map_identity(r);
@@ -140,6 +147,13 @@ void viewport_part(const struct viewport *v, const struct convention *c, bool in
 	map_multiply(r, &part, inverse);
 }
 
+bool viewport_check(const struct viewport *v, bool inverse, struct refusals *faults)
+{
+	return !inverse || v->max_z != v->min_z ||
+	    refuse(faults, "/viewport/max_z", "equal to min_z",
+		"depth can't be inverted then");
+}
+
 bool viewport_map(const struct viewport *v, const struct convention *c, bool inverse,
     struct map *r, struct refusals *faults)
 {
@@ -147,9 +161,8 @@ bool viewport_map(const struct viewport *v, const struct convention *c, bool inv
 		   min = sum_of_double(v->min_z);
 	double half[2], scale[2];
 
-	if (inverse && sum_sign(depth) == 0)
-		return refuse(faults, "/viewport/max_z", "equal to min_z",
-		    "depth can't be inverted then");
+	if (!viewport_check(v, inverse, faults))
+		return false;
 	viewport_limits(v, half, scale);
 	if (falls(c))
 		scale[1] = -scale[1];

@@ -55,6 +55,10 @@ bool device_map(const struct device *, bool inverse, struct map *,
 bool viewport_map(const struct viewport *, const struct convention *, bool inverse,
     struct map *, struct refusals *faults);
 
+/* Refuse what the maps would refuse. Numbers that were refused are NaN. */
+bool window_check(const struct window *, bool has_device, struct refusals *faults);
+bool viewport_check(const struct viewport *, bool inverse, struct refusals *faults);
+
 /* Writes the size of the full picture. */
 void viewport_full(const struct viewport *, double full[2]);
 

@@ -368,6 +368,7 @@ static void refused_cameras(void **state)
 	assert_camera_refused(c, false, "/camera/up", NULL, NULL);
 	c.way = CAMERA_GAZE;
 	memset(c.at, 0, sizeof c.at);
+	c.up[1] = 1;
 	assert_camera_refused(c, false, "/camera/gaze", NULL, NULL);
 	c.way = CAMERA_ORIENTATION;
 	assert_camera_refused(c, false, "/camera/orientation", NULL, NULL);

@@ -267,6 +267,7 @@ static void test_refusals(void **state)
 	assert_refused(s, &b, "/projection/type", "has nothing that can be fitted");
 	s = parallel(PROJECTION_ORTHO);
 	s.has_camera = true;
+	s.camera.up[1] = 1;
 	assert_refused(s, &b, "/camera/at", "equal to the eye");
 }
 

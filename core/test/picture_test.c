@@ -511,7 +511,7 @@ static void axes_are_nearest(void **state)
 		sample_scene(&s, 0);
 		sample_answer(&s);
 		c = scene_answer_convention(&s);
-		if (camera_has_3x3(&s.camera) || !s.has_camera ||
+		if (camera_gives_3x3(&s.camera) || !s.has_camera ||
 		    projection_is_given_matrix(&s.projection) ||
 		    projection_has_intrinsics(&s.projection) ||
 		    projection_family(&s.projection) == FAMILY_VOLUME ||

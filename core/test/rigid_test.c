@@ -96,7 +96,7 @@ static void numbers_are_nearest(void **state)
 
 		sample_scene(&s, 0);
 		sample_answer(&s);
-		s.camera.orthonormalize = camera_has_3x3(&s.camera);
+		s.camera.orthonormalize = camera_gives_3x3(&s.camera);
 		if (!s.has_camera || !picture_of(&s, &p, NULL) || !p.rigid.exists)
 			continue;
 		check_numbers(&s, &p.rigid);
@@ -125,7 +125,7 @@ static void cameras_read_back(void **state)
 
 		sample_scene(&s, 0);
 		sample_answer(&s);
-		if (s.has_camera && camera_has_3x3(&s.camera))
+		if (s.has_camera && camera_gives_3x3(&s.camera))
 			continue;
 		if (k % 2 == 0 && s.has_camera) {
 			s.answer = NULL;

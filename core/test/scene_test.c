@@ -212,6 +212,79 @@ static void refusals(void **state)
 	assert_scene_refused(&s, SPACE_VIEW, SPACE_MODEL, "/camera/at", NULL, NULL);
 }
 
+static void make_unknown(double *v, size_t size)
+{
+	for (size_t i = 0; i < size / sizeof *v; i++)
+		v[i] = (double)NAN;
+}
+
+/* All parts are refused in one call, each for all that is wrong with it. Numbers that
+ * are not known are no fault, and hide none. */
+static void each_part_is_judged(void **state)
+{
+	static struct step flat = { .kind = STEP_SCALE }, wrong = { .is_wrong = true };
+	struct scene s = { .has_world = true,
+		.has_camera = true,
+		.has_viewport = true,
+		.viewport = { .width = 1, .height = 1 } };
+	static const char *const where[] = { "/world/0", "/camera/at", "/camera/up",
+		"/projection/right", "/projection/near", "/viewport/max_z" };
+	const size_t n = sizeof where / sizeof *where;
+
+	(void)state;
+	s.world = (struct steps){ .step = &flat, .n = 1 };
+	projection_set_defaults(&s.projection, PROJECTION_PERSP);
+	s.projection.section.way = SECTION_EDGES;
+	s.projection.section.top = s.projection.near = 1;
+	faults.n = 0;
+	scene_check(&s, SPACE_MODEL, SPACE_DEVICE, &faults);
+	assert_int_equal(faults.n, n - 1);
+	scene_check(&s, SPACE_DEVICE, SPACE_MODEL, &faults);
+	assert_int_equal(faults.n, n); /* the same is told once */
+	for (size_t i = 0; i < n; i++)
+		assert_string_equal(faults.list[i].where, where[i]);
+	faults.n = 0;
+	s.world.step = &wrong;
+	make_unknown(s.camera.eye, sizeof s.camera.eye);
+	make_unknown(&s.projection.section.left, sizeof(double));
+	make_unknown(&s.projection.far, sizeof(double));
+	make_unknown(&s.viewport.min_z, sizeof(double));
+	scene_check(&s, SPACE_DEVICE, SPACE_MODEL, &faults);
+	assert_int_equal(faults.n, 1);
+	assert_string_equal(faults.list[0].where, "/camera/up");
+	faults.n = 0;
+}
+
+/* A scene of which any numbers are not known is refused for none of them. */
+static void unknown_numbers_are_no_fault(void **state)
+{
+	(void)state;
+	SAMPLES(i, 100) {
+		struct scene s;
+
+		sample_scene(&s, 0);
+		make_unknown(s.camera.eye, sizeof s.camera.eye);
+		make_unknown(s.camera.up, sizeof s.camera.up);
+		make_unknown(s.camera.orientation, sizeof s.camera.orientation);
+		make_unknown(s.camera.rvec, sizeof s.camera.rvec);
+		make_unknown(s.camera.rotation[0], sizeof s.camera.rotation);
+		make_unknown(s.projection.section.edges, 4 * sizeof(double));
+		make_unknown(s.projection.section.angles, 4 * sizeof(double));
+		make_unknown(s.projection.section.intrinsics[0],
+		    sizeof s.projection.section.intrinsics);
+		make_unknown(&s.projection.near, sizeof(double));
+		make_unknown(&s.projection.volume.z_far, sizeof(double));
+		make_unknown(s.projection.volume.eye, sizeof s.projection.volume.eye);
+		make_unknown(s.projection.matrix[0], sizeof s.projection.matrix);
+		s.camera.steps.is_wrong = s.world.is_wrong = true;
+		faults.n = 0;
+		scene_check(&s, SPACE_MODEL, SPACE_DEVICE, &faults);
+		scene_check(&s, SPACE_DEVICE, SPACE_MODEL, &faults);
+		if (faults.n > 0)
+			fail_msg("%s: %s", faults.list[0].where, faults.list[0].what);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -221,6 +294,8 @@ int main(void)
 		cmocka_unit_test(device_is_the_same_in_all_conventions),
 		cmocka_unit_test(map_to_the_same_space),
 		cmocka_unit_test(refusals),
+		cmocka_unit_test(each_part_is_judged),
+		cmocka_unit_test(unknown_numbers_are_no_fault),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -189,8 +189,9 @@ static void deep_steps_are_refused(void **state)
 		s[k] = (struct step){ .kind = STEP_INVERSE,
 			.inner = STEPS_MAX - 1 - k };
 	s[STEPS_MAX - 1].kind = STEP_SCALE;
-	for (int k = 0; k < 24; k++)
+	for (int k = 1; k < STEPS_MAX; k++)
 		strcat(where, "/0/inverse");
+	strcat(where, "/0");
 	assert_step_refused(s, STEPS_MAX, false, where, NULL);
 	memcpy(where + 6 + 20 * 10, "/0", 3);
 	assert_step_refused(s + STEPS_MAX - 21, 21, false, where, NULL);
