@@ -331,9 +331,9 @@ char *emit_names(const struct layout *l, char *out)
 	return w.out + 1;
 }
 
-/* The special ways for points, which most lines are. cmd/test/emit_test.c compares their
- * bytes with those of the general way, and `emit_test gain` prints how many times as long
- * the general way takes. */
+/* The special ways for points, which most lines are. cmd/test/emit_test.c compares
+ * their bytes with those of the general way, and `emit_test gain` prints how many times
+ * as long the general way takes. */
 
 /* Returns whether the n coordinates are on the line in the order x, y, z, w. */
 static inline bool is_in_order(const struct line *line, int n)

@@ -20,6 +20,7 @@ struct sought {
 	bool ends_empty;   /* the last field is empty */
 	const char *clash; /* a name that the output adds, but the line has; or NULL */
 	const char *clash_at;
+	bool undivided; /* the clash is with S_w, which tells that S_x is x times w */
 };
 
 /* Sets the column of what is wrong, which is at s. A byte order mark does not count. */
@@ -184,6 +185,25 @@ static void find_clash(const struct layout *l, struct cursor c, struct sought *f
 			break;
 		}
 	}
+}
+
+/* Finds S_w beside the coordinates S_x ... of a space that has no w: -H wrote them, which
+ * are not divided by w. */
+static void find_undivided(const struct layout *l, struct cursor c,
+    struct sought *found)
+{
+	char name[2 * NAME_ROOM];
+	struct field f;
+
+	if (!l->plan.in_space || strcmp(l->from, "clip") == 0)
+		return;
+	snprintf(name, sizeof name, "%s_w", l->from);
+	while (found->clash == NULL && cursor_next(&c, &f))
+		if (is_named(&c, &f, name, false)) {
+			found->clash = text("%s", name);
+			found->clash_at = c.members ? f.name.s : f.value.s;
+			found->undivided = true;
+		}
 }
 
 /* Law 4: the header. */
@@ -374,9 +394,15 @@ static enum line_kind join_own_header(struct layout *l, struct span header,
 static void refuse_clash(const struct line *line, const struct sought *found,
     const char *subject, struct refusal *r)
 {
-	refusal_set(r, NULL,
-	    text("%shas '%s', which the output adds", subject, found->clash),
-	    "rename it, or leave it out");
+	if (found->undivided)
+		refusal_set(r, NULL,
+		    text("%shas '%s': -H wrote numbers that are not divided by w",
+			subject, found->clash),
+		    "leave -H out there, or say --columns");
+	else
+		refusal_set(r, NULL,
+		    text("%shas '%s', which the output adds", subject, found->clash),
+		    "rename it, or leave it out");
 	set_column(r, line, found->clash_at);
 }
 
@@ -433,6 +459,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 				line->at[i] = line_part(line, f.value);
 				found.field[i] = f;
 			}
+	find_undivided(l, c, &found);
 	find_clash(l, c, &found);
 	if (found.clash != NULL) {
 		refuse_clash(line, &found, "the header ", r);
@@ -525,6 +552,7 @@ static void find_object_fields(struct layout *l, struct cursor c, bool first,
 				*p->member[i] = (char)toupper((unsigned char)*name);
 		}
 	}
+	find_undivided(l, c, found);
 	find_clash(l, c, found);
 }
 
