@@ -572,21 +572,21 @@ bool plan_in_range(const struct layout *l, int i, double v, struct refusal *r)
 }
 
 /* Law 12: says what is to be written instead of a field that is no number, and may be
- * the only one. */
+ * the only one, or have semicolons between decimal commas. */
 static void refuse_number(const struct layout *l, int i, struct span f, bool one,
     struct refusal *r)
 {
-	const char *remedy = format_number_remedy(l->in, f);
+	const char *remedy = format_number_remedy(l->in, f), *value = shown(f);
 
 	if (l->in.format == FORMAT_JSON)
 		remedy = "a number is wanted";
 	else if (f.s < f.end && (*f.s == '[' || *f.s == '{'))
 		remedy = "of JSON say -i json";
-	else if (*remedy == '\0' && one)
+	else if (*remedy == '\0' && (one || strpbrk(value, ";|") != NULL))
 		remedy = other_separator(l, f);
 	if (remedy == NULL || *remedy == '\0')
 		remedy = "a number is wanted";
-	refusal_set(r, NULL, text("%s is '%s'", coordinate_name(i), shown(f)), remedy);
+	refusal_set(r, NULL, text("%s is '%s'", coordinate_name(i), value), remedy);
 }
 
 static void refuse_missing(const struct layout *l, int i, struct refusal *r)
