@@ -187,8 +187,8 @@ static void find_clash(const struct layout *l, struct cursor c, struct sought *f
 	}
 }
 
-/* Finds S_w beside the coordinates S_x ... of a space that has no w: -H wrote them, which
- * are not divided by w. */
+/* Finds S_w beside the coordinates S_x ... of a space that has no w: -H wrote them, not
+ * divided by w. */
 static void find_undivided(const struct layout *l, struct cursor c,
     struct sought *found)
 {
@@ -789,9 +789,10 @@ static const char *empty_coordinate(const struct layout *l, struct span text)
 }
 
 /* Reads the first row of a source without a header, or after it. */
-static void read_first_row(struct layout *l, struct span text, bool has_header,
-    struct line *line, double v[4], struct refusal *r)
+static void read_first_row(struct layout *l, struct span text, struct line *line,
+    double v[4], struct refusal *r)
 {
+	const bool has_header = l->plan.header_fields > 0;
 	const char *empty = is_sniffed_tsv(l) ? empty_coordinate(l, text) : NULL;
 
 	if (empty != NULL) {
@@ -860,7 +861,6 @@ static void read_line(struct layout *l, struct span text, enum next_part *first,
     struct line *line, double v[4], struct refusal *r)
 {
 	const bool first_line = *first == FIRST_LINE;
-	const bool has_header = *first == FIRST_ROW;
 	bool refused = false;
 
 	if (is_binary(text, first_line, r))
@@ -893,11 +893,13 @@ static void read_line(struct layout *l, struct span text, enum next_part *first,
 		*first = FIRST_ROW;
 		return;
 	}
-	*first = FIRST_NONE;
-	if (first_line || has_header)
-		read_first_row(l, text, has_header, line, v, r);
-	else if (read_row(l, text, false, line, v, r))
+	if (*first != FIRST_NONE) {
+		read_first_row(l, text, line, v, r);
+		/* one that can't be cut tells nothing of the next */
+		*first = line->kind == LINE_LOST ? FIRST_ROW : FIRST_NONE;
+	} else if (read_row(l, text, false, line, v, r)) {
 		line->kind = LINE_POINT;
+	}
 }
 
 void plan_line(struct layout *l, struct span text, enum next_part *first,

@@ -76,7 +76,8 @@ struct layout {
 };
 
 /* What of a source is read next. FIRST_LINE: the first neither blank nor a comment.
- * FIRST_ROW: the first row after a header. FIRST_NONE: any later line. */
+ * FIRST_ROW: the first row after a header, or after rows that can't be cut. FIRST_NONE:
+ * any later line. */
 enum next_part { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
 /* Forgets the last source, before the next; plan.drops_bom tells whether it had
