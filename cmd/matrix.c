@@ -81,6 +81,9 @@ bool matrix_print(const struct options *o, const struct document *d,
 		.floats = single,
 		.compact = true };
 
+	if (o->out == FORMAT_OBJ)
+		die(EXIT_USAGE, "-o obj is for points",
+		    "a matrix is printed as text, csv, tsv, json, f64 or f32");
 	if (o->unit_w && !divide_by_w(d, &t->map))
 		return false;
 	if (o->out == FORMAT_JSON) {

@@ -301,37 +301,76 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* Reads the points of a source. The first one may need a header of names before it. */
+/* What a source is, and the format of its output if neither -o nor a source before has
+ * told it, without and with --append. */
+enum source_kind {
+	SOURCE_TYPED, /* points of the call or the document, as lines of our own */
+	SOURCE_EMPTY, /* comments alone, which are of any format and tell none */
+	SOURCE_TABLE, /* a format that is given, named or told by the first line */
+};
+
+static const enum format out_formats[][2] = {
+	[SOURCE_TYPED] = { FORMAT_TEXT, FORMAT_JSON },
+	[SOURCE_EMPTY] = { FORMAT_TEXT, FORMAT_TEXT },
+	[SOURCE_TABLE] = { FORMAT_SNIFF, FORMAT_SNIFF }, /* that of the source */
+};
+
+/* Ends the run unless the source may go on, as `ok` says. */
+static void require(bool ok, struct job *j, const struct point_source *s,
+    const struct refusal *r)
+{
+	if (ok)
+		return;
+	answer_begin_source(j, s);
+	answer_refuse(j, r);
+}
+
+/* Law 8: in csv and tsv the numbers of a source of another format have a header of
+ * their names, unless they follow lines without one. */
+static void join_names(struct job *j, const struct point_source *s)
+{
+	struct layout *l = &j->layout;
+	const bool named = format_of(l->out)->table &&
+	    (!l->common.known || l->common.text != NULL);
+	char names[COORDINATES_MAX * 4 * NAME_ROOM];
+	const char *end = emit_names(l, names);
+	struct refusal r;
+	const enum line_kind kind = plan_join_header(l,
+	    named ? (struct span){ names, end - 1 } : (struct span){ NULL, NULL }, &r);
+
+	require(kind != LINE_REFUSED, j, s, &r);
+	if (kind == LINE_HEADER)
+		answer_names(j, (struct span){ names, end });
+}
+
+/* Reads the points of a source. */
 static void run_source(const struct options *o, struct job *j, struct point_source s)
 {
 	struct layout *l = &j->layout;
+	const struct dialect before = l->out;
 	struct refusal r;
 
 	l->in = s.is_ours         ? dialect_of(FORMAT_JSON, ',') :
 	    o->in != FORMAT_SNIFF ? dialect_of(o->in, o->separator) :
 				    dialect_of(format_of_name(s.name), o->separator);
-	if (!source_begin(&s, l, &r)) {
-		answer_begin_source(j, &s);
-		answer_refuse(j, &r);
-	}
-	const struct dialect out = l->out;
+	require(source_begin(&s, l, &r), j, &s, &r);
+	const enum source_kind kind = s.is_ours ? SOURCE_TYPED :
+	    l->plan.has_none                    ? SOURCE_EMPTY :
+						  SOURCE_TABLE;
 
-	if (l->plan.has_none && !format_is_binary(out.format))
-		l->in = out.format != FORMAT_SNIFF ? out : dialect_of(FORMAT_TEXT, ',');
-	if (l->out.format == FORMAT_SNIFF && (s.is_ours || l->plan.has_none))
-		l->out = dialect_of(s.is_ours && o->append ? FORMAT_JSON : FORMAT_TEXT,
-		    ',');
-	if (s.is_ours && o->append && !same_dialect(l->in, l->out))
-		die(EXIT_USAGE, APPEND_WHAT, APPEND_REMEDY);
-	if (!s.is_ours && !l->plan.has_none)
+	if (l->out.format == FORMAT_SNIFF)
+		l->out = dialect_of(out_formats[kind][o->append], ',');
+	if (kind == SOURCE_TABLE)
 		settle_formats(o, l, s.name);
-	if (!l->common.named && j->take_block == NULL && format_of(l->out)->table &&
-	    !same_dialect(l->in, l->out))
-		answer_names(j);
-	l->common.named |= !l->plan.has_none;
+	else if (kind == SOURCE_EMPTY && !format_is_binary(l->out.format))
+		l->in = l->out;
+	else if (o->append && !same_dialect(l->in, l->out))
+		die(EXIT_USAGE, APPEND_WHAT, APPEND_REMEDY);
+	if (j->take_block == NULL && !same_dialect(l->in, l->out))
+		join_names(j, &s);
 	stream_points(j, s);
-	if (l->plan.has_none)
-		l->out = out;
+	if (kind == SOURCE_EMPTY)
+		l->out = before;
 }
 
 /* `lines` are those that document_read_points or document_read made. */

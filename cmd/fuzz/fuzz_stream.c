@@ -109,8 +109,9 @@ void output_flush(void)
 
 void say_at(int status, const struct place *place, const char *what, const char *remedy)
 {
-	const char *const line = text("%lld: %s; %s", place != NULL ? place->line : 0,
-	    what, remedy != NULL ? remedy : "");
+	const struct place none = { 0 }, *at = place != NULL ? place : &none;
+	const char *const line = text("%lld:%zu: %s; %s", at->line, at->column, what,
+	    remedy != NULL ? remedy : "");
 
 	(void)status;
 	add(&said, line, strlen(line) + 1);
@@ -246,6 +247,7 @@ static bool do_at_once(struct job *j, const char *bytes, size_t size)
 	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX; i++) {
 		const struct refusal *what = &c->complaint[i];
 		struct place p = { .line = chunk_line(c, (size_t)what->line),
+			.column = what->column,
 			.of_points = format_is_binary(j->layout.in.format) };
 
 		say_at(EXIT_INPUT, &p, what->what, what->remedy);

@@ -121,11 +121,9 @@ static void print_text(const struct job *j, const char *s, size_t n)
 	output_write(s, n);
 }
 
-void answer_names(const struct job *j)
+void answer_names(const struct job *j, struct span names)
 {
-	char names[COORDINATES_MAX * 4 * NAME_ROOM];
-
-	print_text(j, names, (size_t)(emit_names(&j->layout, names) - names));
+	print_text(j, names.s, (size_t)(names.end - names.s));
 }
 
 /* Returns the place of a line of the chunk. */

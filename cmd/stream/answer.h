@@ -15,7 +15,7 @@ void answer_begin_source(const struct job *, const struct point_source *);
 void answer_chunk(struct job *, struct chunk *);
 
 /* Prints the header of an output that has another format than the input. */
-void answer_names(const struct job *);
+void answer_names(const struct job *, struct span names);
 
 /* Ends the program, as the source that began last is refused. */
 _Noreturn void answer_refuse(const struct job *, const struct refusal *);

@@ -42,8 +42,10 @@ bool chunk_complain(const struct job *j, struct chunk *c, const struct refusal *
 
 		*to = *r;
 		to->line = (long long)(c->n_lines + c->block_lines);
-		if (c->is_list) /* the element may begin anywhere in its line */
-			to->column = 0;
+		if (c->is_list && c->piece.place[to->line].joined)
+			to->column = c->piece.place[to->line].column;
+		else if (c->is_list)
+			to->column += c->piece.place[to->line].column - 1;
 	}
 	c->n_complaints++;
 	if (!goes_on)
@@ -53,5 +55,5 @@ bool chunk_complain(const struct job *j, struct chunk *c, const struct refusal *
 
 long long chunk_line(const struct chunk *c, size_t line)
 {
-	return c->is_list ? c->piece.line[line] : c->place.line + (long long)line;
+	return c->is_list ? c->piece.place[line].line : c->place.line + (long long)line;
 }

@@ -116,14 +116,14 @@ static enum piece_state fill_piece(struct point_source *s, const struct layout *
 	return PIECE_FULL;
 }
 
-/* Makes room for n more bytes of a list, and for the lines of its elements. */
+/* Makes room for n more bytes of a list, and for the places of its elements. */
 static void list_reserve(struct piece *p, const struct list_lines *to, size_t n)
 {
 	if (to->size + n + LIST_MARGIN > p->room)
 		piece_resize(p, 2 * (to->size + n + LIST_MARGIN));
-	if (to->n + n / 2 + 1 > p->line_room) {
-		p->line_room = 2 * (to->n + n);
-		p->line = xrealloc(p->line, p->line_room * sizeof *p->line);
+	if (to->n + n / 2 + 1 > p->place_room) {
+		p->place_room = 2 * (to->n + n);
+		p->place = xrealloc(p->place, p->place_room * sizeof *p->place);
 	}
 }
 
@@ -137,6 +137,10 @@ static enum piece_state fill_list(struct point_source *s, struct piece *p)
 	enum piece_state state = PIECE_FULL;
 	ssize_t n = 1;
 
+	if (s->bytes_read == 0 && s->has_bom) {
+		memcpy(p->text, "\xef\xbb\xbf", 3);
+		to.size = to.whole_size = 3;
+	}
 	while (n > 0 && state == PIECE_FULL && (to.n == 0 || to.size < full)) {
 		n = read_some(s, part, PART);
 		if (n < 0) {
@@ -146,7 +150,7 @@ static enum piece_state fill_list(struct point_source *s, struct piece *p)
 		s->bytes_read += (size_t)n;
 		list_reserve(p, &to, (size_t)n);
 		to.text = p->text;
-		to.line = p->line;
+		to.place = p->place;
 		if (!list_cut(&s->list, part, (size_t)n, &to, &p->fault))
 			state = PIECE_BROKEN;
 		else if (n == 0)
@@ -156,7 +160,6 @@ static enum piece_state fill_list(struct point_source *s, struct piece *p)
 		else if (to.n > 0 && would_wait(s))
 			state = PIECE_EARLY;
 	}
-	p->fault.line = s->list.line;
 	p->size = to.size;
 	p->whole_size = to.whole_size;
 	return state;
@@ -226,7 +229,7 @@ static bool begin_plan(struct point_source *s, struct layout *l, struct span byt
 		return all || n >= layout_record_size(l);
 	if (!list_possible)
 		return all || memchr(bytes.s, '\n', n) != NULL;
-	if (f->at == NULL)
+	if (f->at == NULL || f->at == bytes.s) /* a mark may arrive byte by byte */
 		f->at = skip_bom(bytes.s, bytes.end);
 	find_first_line(f, bytes.end);
 	f->whole |= all || n > LINE_MAX_BYTES ||
@@ -242,6 +245,7 @@ static bool begin_plan(struct point_source *s, struct layout *l, struct span byt
 		l->in = dialect_of(format_of_line(line), ',');
 		l->plan.is_list &= l->in.format == FORMAT_JSON;
 	}
+	s->has_bom = skip_bom(bytes.s, bytes.end) > bytes.s;
 	s->list = (struct list){ .line = 1 };
 	for (const char *c = bytes.s; c < f->at; c++)
 		s->list.line += *c == '\n';

@@ -36,10 +36,9 @@ struct piece {
 	size_t whole_size; /* bytes of the whole lines or points in text */
 	enum piece_state state;
 	int error; /* the errno of PIECE_FAILED */
-	/* Of a list: the lines in which the elements begin, and the fault of
-	 * PIECE_BROKEN, with its line. */
-	long long *line;
-	size_t line_room;
+	/* Of a list: where the elements begin, and the fault of PIECE_BROKEN. */
+	struct list_place *place;
+	size_t place_room;
 	struct refusal fault;
 };
 
@@ -49,6 +48,7 @@ struct point_source {
 	struct span head;  /* bytes of a file that source_begin has read */
 	bool is_ours;      /* the program made the lines: they are arrays */
 	bool has_ended;    /* source_begin has read all of it */
+	bool has_bom;      /* a byte order mark stands before the list */
 	struct list list;  /* used if plan.is_list is set */
 	int fd;            /* descriptor of a file */
 	off_t size;        /* bytes of the whole source; 0: unknown */

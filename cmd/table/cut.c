@@ -16,21 +16,24 @@ static const char *csv_quote_end(const char *s, const char *end)
 	return s;
 }
 
+/* Returns the first byte that is not UTF-8, or the end. */
+static const char *utf8_end(struct span f)
+{
+	unsigned code;
+	int size = 1;
+
+	for (; f.s < f.end && size > 0; f.s += size)
+		size = utf8_read(f.s, f.end, &code);
+	return f.s;
+}
+
 bool is_utf8(struct span f)
 {
 	unsigned char high = 0;
-	unsigned code;
 
 	for (const char *s = f.s; s < f.end; s++)
 		high |= (unsigned char)*s;
-	while (high > 0x7f && f.s < f.end) {
-		const int size = utf8_read(f.s, f.end, &code);
-
-		if (size == 0)
-			return false;
-		f.s += size;
-	}
-	return true;
+	return high <= 0x7f || utf8_end(f) == f.end;
 }
 
 /* Returns the size of the word or number at s, or else of one character. */
@@ -49,25 +52,25 @@ static bool json_line_check(struct dialect d, struct span line, struct refusal *
 	struct json_check c = { .s = line.s, .end = line.end };
 	char shown[ESCAPED_MAX];
 
+	c.at = s;
 	if (!is_utf8(line)) {
 		refusal_set(r, NULL, "is not UTF-8",
 		    "iconv -f LATIN1 -t UTF-8 makes it so, if it is Latin-1");
-		return false;
-	}
-	if (*s != '[' && *s != '{')
+		c.at = utf8_end(line);
+	} else if (*s != '[' && *s != '{') {
 		refusal_set(r, NULL, "is neither a JSON array nor an object",
 		    "of csv or text say -i csv or -i text");
-	else if (json_check(&c))
+	} else if (json_check(&c)) {
 		return true;
-	else if (c.at == line.end)
+	} else if (c.at == line.end) {
 		refusal_set(r, NULL, "a bracket is not closed on the line",
 		    "jq -c . makes one array or object a line");
-	else {
+	} else {
 		escape_short(shown, c.at, token_size(c.at, line.end));
 		refusal_set(r, NULL,
 		    text("is no JSON: expected %s, not '%s'", c.wanted, shown), NULL);
-		r->column = (size_t)(c.at - line.s) + 1;
 	}
+	r->column = (size_t)(c.at - line.s) + 1;
 	return false;
 }
 
@@ -141,6 +144,7 @@ static bool csv_line_check(struct dialect d, struct span line, struct refusal *r
 		return true;
 	refusal_set(r, NULL, "a quote is not closed on the line",
 	    "a field with a newline in it can't be read");
+	r->column = (size_t)(s - line.s) + 1;
 	return false;
 }
 

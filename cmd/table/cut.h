@@ -71,7 +71,7 @@ struct cursor {
 };
 
 /* Returns whether the line can be cut: JSON is valid, quotes of csv are closed. Says
- * what is wrong if it is not. */
+ * what is wrong if it is not, and where in the line. */
 bool line_check(struct dialect, struct span line, struct refusal *);
 
 /* Returns whether all bytes are UTF-8. */

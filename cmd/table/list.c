@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "list.h"
 
+#include "check.h"
 #include "../json/text.h"
+#include "../message/escape.h"
+#include "../message/message.h"
 
 /* The most bytes of which the stops are found together, so that 16 bits hold a
  * place. */
@@ -12,7 +15,8 @@ struct cutter {
 	struct list_lines *to;
 	const char *s;  /* the block */
 	size_t at, end; /* the place, and the end, in the block */
-	size_t stops;   /* the stops of the block, if the processor has vector code */
+	/* the stops of the block from `at` or before it on, and a last one beyond the
+	 * block; NULL: the processor has no vector code */
 	const uint16_t *stop;
 	struct refusal *fault;
 };
@@ -29,10 +33,26 @@ static struct byte_set list_stops(void)
 	return set;
 }
 
-static bool refuse_list(struct cutter *c, const char *what)
+static struct list_place place_of(const struct cutter *c, size_t at)
+{
+	const struct list *l = c->list;
+
+	return (struct list_place){ l->line, l->done + at - l->begin + 1, false };
+}
+
+static bool refuse_list(struct cutter *c, struct list_place place, const char *what)
 {
 	refusal_set(c->fault, NULL, what, NULL);
+	c->fault->line = place.line;
+	c->fault->column = place.column;
 	return false;
+}
+
+/* Begins the next line at byte `at`. */
+static void begin_line(struct cutter *c, size_t at)
+{
+	c->list->line++;
+	c->list->begin = c->list->done + at;
 }
 
 /* Returns the place of the next byte from c->at on that changes the state. */
@@ -45,11 +65,9 @@ static inline size_t next_stop(struct cutter *c)
 			at++;
 		return at;
 	}
-	while (c->stops > 0 && *c->stop < at) {
+	while (*c->stop < at)
 		c->stop++;
-		c->stops--;
-	}
-	return c->stops > 0 ? *c->stop : c->end;
+	return *c->stop < c->end ? *c->stop : c->end;
 }
 
 static void put(struct cutter *c, const char *s, size_t n)
@@ -64,35 +82,38 @@ static void end_element(struct cutter *c)
 
 	to->text[to->size++] = '\n';
 	to->whole_size = to->size;
-	to->line[to->n++] = c->list->from_line;
+	to->place[to->n++] = c->list->from;
 	c->list->state = LIST_AFTER;
 }
 
-/* Makes one blank of a line end and the blanks before it; those after it are
- * skipped. */
+/* Makes one blank of a line end, which was passed, and the blanks before it; those
+ * after it are skipped. */
 static bool join_line(struct cutter *c)
 {
 	struct list_lines *to = c->to;
 
 	if (c->list->quoted)
-		return refuse_list(c, "a string is not closed on its line");
+		return refuse_list(c, place_of(c, c->at - 1),
+		    "a string is not closed on its line");
 	while (to->size > to->whole_size && json_is_blank(to->text[to->size - 1]))
 		to->size--;
 	put(c, " ", 1);
-	c->list->skips = true;
-	c->list->line++;
+	c->list->skips = c->list->from.joined = true;
+	begin_line(c, c->at);
 	return true;
 }
 
 /* Copies n bytes, mostly by moves of 32 bytes, for which there is room in the copy, and
- * if `more` bytes follow in the text. */
+ * if `more` bytes follow in the text. The sizes of points vary, and most are below 64
+ * bytes: these take no branch. */
 static inline void copy_run(char *to, const char *s, size_t n, size_t more)
 {
-	if (more < 32) {
+	if (more < 64) {
 		memcpy(to, s, n);
 		return;
 	}
-	for (size_t i = 0; i < n; i += 32)
+	memcpy(to, s, 64);
+	for (size_t i = 64; i < n; i += 32)
 		memcpy(to + i, s + i, 32);
 }
 
@@ -149,7 +170,8 @@ static bool cut_element(struct cutter *c)
 			continue;
 		}
 		while (l->skips && c->at < c->end && json_is_blank(c->s[c->at]))
-			l->line += c->s[c->at++] == '\n';
+			if (c->s[c->at++] == '\n')
+				begin_line(c, c->at);
 		l->skips &= c->at == c->end;
 		const size_t from = c->at;
 		const bool ended = pass_to_end(c);
@@ -165,34 +187,48 @@ static bool cut_element(struct cutter *c)
 	return true;
 }
 
+/* Ends a value that is no point, which plan.c refuses; it has to be JSON, without which
+ * the list can't go on. */
+static bool end_scalar(struct cutter *c)
+{
+	const struct list_lines *to = c->to;
+	const char *s = to->text + to->whole_size, *end = to->text + to->size;
+	struct json_check check = { .s = s, .end = end };
+	char shown[ESCAPED_MAX];
+
+	if (json_check(&check)) {
+		end_element(c);
+		return true;
+	}
+	escape_short(shown, s, (size_t)(end - s));
+	return refuse_list(c, c->list->from,
+	    text("is no JSON: expected a value, not '%s'", shown));
+}
+
 /* Cuts a value that is no point: it ends at a blank, a comma or the end of the list. */
-static void cut_scalar(struct cutter *c)
+static bool cut_scalar(struct cutter *c)
 {
 	struct list *l = c->list;
 
 	while (c->at < c->end && l->state == LIST_SCALAR) {
 		const char b = c->s[c->at];
 
-		if (!l->quoted && (json_is_blank(b) || b == ',' || b == ']')) {
-			end_element(c);
-			return;
-		}
-		if (b == '\n') {
-			end_element(c); /* a string without an end, which is no JSON */
-			return;
-		}
+		if (b == '\n' ||
+		    (!l->quoted && (json_is_blank(b) || b == ',' || b == ']')))
+			return end_scalar(c);
 		put(c, &b, 1);
 		c->at++;
 		l->quoted ^= b == '"' && !l->escaped;
 		l->escaped = l->quoted && b == '\\' && !l->escaped;
 	}
+	return true;
 }
 
 static void begin_element(struct cutter *c, char b)
 {
 	struct list *l = c->list;
 
-	l->from_line = l->line;
+	l->from = place_of(c, c->at);
 	l->level = 0;
 	l->quoted = l->escaped = l->skips = false;
 	l->state = b == '[' || b == '{' ? LIST_ELEMENT : LIST_SCALAR;
@@ -204,20 +240,23 @@ static bool cut_between(struct cutter *c, char b)
 	struct list *l = c->list;
 
 	if (json_is_blank(b)) {
-		l->line += b == '\n';
+		if (b == '\n')
+			begin_line(c, c->at + 1);
 	} else if (l->state == LIST_BEGIN) {
 		l->state = LIST_FIRST;
 	} else if (l->state == LIST_END) {
-		return refuse_list(c, "more follows the end of the list");
+		return refuse_list(c, place_of(c, c->at),
+		    "more follows the end of the list");
 	} else if (b == ']' && l->state != LIST_NEXT) {
 		l->state = LIST_END;
 	} else if (l->state == LIST_AFTER) {
 		if (b != ',')
-			return refuse_list(c,
+			return refuse_list(c, place_of(c, c->at),
 			    "a comma or ] is wanted after an element");
 		l->state = LIST_NEXT;
 	} else if (b == ',' || b == ']') {
-		return refuse_list(c, "an element of the list is missing");
+		return refuse_list(c, place_of(c, c->at),
+		    "an element of the list is missing");
 	} else {
 		begin_element(c, b);
 		return true;
@@ -231,18 +270,22 @@ static bool cut_between(struct cutter *c, char b)
 static inline size_t usual_end(const char *s, size_t end, const uint16_t **stop)
 {
 	const uint16_t *at = *stop;
-	bool quoted = false;
 	int level = 0;
 
 	do {
-		const size_t place = *at++;
-		const char b = place < end ? s[place] : '\n';
+		char b = *at < end ? s[*at] : '\n';
 
-		if (b == '\n' || b == '\\')
+		if (b == '"')
+			do {
+				b = *++at < end ? s[*at] : '\n';
+				if (b == '\n' || b == '\\')
+					return 0;
+			} while (b != '"');
+		else if (b == '\n' || b == '\\')
 			return 0;
-		quoted ^= b == '"';
-		if (!quoted && b != '"')
+		else
 			level += (b & 4) == 0 ? 1 : -1;
+		at++;
 	} while (level > 0);
 	*stop = at;
 	return at[-1] + 1u;
@@ -261,12 +304,14 @@ static void cut_usual(struct cutter *c)
 
 	while (stop != NULL) {
 		bool comma = l->state != LIST_AFTER;
+		size_t begin = l->begin;
 		long long line = l->line;
 
 		for (;
 		     at < c->end && (json_is_blank(s[at]) || (s[at] == ',' && !comma));
 		     at++) {
 			line += s[at] == '\n';
+			begin = s[at] == '\n' ? l->done + at + 1 : begin;
 			comma |= s[at] == ',';
 		}
 		if (at == c->end || !comma || (s[at] != '[' && s[at] != '{'))
@@ -280,10 +325,13 @@ static void cut_usual(struct cutter *c)
 		copy_run(to.text + to.size, s + at, end - at, c->end - end);
 		to.size += end - at;
 		to.text[to.size++] = '\n';
-		to.line[to.n++] = line;
+		to.place[to.n++] = (struct list_place){ line, l->done + at - begin + 1,
+			false };
 		to.whole_size = to.size;
 		c->at = at = end;
+		c->stop = stop;
 		l->line = line;
+		l->begin = begin;
 		l->state = LIST_AFTER;
 	}
 	*c->to = to;
@@ -306,10 +354,9 @@ static bool cut_block(struct cutter *c)
 			continue;
 		}
 		tried = tried && is_between(l->state);
-		if (l->state == LIST_SCALAR)
-			cut_scalar(c);
-		else if (l->state == LIST_ELEMENT ? !cut_element(c) :
-						    !cut_between(c, c->s[c->at]))
+		if (!(l->state == LIST_SCALAR        ? cut_scalar(c) :
+			    l->state == LIST_ELEMENT ? cut_element(c) :
+						       cut_between(c, c->s[c->at])))
 			return false;
 	}
 	return true;
@@ -324,18 +371,19 @@ bool list_cut(struct list *l, const char *s, size_t n, struct list_lines *to,
 	uint16_t stop[LIST_BLOCK + 128];
 
 	if (n == 0)
-		return l->state == LIST_END || refuse_list(&c, "the list has no ]");
+		return l->state == LIST_END ||
+		    refuse_list(&c, place_of(&c, 0), "the list has no ]");
 	for (size_t done = 0; done < n; done += c.end) {
 		c.s = s + done;
 		c.at = 0;
 		c.end = n - done < LIST_BLOCK ? n - done : LIST_BLOCK;
 		if (loops != NULL) {
-			c.stops = loops->find(&stops, c.s, c.end, stop);
-			stop[c.stops] = UINT16_MAX; /* beyond the block */
+			stop[loops->find(&stops, c.s, c.end, stop)] = UINT16_MAX;
 			c.stop = stop;
 		}
 		if (!cut_block(&c))
 			return false;
+		l->done += c.end;
 	}
 	return true;
 }

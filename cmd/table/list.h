@@ -15,14 +15,23 @@ enum list_state {
 	LIST_END,     /* after the ] */
 };
 
+/* Where an element begins in the source: its line and its column in bytes, from 1. */
+struct list_place {
+	long long line;
+	size_t column;
+	bool joined; /* the element has several lines */
+};
+
 struct list {
 	enum list_state state;
-	int level;           /* the open brackets of the element */
-	bool quoted;         /* in a string */
-	bool escaped;        /* after a backslash in a string */
-	bool skips;          /* blanks after a line end are left out */
-	long long line;      /* the number of the line, from 1, */
-	long long from_line; /* and that in which the element begins */
+	int level;      /* the open brackets of the element */
+	bool quoted;    /* in a string */
+	bool escaped;   /* after a backslash in a string */
+	bool skips;     /* blanks after a line end are left out */
+	long long line; /* the number of the line, from 1 */
+	size_t done;    /* bytes of the list before the part that is cut, */
+	size_t begin;   /* and before the line */
+	struct list_place from;
 };
 
 enum { LIST_MARGIN = 64 };
@@ -32,12 +41,13 @@ struct list_lines {
 	char *text;        /* has room for all bytes of the part and LIST_MARGIN more */
 	size_t size;       /* bytes of text */
 	size_t whole_size; /* bytes of elements that are whole */
-	long long *line;   /* has room for half of the bytes of the part and one */
-	size_t n;          /* elements that are whole */
+	/* of each element; has room for half of the bytes of the part and one */
+	struct list_place *place;
+	size_t n; /* elements that are whole */
 };
 
 /* Cuts n bytes, or the end of the source if n is 0. Returns false at a fault, which
- * ends the list: what is wrong is in line list->line. */
+ * ends the list. */
 bool list_cut(struct list *, const char *s, size_t n, struct list_lines *,
     struct refusal *);
 

@@ -8,7 +8,6 @@
 #include <strings.h>
 
 #include "../../core/scene/scene.h"
-#include "check.h"
 #include "../json/text.h"
 #include "../message/escape.h"
 #include "../message/message.h"
@@ -20,7 +19,15 @@ struct sought {
 	size_t n;          /* fields of the line */
 	bool ends_empty;   /* the last field is empty */
 	const char *clash; /* a name that the output adds, but the line has; or NULL */
+	const char *clash_at;
+	bool undivided; /* the clash is with S_w, which tells that S_x is x times w */
 };
+
+/* Sets the column of what is wrong, which is at s. A byte order mark does not count. */
+static void set_column(struct refusal *r, const struct line *line, const char *s)
+{
+	r->column = (size_t)(s - line->s) - (line->has_bom ? 3 : 0) + 1;
+}
 
 void plan_begin(struct layout *l)
 {
@@ -151,10 +158,9 @@ void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
 		strcpy(name, o->name[k]);
 }
 
-/* Returns a name of the output that a field of the line has, too; or NULL. Names of
- * coordinates that stay are no new ones, and those that change are not there. */
-static const char *find_clash(const struct layout *l, struct cursor c,
-    const struct sought *found)
+/* Finds a name of the output that a field of the line has, too. Names of coordinates
+ * that stay are no new ones, and those that change are not there. */
+static void find_clash(const struct layout *l, struct cursor c, struct sought *found)
 {
 	const struct output *o = &l->output;
 	const bool changes = l->plan.in_space && !o->append;
@@ -162,8 +168,8 @@ static const char *find_clash(const struct layout *l, struct cursor c,
 	struct field f;
 
 	if (!o->append && !o->flags && l->writes <= l->reads && !changes)
-		return NULL; /* nothing is added */
-	while (cursor_next(&c, &f)) {
+		return; /* nothing is added */
+	while (found->clash == NULL && cursor_next(&c, &f)) {
 		bool coordinate = false;
 
 		for (int i = 0; i < l->reads; i++)
@@ -171,12 +177,33 @@ static const char *find_clash(const struct layout *l, struct cursor c,
 		for (int k = o->append || changes ? 0 : l->reads; k <= COORDINATES_MAX;
 		     k++) {
 			plan_name(l, k, name);
-			if (*name != '\0' && !(coordinate && changes) &&
-			    is_named(&c, &f, name, false))
-				return text("%s", name);
+			if (*name == '\0' || (coordinate && changes) ||
+			    !is_named(&c, &f, name, false))
+				continue;
+			found->clash = text("%s", name);
+			found->clash_at = c.members ? f.name.s : f.value.s;
+			break;
 		}
 	}
-	return NULL;
+}
+
+/* Finds S_w beside the coordinates S_x ... of a space that has no w: -H wrote them, not
+ * divided by w. */
+static void find_undivided(const struct layout *l, struct cursor c,
+    struct sought *found)
+{
+	char name[2 * NAME_ROOM];
+	struct field f;
+
+	if (!l->plan.in_space || strcmp(l->from, "clip") == 0)
+		return;
+	snprintf(name, sizeof name, "%s_w", l->from);
+	while (found->clash == NULL && cursor_next(&c, &f))
+		if (is_named(&c, &f, name, false)) {
+			found->clash = text("%s", name);
+			found->clash_at = c.members ? f.name.s : f.value.s;
+			found->undivided = true;
+		}
 }
 
 /* Law 4: the header. */
@@ -204,6 +231,13 @@ static bool is_name(struct dialect d, struct span f)
 	return format_read(d, f.s, f.end, &v) != f.end && !begins_like_number(f);
 }
 
+/* Returns whether tabs of the first line have told the format, which blanks of text may
+ * be, too. */
+static bool is_sniffed_tsv(const struct layout *l)
+{
+	return l->plan.sniffed && same_dialect(l->in, dialect_of(FORMAT_TSV, ','));
+}
+
 /* Returns whether the first line is a header. If that is not certain, refuses it. */
 static bool is_header(const struct layout *l, struct span line, bool *refused,
     struct refusal *r)
@@ -223,22 +257,26 @@ static bool is_header(const struct layout *l, struct span line, bool *refused,
 	if (!empty || !format_of(l->in)->table)
 		return name;
 	*refused = numbers;
-	if (numbers)
+	if (numbers && is_sniffed_tsv(l))
+		refusal_set(r, NULL, "begins with an empty field, if tabs part fields",
+		    "say -i text or -i tsv, and of tsv --header or --no-header");
+	else if (numbers)
 		refusal_set(r, NULL, "begins with an empty field: a header or a point",
 		    "say --header or --no-header");
 	return true;
 }
 
-/* Returns what to say of a line that is one field, in which a character may part
- * others; or NULL. */
-static const char *other_separator(struct span f)
+/* Returns what to say of a line that has one field, or names of text, in which another
+ * character may part fields; or NULL. */
+static const char *other_separator(const struct layout *l, struct span f)
 {
 	static const char *const rows[][2] = { { ";", "--separator ';'" },
 		{ "|", "--separator '|'" }, { "\t", "-i tsv" }, { ",", "-i csv" },
 		{ " ", "-i text" } };
 
 	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
-		if (memchr(f.s, *rows[k][0], span_size(f)) != NULL)
+		if (memchr(f.s, *rows[k][0], span_size(f)) != NULL &&
+		    !(format_of(l->in)->blanks && is_blank(*rows[k][0])))
 			return text("if %s parts its fields, say %s",
 			    *rows[k][0] == '\t'    ? "a tab" :
 				*rows[k][0] == ' ' ? "a blank" :
@@ -269,17 +307,22 @@ static void list_fields(struct cursor c, char all[512])
 }
 
 /* Says that the line has no field of coordinate i, or several, and which it has. */
-static void refuse_name(const struct layout *l, struct cursor c,
-    const struct names *names, const struct sought *found, int i, struct refusal *r)
+static void refuse_name(const struct layout *l, const struct line *line,
+    struct cursor c, const struct names *names, const struct sought *found, int i,
+    struct refusal *r)
 {
+	const struct field *first = &found->field[i];
 	const char *name = name_of(names, i);
 	const char *subject = c.members ? "has" : "the header has";
 	const char *what = c.members ? "member" : "column";
 	const char *remedy = "--columns chooses the coordinates";
-	const char *other = c.members                   ? NULL :
-	    c.s < c.end && (*c.s == '{' || *c.s == '[') ? "of JSON say -i json" :
-	    found->n == 1 ? other_separator((struct span){ c.s, c.end }) :
-			    NULL;
+	const char *other = c.members ?
+	    NULL :
+	    c.s < c.end && (*c.s == '{' || *c.s == '[') ?
+	    "of JSON say -i json" :
+	    found->n == 1 || l->in.format == FORMAT_TEXT ?
+	    other_separator(l, (struct span){ c.s, c.end }) :
+	    NULL;
 	char all[512];
 
 	name = shown((struct span){ name, name + strlen(name) });
@@ -288,6 +331,7 @@ static void refuse_name(const struct layout *l, struct cursor c,
 		    c.members            ? NULL :
 			l->columns.n > 0 ? "say --columns by number" :
 					   remedy);
+		set_column(r, line, c.members ? first->name.s : first->value.s);
 		return;
 	}
 	list_fields(c, all);
@@ -311,16 +355,11 @@ static struct span header_text(struct span line)
 	return line;
 }
 
-/* Law 8: all sources of a scene that have lines have the same header, or none. Returns
- * LINE_SILENT if the header was there before. */
-static enum line_kind join_header(struct layout *l, struct span header, bool has,
-    struct refusal *r)
+enum line_kind plan_join_header(struct layout *l, struct span header, struct refusal *r)
 {
 	struct common_header *common = &l->common;
-	const bool before = common->known;
+	const bool before = common->known, has = header.s != NULL;
 
-	if (!l->output.copies || !same_dialect(l->in, l->out))
-		return has ? LINE_HEADER : LINE_POINT;
 	header = header_text(header);
 	common->known = true;
 	if (!before && has) {
@@ -336,17 +375,35 @@ static enum line_kind join_header(struct layout *l, struct span header, bool has
 	    memcmp(common->text, header.s, common->size) == 0)
 		return LINE_SILENT;
 	refusal_set(r, NULL,
-	    !has                     ? "lacks the header of the input before" :
-		common->text == NULL ? "has a header, and the input before has none" :
-				       "has another header than the input before",
+	    !has                     ? "lacks the header of the output" :
+		common->text == NULL ? "has a header, and the output has none" :
+				       "has another header than the output",
 	    "with -o json, for one, headers may differ");
 	return LINE_REFUSED;
 }
 
-static void refuse_clash(const char *name, const char *subject, struct refusal *r)
+/* Joins the header of a source whose lines are copied; others have been joined. */
+static enum line_kind join_own_header(struct layout *l, struct span header,
+    struct refusal *r)
 {
-	refusal_set(r, NULL, text("%shas '%s', which the output adds", subject, name),
-	    "rename it, or leave it out");
+	if (l->output.copies && same_dialect(l->in, l->out))
+		return plan_join_header(l, header, r);
+	return header.s != NULL ? LINE_HEADER : LINE_POINT;
+}
+
+static void refuse_clash(const struct line *line, const struct sought *found,
+    const char *subject, struct refusal *r)
+{
+	if (found->undivided)
+		refusal_set(r, NULL,
+		    text("%shas '%s': -H wrote numbers that are not divided by w",
+			subject, found->clash),
+		    "leave -H out there, or say --columns");
+	else
+		refusal_set(r, NULL,
+		    text("%shas '%s', which the output adds", subject, found->clash),
+		    "rename it, or leave it out");
+	set_column(r, line, found->clash_at);
 }
 
 /* Returns whether the coordinates are different columns of the n; if not, says so. */
@@ -390,7 +447,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 		const bool by_number = l->columns.n > 0 && l->columns.name[i] == NULL;
 
 		if (!by_number && found.times[i] != 1) {
-			refuse_name(l, c, &names, &found, i, r);
+			refuse_name(l, line, c, &names, &found, i, r);
 			return;
 		}
 	}
@@ -402,23 +459,34 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 				line->at[i] = line_part(line, f.value);
 				found.field[i] = f;
 			}
-	const char *clash = find_clash(l, c, &found);
-
-	if (clash != NULL) {
-		refuse_clash(clash, "the header ", r);
+	find_undivided(l, c, &found);
+	find_clash(l, c, &found);
+	if (found.clash != NULL) {
+		refuse_clash(line, &found, "the header ", r);
 		return;
 	}
 	p->header_fields = p->fields = found.n;
-	line->kind = join_header(l, text, true, r);
+	line->kind = join_own_header(l, text, r);
 }
 
 /* Law 5: rows. */
 
+/* Returns where a further field of the line would begin. */
+static const char *fields_end(const struct layout *l, const struct line *line)
+{
+	const char *end = trimmed(l->in, line_text(line)).end;
+
+	return end - (l->in.format == FORMAT_JSON);
+}
+
 /* Returns whether the row has as many fields as it should; if not, says so. */
-static bool has_its_fields(const struct layout *l, const struct sought *found,
-    struct refusal *r)
+static bool has_its_fields(const struct layout *l, const struct line *line,
+    struct cursor c, const struct sought *found, struct refusal *r)
 {
 	const struct plan *p = &l->plan;
+	const char *at = fields_end(l, line);
+	struct field f;
+
 	const bool one_more = found->ends_empty && found->n == p->fields + 1 &&
 	    format_of(l->in)->table && !l->output.append;
 
@@ -430,6 +498,9 @@ static bool has_its_fields(const struct layout *l, const struct sought *found,
 	    !format_of(l->in)->table ? NULL :
 		found->n > p->fields ? "quote a field that has the separator in it" :
 				       NULL);
+	for (size_t k = 0; k <= p->fields && cursor_next(&c, &f); k++)
+		at = k == p->fields ? f.value.s : at;
+	set_column(r, line, at);
 	return false;
 }
 
@@ -481,8 +552,8 @@ static void find_object_fields(struct layout *l, struct cursor c, bool first,
 				*p->member[i] = (char)toupper((unsigned char)*name);
 		}
 	}
-	if (found->clash == NULL)
-		found->clash = find_clash(l, c, found);
+	find_undivided(l, c, found);
+	find_clash(l, c, found);
 }
 
 bool plan_in_range(const struct layout *l, int i, double v, struct refusal *r)
@@ -501,21 +572,21 @@ bool plan_in_range(const struct layout *l, int i, double v, struct refusal *r)
 }
 
 /* Law 12: says what is to be written instead of a field that is no number, and may be
- * the only one. */
+ * the only one, or have semicolons between decimal commas. */
 static void refuse_number(const struct layout *l, int i, struct span f, bool one,
     struct refusal *r)
 {
-	const char *remedy = format_number_remedy(l->in, f);
+	const char *remedy = format_number_remedy(l->in, f), *value = shown(f);
 
 	if (l->in.format == FORMAT_JSON)
 		remedy = "a number is wanted";
 	else if (f.s < f.end && (*f.s == '[' || *f.s == '{'))
 		remedy = "of JSON say -i json";
-	else if (*remedy == '\0' && one)
-		remedy = other_separator(f);
+	else if (*remedy == '\0' && (one || strpbrk(value, ";|") != NULL))
+		remedy = other_separator(l, f);
 	if (remedy == NULL || *remedy == '\0')
 		remedy = "a number is wanted";
-	refusal_set(r, NULL, text("%s is '%s'", coordinate_name(i), shown(f)), remedy);
+	refusal_set(r, NULL, text("%s is '%s'", coordinate_name(i), value), remedy);
 }
 
 static void refuse_missing(const struct layout *l, int i, struct refusal *r)
@@ -543,8 +614,7 @@ static bool read_coordinates(const struct layout *l, const struct line *line,
 			refuse_number(l, i, f, found->n <= 1, r);
 		else if (plan_in_range(l, i, v[i], r))
 			continue;
-		if (found->times[i] > 0)
-			r->column = (size_t)(f.s - line->s) + 1;
+		set_column(r, line, found->times[i] > 0 ? f.s : fields_end(l, line));
 		return false;
 	}
 	return true;
@@ -622,23 +692,28 @@ static void read_comment(struct layout *l, const char *s, const char *end)
 
 /* Returns whether a comment above the first row names other fields as the coordinates,
  * which are numbers there; if so, says it. */
-static bool comment_differs(const struct layout *l, struct cursor c, struct refusal *r)
+static bool comment_differs(const struct layout *l, const struct line *line,
+    struct cursor c, struct refusal *r)
 {
 	const int n = l->reads == 2 ? 2 : 3, from = l->plan.comment_field;
 	const char(*word)[WORD_ROOM] = l->plan.comment;
+	const char *at = NULL;
 	int numbers = 0;
 	struct field f;
 
 	if (from == 0 || l->columns.n > 0 || !format_of(l->in)->header)
 		return false;
-	for (int k = 0; k < from + n && cursor_next(&c, &f); k++)
+	for (int k = 0; k < from + n && cursor_next(&c, &f); k++) {
 		numbers += k >= from && is_number(l->in, f.value);
+		at = k == from ? f.value.s : at;
+	}
 	if (numbers < n)
 		return false;
 	refusal_set(r, NULL,
 	    text("the comment above has '%s %s%s%s' in other columns", word[0], word[1],
 		n > 2 ? " " : "", n > 2 ? word[2] : ""),
 	    "say by --columns where the coordinates are");
+	set_column(r, line, at);
 	return true;
 }
 
@@ -656,12 +731,9 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 	for (int i = 0; i < l->reads && first && json && l->columns.n == 0; i++)
 		strcpy(p->member[i], coordinate_name(i));
 	if (!line_check(l->in, text, r)) {
-		/* what is not JSON ends a list, as its elements can't be told */
-		struct json_check c = { .s = text.s, .end = text.end };
-
-		if (r->column > 0)
-			r->column += (size_t)(text.s - line->s);
-		if (p->is_list && !json_check(&c))
+		/* What is not JSON ends a list. Of its elements, those that are neither
+		 * arrays nor objects have been found to be JSON. */
+		if (p->is_list && (line->object || *text.s == '['))
 			line->kind = LINE_REFUSED;
 		else if (p->is_list)
 			refusal_set(r, NULL, "is neither a JSON array nor an object",
@@ -689,61 +761,65 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 		else
 			line->at[i] = line_part(line, found.field[i].value);
 		if (c.members && found.times[i] != 1) {
-			refuse_name(l, c, &names, &found, i, r);
+			refuse_name(l, line, c, &names, &found, i, r);
 			line->kind = l->output.append ? LINE_BAD : LINE_LOST;
 			return false;
 		}
 	}
 	if (c.members && found.clash != NULL) {
-		refuse_clash(found.clash, "", r);
+		refuse_clash(line, &found, "", r);
 		line->kind = LINE_LOST; /* a name would be there twice */
 		return false;
 	}
-	return has_its_fields(l, &found, r) && read_coordinates(l, line, &found, v, r);
+	return has_its_fields(l, line, c, &found, r) &&
+	    read_coordinates(l, line, &found, v, r);
 }
 
-/* Law 1: returns whether an empty field is where a coordinate should be. */
-static bool has_empty_coordinate(const struct layout *l, struct span text)
+/* Law 1: returns where an empty field is in place of a coordinate, or NULL. */
+static const char *empty_coordinate(const struct layout *l, struct span text)
 {
 	struct sought found;
-	bool empty = false;
 
 	find_fields(l, line_cursor(l->in, text), &found);
 	for (int i = 0; i < l->reads; i++)
-		empty |= found.times[i] > 0 &&
-		    found.field[i].value.s == found.field[i].value.end;
-	return empty;
+		if (found.times[i] > 0 &&
+		    found.field[i].value.s == found.field[i].value.end)
+			return found.field[i].value.s;
+	return NULL;
 }
 
 /* Reads the first row of a source without a header, or after it. */
-static void read_first_row(struct layout *l, struct span text, bool has_header,
-    struct line *line, double v[4], struct refusal *r)
+static void read_first_row(struct layout *l, struct span text, struct line *line,
+    double v[4], struct refusal *r)
 {
-	const struct dialect tsv = dialect_of(FORMAT_TSV, ',');
+	const bool has_header = l->plan.header_fields > 0;
+	const char *empty = is_sniffed_tsv(l) ? empty_coordinate(l, text) : NULL;
 
-	if (l->plan.sniffed && same_dialect(l->in, tsv) &&
-	    has_empty_coordinate(l, text)) {
+	if (empty != NULL) {
 		refusal_set(r, NULL, "has an empty coordinate, if tabs part its fields",
 		    "say -i text or -i tsv");
+		set_column(r, line, empty);
 		line->kind = LINE_REFUSED;
 		return;
 	}
 	if (!has_header &&
-	    join_header(l, (struct span){ text.s, text.s }, false, r) == LINE_REFUSED) {
+	    join_own_header(l, (struct span){ NULL, NULL }, r) == LINE_REFUSED) {
 		line->kind = LINE_REFUSED;
 		return;
 	}
 	if (read_row(l, text, true, line, v, r))
 		line->kind = LINE_POINT;
 	if (line->kind != LINE_REFUSED && !has_header && l->in.format != FORMAT_JSON &&
-	    line->kind != LINE_LOST && comment_differs(l, line_cursor(l->in, text), r))
+	    line->kind != LINE_LOST &&
+	    comment_differs(l, line, line_cursor(l->in, text), r))
 		line->kind = LINE_BAD;
 }
 
 /* Law 11: bytes. */
 
-/* Returns whether a carriage return ends a line without a newline, out of quotes. */
-static bool has_lone_cr(struct dialect d, struct span line)
+/* Returns the carriage return, out of quotes, that ends a line without a newline; or
+ * NULL. */
+static const char *lone_cr(struct dialect d, struct span line)
 {
 	const char *s = line.s;
 	const bool csv = d.format == FORMAT_CSV && *skip_blanks(d, s, line.end) != '#';
@@ -755,46 +831,47 @@ static bool has_lone_cr(struct dialect d, struct span line)
 		    (quoted || *s == d.separator ||
 			(begins && (is_blank(*s) || *s == '"')));
 	}
+	const char *cr = s;
+
 	while (s < line.end && is_blank(*s))
 		s++;
-	return s < line.end;
+	return s < line.end ? cr : NULL;
 }
 
 /* Returns whether the line has bytes of no text; if so, says what they may be. */
 static bool is_binary(struct span line, bool first, struct refusal *r)
 {
-	const char *s = line.s, *nul = memchr(s, '\0', span_size(line));
+	const char *s = line.s;
 
+	if (!first)
+		s = memchr(s, '\0', span_size(line));
 	while (first && s < line.end && ((unsigned char)*s >= ' ' || is_blank(*s)) &&
 	    *s != '\v' && *s != '\f' && *s != 0x7f)
 		s++;
-	if (nul == NULL && (!first || s == line.end))
+	if (s == NULL || s == line.end)
 		return false;
 	refusal_set(r, NULL, "is binary",
 	    "if it is numbers alone, say -i f32x4, f32 or f64");
+	r->column = (size_t)(s - line.s) + 1;
 	return true;
 }
 
-void plan_line(struct layout *l, struct span text, enum next_part *first,
+/* Does what plan_line does to a line whose kind is LINE_REFUSED, after its mark. */
+static void read_line(struct layout *l, struct span text, enum next_part *first,
     struct line *line, double v[4], struct refusal *r)
 {
 	const bool first_line = *first == FIRST_LINE;
-	const bool has_header = *first == FIRST_ROW;
 	bool refused = false;
 
-	*line = (struct line){ .s = text.s,
-		.size = (uint32_t)span_size(text),
-		.kind = LINE_REFUSED };
-	if (first_line) {
-		text.s = skip_bom(text.s, text.end);
-		line->has_bom = text.s > line->s;
-	}
 	if (is_binary(text, first_line, r))
 		return;
-	if (first_line && has_lone_cr(l->in, text) &&
+	const char *cr = first_line ? lone_cr(l->in, text) : NULL;
+
+	if (cr != NULL &&
 	    (l->in.format != FORMAT_JSON || !line_check(l->in, text, r))) {
 		refusal_set(r, NULL, "has carriage returns alone for line ends",
 		    "make them newlines: tr '\\r' '\\n'");
+		set_column(r, line, cr);
 		return;
 	}
 	const char *s = skip_blanks(l->in, text.s, text.end);
@@ -816,11 +893,28 @@ void plan_line(struct layout *l, struct span text, enum next_part *first,
 		*first = FIRST_ROW;
 		return;
 	}
-	*first = FIRST_NONE;
-	if (first_line || has_header)
-		read_first_row(l, text, has_header, line, v, r);
-	else if (read_row(l, text, false, line, v, r))
+	if (*first != FIRST_NONE) {
+		read_first_row(l, text, line, v, r);
+		/* one that can't be cut tells nothing of the next */
+		*first = line->kind == LINE_LOST ? FIRST_ROW : FIRST_NONE;
+	} else if (read_row(l, text, false, line, v, r)) {
 		line->kind = LINE_POINT;
+	}
+}
+
+void plan_line(struct layout *l, struct span text, enum next_part *first,
+    struct line *line, double v[4], struct refusal *r)
+{
+	*line = (struct line){ .s = text.s,
+		.size = (uint32_t)span_size(text),
+		.kind = LINE_REFUSED };
+	if (*first == FIRST_LINE) {
+		text.s = skip_bom(text.s, text.end);
+		line->has_bom = text.s > line->s;
+	}
+	read_line(l, text, first, line, v, r);
+	if (line_is_bad(line) && r->column == 0) /* all of it is wrong */
+		set_column(r, line, skip_blanks(l->in, text.s, text.end));
 }
 
 /* Sets the names of members that the walk passes. */

@@ -56,7 +56,6 @@ struct plan {
 
 /* The header that the sources of a scene have in common. */
 struct common_header {
-	bool named; /* a header of names would come too late */
 	bool known; /* a source has had a line */
 	char *text; /* NULL: the sources have none */
 	size_t size;
@@ -77,7 +76,8 @@ struct layout {
 };
 
 /* What of a source is read next. FIRST_LINE: the first neither blank nor a comment.
- * FIRST_ROW: the first row after a header. FIRST_NONE: any later line. */
+ * FIRST_ROW: the first row after a header, or after rows that can't be cut. FIRST_NONE:
+ * any later line. */
 enum next_part { FIRST_NONE, FIRST_LINE, FIRST_ROW, FIRST_BYTE };
 
 /* Forgets the last source, before the next; plan.drops_bom tells whether it had
@@ -88,6 +88,11 @@ void plan_begin(struct layout *);
  * Updates *first and, before the first row is read, the plan. */
 void plan_line(struct layout *, struct span text, enum next_part *first, struct line *,
     double v[4], struct refusal *);
+
+/* Law 8: the sources of a scene whose lines are printed have one header, or none (.s is
+ * NULL). Returns LINE_HEADER if it is to be printed, LINE_SILENT if it was before,
+ * LINE_POINT if there is none, and LINE_REFUSED if it is another; then says so. */
+enum line_kind plan_join_header(struct layout *, struct span header, struct refusal *);
 
 /* Sets the walk of a plan whose first row has been read. Returns false if none of its
  * lines is in a usual form. */

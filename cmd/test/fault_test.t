@@ -133,7 +133,7 @@ sub progress {
 	    join('', map { "<$_" } @seen, "$end\n"), 'but where it is wanted');
 	my $bad = (faulty("$project -j1 --color never --keep-going $tmp/thousand " .
 	    "$tmp/thousand $tmp/thousand $tmp/bad", 'clock 250 1'))[2];
-	like($bad, qr/\d+ %\r\e\[Kprojcalc: [^\r\n]*:2002: [^\r\n]*\n\r\e/,
+	like($bad, qr/\d+ %\r\e\[Kprojcalc: [^\r\n]*:2002:4: [^\r\n]*\n\r\e/,
 	    'a complaint takes the place of progress');
 	is((faulty("$project -j1 --progress -", 'clock 250 0'))[2],
 	    "projcalc: 0 lines, 0 a second\n", 'a device has no share');

@@ -132,7 +132,8 @@ for (['-i csv', "x,y,z\n1,2,3,4\n"], ['-i csv', "# a\nx,y,z\n\n1,2,3\n"],
     ['', "\xef\xbb\xbf# a\n\nx y z n\n1 2 3 a\n1 2 3\n"], ['', "x,y,z\n1,2,3\n4,5,6,\n"],
     ['', "1\t2\t3\n"], ['', "{\"X\":1,\"Y\":2,\"Z\":3}\n"], ['', "# a\n[[1,2,3], [4,5,6]]\n"],
     ['', "[\n {\"x\":1,\n  \"y\":2,\"z\":\"\\\"]\"},\r\n [1,2,\n3],5\n]\n"],
-    ['', "[[1,2,3],\n[4,5,6]x\n"], ['', "[[1,2,3],[4,5\n"], ['-i obj', "v 1 2 3\nf 1 2 3\n"],
+    ['', "[[1,2,3],\n[4,5,6]x\n"], ['', "[[1,2,3],[4,5\n"],
+    ['', "\xef\xbb\xbf# a\n[[1,2,3],\n{\"x\":1,\n\"y\":2}]\n"], ['-i obj', "v 1 2 3\nf 1 2 3\n"],
     ['-o csv', "1 2 3\n"]) {
 	my ($args, $text) = @$_;
 	my @want = dripped($args, $text);
@@ -161,7 +162,7 @@ for (['', "x,y,z\n", "x,y,z\n", '0,0,%d', '320,240,'],
     ['', "[\n[0,0,0]\n", "[320,240,0.8888888888888888]\n", ',[0,0,%d]', '[320,240,'],
     ['-o csv', '', "x,y,z\n", '0 0 %d', '320,240,']) {
 	my ($args, $sent, $wanted, $row, $answer) = @$_;
-	my $pid = open2(my $from, my $to, "projcalc project $args scene.json -");
+	my $pid = open2(my $from, my $to, "projcalc project $args scene.json - 2>/dev/null");
 	my $bits = '';
 	vec($bits, fileno $from, 1) = 1;
 	syswrite $to, $sent;
