@@ -154,6 +154,20 @@ async function results() {
 	})()`), 2);
 }
 
+async function pictureExample() {
+	check('pictures', await inPage(`(async () => {
+		const bad = [];
+		for (const name in pictures) {
+			await choose(name);
+			const image = $('out').querySelector('img');
+			await image.decode().catch(e => bad.push(name + e));
+		}
+		return Object.keys(pictures).length + bad.join();
+	})()`), '5');
+	await inPage(`choose(Object.keys(pictures)[0])`);
+	await picture('teapot');
+}
+
 async function longCall() {
 	inPage(`$('call').value = 'project -q -i f64 --keep-going {} /dev/urandom';
 		$('scene').value = $('points').value = ''; compute()`);
@@ -182,6 +196,7 @@ async function reader() {
 		}
 		return bad.join();
 	})()`), '');
+	await pictureExample();
 	await faults();
 	await results();
 	await longCall();

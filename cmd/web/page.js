@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 'use strict';
 const $ = id => document.getElementById(id);
-const zipped = Uint8Array.from(atob($('wasm').textContent), c => c.charCodeAt(0));
-const unzip = new DecompressionStream('gzip');
-const compiled = new Response(new Blob([zipped]).stream().pipeThrough(unzip))
-	.arrayBuffer().then(b => WebAssembly.compile(b));
+
+// Returns what a part of the page holds, zipped and in base64.
+function part(id) {
+	const zipped = Uint8Array.from(atob($(id).textContent), c => c.charCodeAt(0));
+	const unzip = new DecompressionStream('gzip');
+	return new Response(new Blob([zipped]).stream().pipeThrough(unzip));
+}
+
+const compiled = part('wasm').arrayBuffer().then(b => WebAssembly.compile(b));
 const script = URL.createObjectURL(new Blob([$('worker').textContent]));
 const SHOWN_MAX = 200000, ROWS_MAX = 1000; // more would make the page slow
 const STOP_AFTER = 2000; // ms
@@ -101,7 +106,7 @@ function show() {
 function mark(id, faults) {
 	const area = $(id), lines = area.value.split('\n');
 	const bad = new Set(faults.map(f => f.line));
-	area.rows = Math.min(Math.max(lines.length + 1, 4), 24);
+	area.rows = Math.min(Math.max(lines.length + 1, 4), 16);
 	const shade = (line, i) => bad.has(i + 1) ? element('mark', line || ' ') : line;
 	area.previousSibling.replaceChildren(...lines.slice(0, Math.max(0, ...bad))
 		.flatMap((line, i) => [shade(line, i), '\n']));
@@ -156,16 +161,29 @@ async function compute() {
 	mark('points', faults.filter(f => /^(-|POINTS)$/.test(f.file)));
 }
 
+function fill(fields) {
+	for (const id of ['call', 'scene', 'points'])
+		$(id).value = fields[id];
+	return compute();
+}
+
+let pictures = {};
+
+// Shows a picture of that name, or a call of the manual, which has its scene and points
+// in it.
 function choose(example) {
+	if (example in pictures)
+		return fill(pictures[example]);
 	const call = words(example.replace(/^projcalc /, ''));
 	const scene = call.find(w => w.startsWith('{'));
 	const points = call.find(w => w.startsWith('['));
-	$('call').value = call.filter(w => w !== scene && w !== points).join(' ');
 	const inline = a => a.replace(/\s+/g, ' ').replace(/(?<=\[) | (?=\])/g, '');
-	$('scene').value = scene ? JSON.stringify(JSON.parse(scene), null, 2)
-		.replace(/\[[^[{]*?\]/g, inline) : '';
-	$('points').value = points ?? '';
-	return compute();
+	return fill({
+		call: call.filter(w => w !== scene && w !== points).join(' '),
+		scene: scene ? JSON.stringify(JSON.parse(scene), null, 2)
+			.replace(/\[[^[{]*?\]/g, inline) : '',
+		points: points ?? '',
+	});
 }
 
 for (const id of ['call', 'scene', 'points'])
@@ -173,17 +191,26 @@ for (const id of ['call', 'scene', 'points'])
 for (const id of ['scene', 'points'])
 	$(id).onscroll = ({ target }) => target.previousSibling.style.transform =
 		`translate(${-target.scrollLeft}px, ${-target.scrollTop}px)`;
-$('examples').onchange = () => choose($('examples').value);
+$('examples').onchange = ({ target }) => choose(target.value);
 $('stop').onclick = end;
 document.onkeydown = e => e.key === 'Escape' && end();
 $('as-text').onclick = ({ target }) => {
 	target.ariaPressed = target.ariaPressed !== 'true';
 	show();
 };
-const ready = run(['help', '--json']).then(said => {
-	for (const c of JSON.parse(said.out).commands)
-		$('examples').add(new Option(`${c.name}: ${c.about}`, c.example));
-	const isFirst = o => /^project:/.test(o.text);
-	$('examples').value = [...$('examples').options].find(isFirst).value;
-	return choose($('examples').value);
-});
+
+async function start() {
+	const [said, drawn] = await Promise.all([run(['help', '--json']),
+		part('pictures').json()]);
+	const commands = JSON.parse(said.out).commands
+		.map(c => new Option(`${c.name}: ${c.about}`, c.example));
+	pictures = Object.fromEntries(drawn.map(p => [p.name, p]));
+	$('examples').append(element('optgroup', commands, { label: 'Commands' }),
+		element('optgroup', drawn.map(p => new Option(p.name)),
+			{ label: 'Pictures' }));
+	const first = commands.find(o => /^project:/.test(o.text));
+	first.selected = true;
+	return choose(first.value);
+}
+
+const ready = start();
