@@ -34,8 +34,8 @@ struct options {
 	struct number_list tolerance, distances;
 	bool has_from, has_to;
 	enum space from, to;
-	bool names, text, homogeneous, matrix, unit_w, textbook, ray, directions, append,
-	    flags, visible, lines, keep_going, progress, quiet;
+	bool names, text, homogeneous, matrix, unit_w, textbook, ray, directions;
+	bool append, flags, visible, lines, keep_going, progress, quiet;
 	const char *background; /* of draw, a file; or NULL */
 	struct number_list jobs, pick_at, plane, radius;
 	/* the name of a given option that is for points only; or NULL */
