@@ -289,7 +289,7 @@ layers: programs ## check includes, calls, functions and lines
 # cppcheck does not check unused variables, which compilers find, nor failed allocations
 # in tests and benches. It does not know _Noreturn.
 lint: ## the manual, the style, the scripts, the C
-	mandoc -T lint -W warning man/*.[15]
+	mandoc -T lint -W warning man/*.[157]
 	! clang-format --version | grep -q 'version 14\.' || \
 	    clang-format --dry-run -Werror $(foreach room,core core/* cmd \
 	    cmd/* cmd/number/vector, \
@@ -376,9 +376,11 @@ npm: wasm ## a package for npm of the program for node, build/projcalc-VERSION.t
 
 # MADE lists the files that are installed, and INSTALLED their places.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
+	man/projcalc-recipes.7 man/projcalc-numbers.7 \
 	$(SCHEMA) .debian/copyright $(COMPLETIONS)
 INSTALLED = $(bindir)/projcalc $(mandir)/man1/projcalc.1 \
-	$(mandir)/man5/projcalc-scene.5 \
+	$(mandir)/man5/projcalc-scene.5 $(mandir)/man7/projcalc-recipes.7 \
+	$(mandir)/man7/projcalc-numbers.7 \
 	$(datadir)/projcalc/projcalc.schema.json \
 	$(datadir)/doc/projcalc/copyright $(BASHDIR)/projcalc \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish

@@ -7,7 +7,8 @@ use warnings;
 use File::Copy;
 
 my ($folder) = @ARGV;
-my @pages = ('projcalc.1', 'projcalc-scene.5');
+my @pages = qw(projcalc.1 projcalc-scene.5 projcalc-recipes.7
+    projcalc-numbers.7);
 
 sub slurp {
 	my ($file) = @_;

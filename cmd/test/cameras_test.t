@@ -76,8 +76,8 @@ sub document {
 
 # The recipes by the file that they read: the command without its points.
 my %recipe;
-my @whole = map { $_->{command} } examples('man/projcalc-scene.5');
-for my $case (examples('man/projcalc-scene.5')) {
+my @whole = map { $_->{command} } examples('man/projcalc-recipes.7');
+for my $case (examples('man/projcalc-recipes.7')) {
 	my ($jq, $file) = $case->{command} =~
 	    m{\A(jq .*? cameras/(\w+\.\w+)(?: cameras/\w+\.txt)?)\s*\|\s+projcalc}s or next;
 	push @{$recipe{$file}}, $jq =~ s/\\\n//r;

@@ -17,6 +17,7 @@ use Transcript;
 my $program = "$build/projcalc";
 my $manual = slurp('man/projcalc.1');
 my $scene = slurp('man/projcalc-scene.5');
+my $numbers = slurp('man/projcalc-numbers.7');
 my $schema = decode_json(scalar `$^X man/schema.pl $program`);
 
 # The options by command, by their letter if they have one.
@@ -179,7 +180,7 @@ is(on_page('convention'), sorted('convention', split / /, members('convention'))
     'convention on the page');
 compare('convention', rows('convention'));
 my @shown = map { transcript($_) } glob 'testdata/transcripts/*.txt';
-my ($formulas) = $manual =~ /^\.Sh FORMULAS\n(.*?)^\.Sh/ms;
+my ($formulas) = $numbers =~ /^\.Sh FORMULAS\n(.*?)^\.Sh/ms;
 my ($types) = map { $_->{words} } grep { $_->{name} eq 'type' } rows('projection');
 for my $type (@$types) {
 	my $shared = $type =~ /^(?:volume|matrix)$/ ? 'type' :
@@ -198,7 +199,7 @@ like((run('projcalc n2d \'{"device": {"xyzzyxyzzy": 0}}\''))[2],
     qr/unknown member; there are "x", "y", .* and "origin"$/m,
     'members in a message');
 
-for my $page (qw(projcalc.1 projcalc-scene.5)) {
+for my $page (map { s|^man/||r } glob 'man/*.[157]') {
 	SKIP: {
 		skip 'no mandoc', 1 if missing('mandoc');
 		is(`mandoc -T lint -W warning man/$page 2>&1`, '', $page);

@@ -18,8 +18,8 @@ static bool refuse_no_direction(const char *pointer, struct refusals *faults)
 	    "at least one element must not be 0");
 }
 
-/* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
- * cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
+/* Computes the axes of projcalc-numbers(7), FORMULAS, lookat: z = gaze or -gaze, then
+ * x = cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
 static bool axes_of_gaze(const struct camera *c, const struct convention *convention,
     struct axes *a, struct refusals *faults)
 {
