@@ -233,9 +233,9 @@ demo: | $(FIRST) ## the Utah teapot, seen in a terminal
 views: all ## the teapot in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
-html: ## the manual and the charts as pages for a browser, build/html
+html: ## the manual and the charts as pages, beside that of make wasm, build/html
 	@mkdir -p $(BUILD)/html
-	@perl man/html.pl $(BUILD)/html
+	@perl man/html.pl $(BUILD)/html $(wildcard $(BUILD)/wasm/projcalc.html)
 
 bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors of projcalc and other programs
 	@perl cmd/bench/bench.pl $(BUILD)
