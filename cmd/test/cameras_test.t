@@ -302,6 +302,26 @@ SKIP: {
 	ok($out =~ /\*/ && $err eq '', 'gnuplot draws a wireframe') or diag($err);
 }
 
+# Recipes stop where the file is not what they assume.
+for my $other (
+    ['.distortion_model', 'camera_info.json', '.binning_x = 2'],
+    ['.distortion_model', 'camera_info.json', '.roi.y_offset = 1'],
+    ['.distortion_model', 'camera_info.json', '.distortion_model = "equidistant"'],
+    ['fb=', 'camera_info_left.json', '.p[2] += 1'],
+    ['distortion_coefficients', 'pnp.json',
+	'.distortion_coefficients.data += [0, 0, 0, 1]'],
+    ['fl_x', 'transforms.json', '.k1 = 0.01'],
+    ['after', 'camera_info.yaml', 's/plumb_bob/equidistant/'],
+    ['realsense', 'realsense.txt', 's/0]/0.1]/']) {
+	my ($what, $file, $change) = @$other;
+	my $edit = $file =~ /json/ ? 'jq' : 'sed';
+	system("$edit '$change' testdata/cameras/$file >$tmp/$file") == 0 or die;
+	my ($command) = grep { /\Q$what\E/ && /\b\Q$file\E/ } @whole;
+	$command =~ s{cameras/\Q$file\E}{$tmp/$file}g;
+	my ($status, $out, $err) = run($command, 'testdata');
+	ok($out eq '' && $err =~ /^jq: error/, "stops at $change") or diag("$out$err");
+}
+
 # ROS and DTU: the matrix P.
 my @p12 = ((map { [camera_info => $_, numbers(@{document('camera_info.json')->{p}})] }
     qw(json yaml)),
