@@ -230,13 +230,18 @@ prove: ## each bound that core claims, checked by machine
 demo: | $(FIRST) ## the Utah teapot, seen in a terminal
 	@+$(PARALLEL) all
 	@$(BUILD)/projcalc draw testdata/demo.json testdata/teapot.obj
-views: all ## draw the pictures of README again
+views: all ## draw the pictures of README and of the pages of `make html` again
 	cat testdata/views/*.json | $(BUILD)/projcalc draw --scenes - \
 	    testdata/teapot.obj >testdata/charts/views.svg
-
-html: ## the manual and the charts as pages for a browser, build/html
+	$(DRAW) axes.json axes.obj axes.txt >../charts/axes.svg
+	$(DRAW) kinds.json kinds.obj >../charts/kinds.svg
+	$(DRAW) part.json room.obj >../charts/part.svg
+	$(DRAW) spaces.json spaces.obj spaces.txt >../charts/spaces.svg
+	$(DRAW) --lines window.json window.txt >../charts/window.svg
+DRAW = cd testdata/pictures && $(abspath $(BUILD))/projcalc draw --names --scenes
+html: ## the manual and the charts as pages, beside that of make wasm, build/html
 	@mkdir -p $(BUILD)/html
-	@perl man/html.pl $(BUILD)/html
+	@perl man/html.pl $(BUILD)/html $(wildcard $(BUILD)/wasm/projcalc.html)
 
 bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors of projcalc and other programs
 	@perl cmd/bench/bench.pl $(BUILD)
@@ -290,7 +295,7 @@ layers: programs ## check includes, calls, functions and lines
 # cppcheck does not check unused variables, which compilers find, nor failed allocations
 # in tests and benches. It does not know _Noreturn.
 lint: ## the manual, the style, the scripts, the C
-	mandoc -T lint -W warning man/*.[15]
+	mandoc -T lint -W warning man/*.[157]
 	! clang-format --version | grep -q 'version 14\.' || \
 	    clang-format --dry-run -Werror $(foreach room,core core/* cmd \
 	    cmd/* cmd/number/vector, \
@@ -377,9 +382,11 @@ npm: wasm ## a package for npm of the program for node, build/projcalc-VERSION.t
 
 # MADE lists the files that are installed, and INSTALLED their places.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
+	man/projcalc-recipes.7 man/projcalc-numbers.7 \
 	$(SCHEMA) .debian/copyright $(COMPLETIONS)
 INSTALLED = $(bindir)/projcalc $(mandir)/man1/projcalc.1 \
-	$(mandir)/man5/projcalc-scene.5 \
+	$(mandir)/man5/projcalc-scene.5 $(mandir)/man7/projcalc-recipes.7 \
+	$(mandir)/man7/projcalc-numbers.7 \
 	$(datadir)/projcalc/projcalc.schema.json \
 	$(datadir)/doc/projcalc/copyright $(BASHDIR)/projcalc \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish

@@ -8,7 +8,7 @@
 #include "call/unknown.h"
 #include "message/message.h"
 
-#define VERSION "1.0.0"
+#define VERSION "2.0.0"
 
 /* clang-format off */
 

@@ -66,7 +66,7 @@ static const struct remark remarks[] = {
 	{ CALL, "rectify", NULL,
 	    "the rectified P is \"intrinsics\" of \"projection\"" },
 	{ CALL, "stereo", NULL,
-	    "'PICTURES IN PAIRS AND PARTS' in 'man projcalc-scene' has pairs" },
+	    "'PICTURES IN PAIRS AND PARTS' in 'man projcalc-recipes' has pairs" },
 
 	/* options and their arguments */
 	{ WORD_OPTION, "format json csv tsv", NULL,
@@ -246,7 +246,7 @@ static const struct remark remarks[] = {
 	    "distortion undistort distort distortioncoefficients distortioncoeffs "
 	    "distortionmodel distcoeffs distcoef dist fisheye k1 k2 k3 k4 k5 k6",
 	    NULL,
-	    "lenses are not modelled; 'Points through a lens' in 'man projcalc-scene' "
+	    "lenses are not modelled; 'Points through a lens' in 'man projcalc-recipes' "
 	    "bends points" },
 
 	/* of a world */
@@ -304,15 +304,15 @@ static const struct remark remarks[] = {
 
 	/* of whole documents */
 	{ WORD_MEMBER, "binningx binningy roi", NULL,
-	    "'A CameraInfo of ROS' in 'man projcalc-scene' reads ROS's" },
+	    "'A CameraInfo of ROS' in 'man projcalc-recipes' reads ROS's" },
 	{ WORD_MEMBER, "asset accessors bufferviews", NULL,
-	    "'A camera of glTF' in 'man projcalc-scene' reads glTF" },
+	    "'A camera of glTF' in 'man projcalc-recipes' reads glTF" },
 	{ WORD_MEMBER, "frames filepath aabbscale", NULL,
-	    "'A frame of NeRF' in 'man projcalc-scene' reads NeRF's" },
+	    "'A frame of NeRF' in 'man projcalc-recipes' reads NeRF's" },
 	{ WORD_MEMBER, "childframeid transforms", NULL,
-	    "'Frames of ROS and tf2' in 'man projcalc-scene' chains tf2's" },
+	    "'Frames of ROS and tf2' in 'man projcalc-recipes' chains tf2's" },
 	{ WORD_MEMBER, "sampletoken sensortoken calibratedsensortoken egoposetoken",
-	    NULL, "'Sensors of nuScenes' in 'man projcalc-scene' reads nuScenes'" },
+	    NULL, "'Sensors of nuScenes' in 'man projcalc-recipes' reads nuScenes'" },
 };
 
 enum { REMARKS = sizeof remarks / sizeof *remarks };

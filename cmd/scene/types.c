@@ -460,7 +460,7 @@ static bool read_intrinsics(const struct value *v, const struct member *row, voi
 		    n == 16 || nested || n < 5 ?
 			"a 4x4 from view to clip is of type \"matrix\"" :
 			"what follows fx, fy, cx, cy bends a lens: 'Points through a "
-			"lens' in 'man projcalc-scene'");
+			"lens' in 'man projcalc-recipes'");
 	if (!read_rows(v, 3, columns, e))
 		return false;
 	for (size_t i = 0; i < 3; i++)

@@ -76,8 +76,8 @@ sub document {
 
 # The recipes by the file that they read: the command without its points.
 my %recipe;
-my @whole = map { $_->{command} } examples('man/projcalc-scene.5');
-for my $case (examples('man/projcalc-scene.5')) {
+my @whole = map { $_->{command} } examples('man/projcalc-recipes.7');
+for my $case (examples('man/projcalc-recipes.7')) {
 	my ($jq, $file) = $case->{command} =~
 	    m{\A(jq .*? cameras/(\w+\.\w+)(?: cameras/\w+\.txt)?)\s*\|\s+projcalc}s or next;
 	push @{$recipe{$file}}, $jq =~ s/\\\n//r;
@@ -300,6 +300,90 @@ SKIP: {
 	my (undef, $out, $err) = run("$lines | gnuplot -e 'set terminal dumb; " .
 	    "set yrange [480:0]; plot \"<cat\" with lines'", 'testdata');
 	ok($out =~ /\*/ && $err eq '', 'gnuplot draws a wireframe') or diag($err);
+}
+
+# Returns a point turned by a rotation vector.
+sub turned {
+	my ($r, $p) = @_;
+	my $angle = dot($r, $r)->bsqrt;
+	my @u = map { $_ / $angle } @$r;
+	my $along = dot(\@u, $p) * (1 - $angle->copy->bcos);
+	return map {
+		my ($i, $j) = (($_ + 1) % 3, ($_ + 2) % 3);
+		$p->[$_] * $angle->copy->bcos + $u[$_] * $along +
+		    ($u[$i] * $p->[$j] - $u[$j] * $p->[$i]) * $angle->copy->bsin
+	} 0 .. 2;
+}
+
+# Cameras that stand in the recipes themselves.
+my @exact = (qr/-d 3/ => '');
+near('OpenMVG', [whole('extrinsics|"center"', @exact)], [through(
+    minus([numbers(1, 7, 3)], [numbers(1, 2, 3)]),
+    [numbers(0.6, -0.8, 0)], [numbers(0, 0, -1)], [numbers(0.8, 0.6, 0)])]);
+near('Metashape', [whole('<transform>', @exact)], [through(
+    minus([numbers(5, 8, 5)], [numbers(4, 5, 6)]),
+    inverse([numbers(1, 0, 0)], [numbers(0, 0, 1)], [numbers(0, -1, 0)]))]);
+{
+	my @c = turned([numbers(0.02, -0.01, 0.03)], [numbers(0.5, 1, -2)]);
+	my @t = numbers(-0.1, 0.2, -5);
+	@c = map { $c[$_] + $t[$_] } 0 .. 2;
+	my ($x, $y) = map { -$_ } @{divided(@c)};
+	my $r = $x * $x + $y * $y;
+	my $s = 400 * (1 + number(-0.1) * $r + number(0.02) * $r * $r);
+	near('Bundle Adjustment in the Large', [whole('camera=', qr/%\.3f/ => '%.17g')],
+	    [$s * $x, $s * $y]);
+}
+{
+	my @body = through(minus([numbers(5, 5, 9)], [numbers(4, 5, 6)]),
+	    inverse(turn(numbers(0, 0, 0.6, 0.8))));
+	near('EuRoC', [whole('T_BS', @exact)], [through(
+	    minus(\@body, [numbers(0.1, 0.2, 0.3)]),
+	    inverse([numbers(0, -1, 0)], [numbers(1, 0, 0)], [numbers(0, 0, 1)]))]);
+}
+{
+	my ($up, $round) = map { $_ * Math::BigFloat->bpi(90) / 180 } numbers(20, 30);
+	near('an orbit', [whole('azimuth', @exact)],
+	    [5 * $up->copy->bcos * $round->copy->bsin, 1 + 5 * $up->copy->bsin,
+	    5 * $up->copy->bcos * $round->copy->bcos]);
+	my @ray = numbers(0.1, 0.075, 1);
+	my $n = dot(\@ray, \@ray)->bsqrt;
+	near('depth along the ray', [whole('append --ray', qr/awk/ => 'awk -v OFMT=%.17g')],
+	    [map { number(2.5) * $_ / $n } @ray]);
+}
+# A pixel through the lens and back.
+for my $pixel ('596.246 393.119', '20.5 30.25') {
+	my ($u, $v) = map { number($_) } split / /, $pixel;
+	my ($k1, $k2, $p1, $p2, $k3) =
+	    numbers(map { "$_" } @{$pnp->{distortion_coefficients}{data}});
+	my ($x, $y) = (($u - $k9->[2]) / $k9->[0], ($v - $k9->[5]) / $k9->[4]);
+	my $r = $x * $x + $y * $y;
+	my $d = 1 + $k1 * $r + $k2 * $r ** 2 + $k3 * $r ** 3;
+	my $bent = join ' ', map { $_->copy->bround(17)->bstr }
+	    $k9->[2] + $k9->[0] * ($x * $d + 2 * $p1 * $x * $y + $p2 * ($r + 2 * $x * $x)),
+	    $k9->[5] + $k9->[4] * ($y * $d + $p1 * ($r + 2 * $y * $y) + 2 * $p2 * $x * $y);
+	my ($said) = whole('99', qr/596.237 393.126/ => $bent, qr/%\.3f/ => '%.11g');
+	ok(abs($said->[0] - $u) < 1e-6 && abs($said->[1] - $v) < 1e-6, "lens back to $pixel")
+	    or diag("$bent: @$said");
+}
+
+# Recipes stop where the file is not what they assume.
+for my $other (
+    ['.distortion_model', 'camera_info.json', '.binning_x = 2'],
+    ['.distortion_model', 'camera_info.json', '.roi.y_offset = 1'],
+    ['.distortion_model', 'camera_info.json', '.distortion_model = "equidistant"'],
+    ['fb=', 'camera_info_left.json', '.p[2] += 1'],
+    ['distortion_coefficients', 'pnp.json',
+	'.distortion_coefficients.data += [0, 0, 0, 1]'],
+    ['fl_x', 'transforms.json', '.k1 = 0.01'],
+    ['after', 'camera_info.yaml', 's/plumb_bob/equidistant/'],
+    ['realsense', 'realsense.txt', 's/0]/0.1]/']) {
+	my ($what, $file, $change) = @$other;
+	my $edit = $file =~ /json/ ? 'jq' : 'sed';
+	system("$edit '$change' testdata/cameras/$file >$tmp/$file") == 0 or die;
+	my ($command) = grep { /\Q$what\E/ && /\b\Q$file\E/ } @whole;
+	$command =~ s{cameras/\Q$file\E}{$tmp/$file}g;
+	my ($status, $out, $err) = run($command, 'testdata');
+	ok($out eq '' && $err =~ /^jq: error/, "stops at $change") or diag("$out$err");
 }
 
 # ROS and DTU: the matrix P.

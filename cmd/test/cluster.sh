@@ -3,9 +3,9 @@
 # Runs a cluster on one machine: a head and three hosts. Each host is a set of
 # namespaces, with its own network, process table, name and home, and runs sshd; the
 # hosts share one directory. GNU parallel and Slurm spread points over the hosts as
-# SCALE in projcalc(1) says, and hosts are killed half-way. The output must be that of
-# one process. Nothing is left when the script ends. Needs root, and the packages of
-# `make deps-all`.
+# SCALE in projcalc-numbers(7) says, and hosts are killed half-way. The output must be
+# that of one process. Nothing is left when the script ends. Needs root, and the
+# packages of `make deps-all`.
 # usage: cluster.sh BUILD
 set -eu
 build=$(cd "$1" && pwd)

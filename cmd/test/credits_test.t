@@ -15,7 +15,7 @@ my %comment = (
 	(map { $_ => "/* $says */\n" } qw(c h)),
 	(map { $_ => "// $says\n" } qw(cc js)),
 	v => "(* $says *)\n",
-	(map { $_ => ".\\\" $says\n" } 1, 5),
+	(map { $_ => ".\\\" $says\n" } 1, 5, 7),
 	(map { $_ => "# $says\n" } qw(awk gp pl pm py sh t script)),
 );
 my @sources = qw(Makefile .ci/run .debian/build .debian/deps);

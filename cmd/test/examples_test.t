@@ -10,7 +10,7 @@ use lib $FindBin::Bin;
 use Projcalc;
 use Transcript;
 
-for my $case (map { examples($_) } glob 'man/*.[15] README.md') {
+for my $case (map { examples($_) } glob 'man/*.[157] README.md') {
 	my $name = join ' ', split /\n/, $case->{command};
 	SKIP: {
 		my $lacks = missing(grep { $name =~ /\b$_\b/ }

@@ -17,7 +17,7 @@ for my $page (glob "$folder/*.html") {
 	my ($file) = $page =~ m|([^/]*)$|;
 	$names{$file} = {map { $_ => 1 } slurp($page) =~ /\bid="([^"]+)"/g};
 }
-is(scalar keys %names, 3, 'two pages and the index');
+is(scalar keys %names, 5, 'four pages and the index');
 for my $file (sort keys %names) {
 	for my $link (slurp("$folder/$file") =~ /\b(?:href|src)="([^"]+)"/g) {
 		next if $link =~ m|^https://manpages\.debian\.org/\w+\.\d$|;

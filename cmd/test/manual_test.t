@@ -4,7 +4,7 @@
 # of the synopsis; the members of a scene, their defaults and words are those of
 # projcalc-scene(5). Each command and option has a call in the transcripts that
 # succeeds. The examples of the help work, README has the figures of the last
-# measurement, and mandoc finds no fault in the pages.
+# measurement, mandoc finds no fault in the pages, and they keep their sizes.
 use strict;
 use warnings;
 use FindBin;
@@ -17,6 +17,7 @@ use Transcript;
 my $program = "$build/projcalc";
 my $manual = slurp('man/projcalc.1');
 my $scene = slurp('man/projcalc-scene.5');
+my $numbers = slurp('man/projcalc-numbers.7');
 my $schema = decode_json(scalar `$^X man/schema.pl $program`);
 
 # The options by command, by their letter if they have one.
@@ -179,7 +180,7 @@ is(on_page('convention'), sorted('convention', split / /, members('convention'))
     'convention on the page');
 compare('convention', rows('convention'));
 my @shown = map { transcript($_) } glob 'testdata/transcripts/*.txt';
-my ($formulas) = $manual =~ /^\.Sh FORMULAS\n(.*?)^\.Sh/ms;
+my ($formulas) = $numbers =~ /^\.Sh FORMULAS\n(.*?)^\.Sh/ms;
 my ($types) = map { $_->{words} } grep { $_->{name} eq 'type' } rows('projection');
 for my $type (@$types) {
 	my $shared = $type =~ /^(?:volume|matrix)$/ ? 'type' :
@@ -198,11 +199,29 @@ like((run('projcalc n2d \'{"device": {"xyzzyxyzzy": 0}}\''))[2],
     qr/unknown member; there are "x", "y", .* and "origin"$/m,
     'members in a message');
 
-for my $page (qw(projcalc.1 projcalc-scene.5)) {
+for my $page (map { s|^man/||r } glob 'man/*.[157]') {
 	SKIP: {
 		skip 'no mandoc', 1 if missing('mandoc');
 		is(`mandoc -T lint -W warning man/$page 2>&1`, '', $page);
 	}
+}
+# The pages keep their sizes: a user reads the first screen, and finds the rest.
+SKIP: {
+	skip 'no mandoc', 7 if missing('mandoc');
+	my %most = ('projcalc.1' => 5500, 'projcalc-scene.5' => 4500);
+	my $all_words = 0;
+	for my $page (map { s|^man/||r } glob 'man/*.[157]') {
+		my $said = `mandoc -T utf8 -O width=80 man/$page` =~ s/.\x08//gr;
+		my $words = () = $said =~ /\S+/g;
+		$all_words += $words;
+		cmp_ok($words, '<=', $most{$page} // 17500, "words of $page");
+		next if $page ne 'projcalc.1';
+		my @screen = (split /\n/, $said)[0 .. 23];
+		is(scalar(() = "@screen" =~ /(?:\$|\|) projcalc /g), 10, 'ten calls on a screen');
+		my ($points) = $said =~ /^POINTS\n(.*?)^[A-Z]/ms;
+		cmp_ok(scalar(() = $points =~ /\S+/g), '<=', 700, 'words of POINTS');
+	}
+	cmp_ok($all_words, '<=', 17500, 'words of the manual');
 }
 # README has the tables of the last measurement and the words about them.
 my @figures = map { slurp($_) =~ /^(<!-- speed -->\n.*?^<!-- -->\n)/ms }

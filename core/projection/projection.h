@@ -96,8 +96,8 @@ static inline bool projection_is_tilted(const struct projection *p)
 	return projection_has_intrinsics(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* Computes the map from view to clip space, or its inverse, as projcalc(1), FORMULAS
- * says. Returns false, and adds a refusal, if it can't. */
+/* Computes the map from view to clip space, or its inverse, as projcalc-numbers(7),
+ * FORMULAS says. Returns false, and adds a refusal, if it can't. */
 bool projection_map(const struct projection *, const struct convention *, bool inverse,
     struct map *, struct refusals *);
 

@@ -32,9 +32,9 @@ struct projection_row {
 	enum projection_family family;
 
 	/* Computes the map from view to clip space or, if `inverse`, back, as
-	 * projcalc(1), FORMULAS says. If its numbers make a scaled_matrix (scaled.h),
-	 * scaled_map does the rest: the inverse needs no code, and the plane in which
-	 * the map is exact is a member there. */
+	 * projcalc-numbers(7), FORMULAS says. If its numbers make a scaled_matrix
+	 * (scaled.h), scaled_map does the rest: the inverse needs no code, and the
+	 * plane in which the map is exact is a member there. */
 	bool (*map)(const struct projection *, const struct convention *, bool inverse,
 	    struct map *, struct refusals *);
 

@@ -36,8 +36,8 @@ static bool check_directions(const struct camera *c, struct refusals *faults)
 	return is_right;
 }
 
-/* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze, then x =
- * cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
+/* Computes the axes of projcalc-numbers(7), FORMULAS, lookat: z = gaze or -gaze, then
+ * x = cross(up, z) and y = cross(z, x). The length of y is |z| |x|. */
 static bool axes_of_gaze(const struct camera *c, const struct convention *convention,
     struct axes *a, struct refusals *faults)
 {

@@ -77,13 +77,13 @@ static inline bool camera_has_eye(const struct camera *c)
  * a right-handed world, say, has them, the world is left-handed. */
 bool camera_mirrors(const struct camera *, const struct convention *);
 
-/* Computes the map from world to view space, or its inverse, as projcalc(1), FORMULAS,
- * lookat says. Each element is exact or has a bound of its error, even if up is nearly
- * parallel to the gaze or a matrix nearly singular. If a matrix is orthonormalized, an
- * element of the rotation whose magnitude is at most its error becomes 0. A roll turns
- * view space about the eye, also if a translation is given. The origin of the map to
- * view space is the eye or, if it is not given and a matrix is not orthonormalized,
- * 0. */
+/* Computes the map from world to view space, or its inverse, as projcalc-numbers(7),
+ * FORMULAS, lookat says. Each element is exact or has a bound of its error, even if up
+ * is nearly parallel to the gaze or a matrix nearly singular. If a matrix is
+ * orthonormalized, an element of the rotation whose magnitude is at most its error
+ * becomes 0. A roll turns view space about the eye, also if a translation is given. The
+ * origin of the map to view space is the eye or, if it is not given and a matrix is not
+ * orthonormalized, 0. */
 bool camera_map(const struct camera *, const struct convention *, bool inverse,
     struct map *, struct refusals *faults);
 
