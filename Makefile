@@ -383,13 +383,16 @@ npm: wasm ## a package for npm of the program for node, build/projcalc-VERSION.t
 # MADE lists the files that are installed, and INSTALLED their places.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
 	man/projcalc-recipes.7 man/projcalc-numbers.7 \
-	$(SCHEMA) .debian/copyright $(COMPLETIONS)
+	$(SCHEMA) .debian/copyright $(COMPLETIONS) $(RECIPES)
 INSTALLED = $(bindir)/projcalc $(mandir)/man1/projcalc.1 \
 	$(mandir)/man5/projcalc-scene.5 $(mandir)/man7/projcalc-recipes.7 \
 	$(mandir)/man7/projcalc-numbers.7 \
 	$(datadir)/projcalc/projcalc.schema.json \
 	$(datadir)/doc/projcalc/copyright $(BASHDIR)/projcalc \
-	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
+	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish \
+	$(addprefix $(datadir)/projcalc/,$(notdir $(RECIPES)))
+# The programs of projcalc-recipes(7) that are too long for the page.
+RECIPES = testdata/lens.awk $(sort $(wildcard testdata/cameras/*.jq))
 
 # The manual names the place of the schema, so install writes that place into the pages.
 one_word = $(if $(word 2,$1),$(error no blanks in DESTDIR or prefix, please: $1))
@@ -402,7 +405,7 @@ install: $(MADE) ## to prefix=/usr/local, below DESTDIR
 		install -m $$mode $$file $$1; \
 		shift; \
 	done
-	for page in man1/projcalc.1 man5/projcalc-scene.5; do \
+	for page in man1/projcalc.1 man5/projcalc-scene.5 man7/projcalc-recipes.7; do \
 		page=$(DESTDIR)$(mandir)/$$page; \
 		sed -i.orig 's|/usr/local/share|$(datadir)|' $$page; \
 		rm $$page.orig; \

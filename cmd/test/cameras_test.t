@@ -58,6 +58,18 @@ sub inverse {
 	return map { my $i = $_; [map { minor($_, $i, @m) / $det } 0 .. 2] } 0 .. 2;
 }
 
+# Returns the rows of the rotation of a rotation vector.
+sub rodrigues {
+	my (@r) = @_;
+	my $angle = dot(\@r, \@r)->bsqrt;
+	my ($x, $y, $z) = map { $_ / $angle } @r;
+	my ($c, $s) = ($angle->copy->bcos, $angle->copy->bsin);
+	my $d = 1 - $c;
+	return ([$c + $x*$x*$d, $x*$y*$d - $z*$s, $x*$z*$d + $y*$s],
+		[$y*$x*$d + $z*$s, $c + $y*$y*$d, $y*$z*$d - $x*$s],
+		[$z*$x*$d - $y*$s, $z*$y*$d + $x*$s, $c + $z*$z*$d]);
+}
+
 sub divided { return [$_[0] / $_[2], $_[1] / $_[2]] }
 sub minus { my ($p, $q) = @_; return [map { $p->[$_] - $q->[$_] } 0 .. 2] }
 
@@ -76,11 +88,12 @@ sub document {
 
 # The recipes by the file that they read: the command without its points.
 my %recipe;
-my @whole = map { $_->{command} } examples('man/projcalc-recipes.7');
-for my $case (examples('man/projcalc-recipes.7')) {
-	my ($jq, $file) = $case->{command} =~
-	    m{\A(jq .*? cameras/(\w+\.\w+)(?: cameras/\w+\.txt)?)\s*\|\s+projcalc}s or next;
-	push @{$recipe{$file}}, $jq =~ s/\\\n//r;
+my @whole = map { $_->{command} } map { examples($_) } glob 'man/*.[157]';
+for my $command (@whole) {
+	my ($jq, $file) = $command =~
+	    m{\A(jq\ .*?\ cameras/(\w+\.(?!jq)\w+)(?:\s[\s\\]*cameras/\w+\.\w+)*)
+		[\s\\]*\|\s+projcalc}sx or next;
+	push @{$recipe{$file}}, $jq =~ s/\\\n//gr;
 }
 
 # Returns the output of the program for points, by a recipe in which words may be
@@ -134,10 +147,10 @@ for my $name (qw(dino0001.png dino0059.png dino0120.png dino0299.png)) {
 }
 
 # COLMAP: q and t map the world to the camera. The observed corners differ from the
-# images by COLMAP's residuals, and by the distortion, which the program lacks.
+# images by COLMAP's residuals.
 my %point = map { my @f = split / /; ($f[0] => [@f[1 .. 3]]) }
     grep { !/^#/ } lines('points3D.txt');
-my ($f, $cx, $cy) = numbers(@{fields('cameras.txt', 0, 1)}[4 .. 6]);
+my ($f, $cx, $cy) = numbers(@{fields('cameras.txt', 0, 1)}[5 .. 7]);
 my @lines = lines('images.txt');
 for my $at (grep { $lines[$_] =~ / (frame\d+\.jpg)$/ } 0 .. $#lines) {
 	my ($name) = $lines[$at] =~ / (\S+)$/;
@@ -157,18 +170,16 @@ for my $at (grep { $lines[$_] =~ / (frame\d+\.jpg)$/ } 0 .. $#lines) {
 	cmp_ok($far[@far / 2], '<', 1, "half of what COLMAP saw in $name is as near");
 }
 
-# COLMAP: each model that the recipe reads has its numbers, and any other stops it.
+# COLMAP: each model that the recipe reads has its numbers.
 for my $case (['PINHOLE 4000 2250 3000 2900 2000 1125', 3000, 2900, 2000, 1125],
-    ['SIMPLE_PINHOLE 4000 2250 3000 2001 1126', 3000, 3000, 2001, 1126], ['OPENCV ' .
-    '4000 2250 3000 2900 2000 1125 0.1 0.2 0 0']) {
+    ['SIMPLE_PINHOLE 4000 2250 3000 2001 1126', 3000, 3000, 2001, 1126],
+    ['SIMPLE_RADIAL 4000 2250 3000 2001 1126 0', 3000, 3000, 2001, 1126]) {
 	my ($camera, @k) = @$case;
 	my ($model) = $camera =~ /(\w+)/;
 	spew("$tmp/cameras.txt", "1 $camera\n");
 	my $recipe = $recipe{'cameras.txt'}[0] =~ s{cameras/cameras.txt}{$tmp/cameras.txt}r;
 	my (undef, $out) = run($recipe, 'testdata');
-	my $scene = $out ne '' && decode_json($out);
-	ok(@k ? "@{$scene->{projection}{intrinsics}}" eq "@k" : $out eq '', "COLMAP's $model")
-	    or diag($out);
+	is("@{decode_json($out)->{projection}{intrinsics}}", "@k", "COLMAP's $model");
 }
 
 # NeRF: the pose's inverse; x right, y up, z backward.
@@ -222,18 +233,11 @@ for my $p (qw(P0 P1 P2)) {
 my $pnp = document('pnp.json');
 my ($rvec, $tvec, $k9) = map { [numbers(@{$pnp->{$_}{data}})] }
     qw(rvec tvec camera_matrix);
-my $angle = dot($rvec, $rvec)->bsqrt;
-my @axis = map { $_ / $angle } @$rvec;
+my @turned = rodrigues(@$rvec);
 my @board = grid([0, 0.1, 0.25], [0, 0.175], [0, -0.02]);
 compare('OpenCV, rvec', [printed($recipe{'pnp.json'}[0], \@board)], map {
-	my @p = numbers(@$_);
-	my $along = dot(\@axis, \@p) * (1 - $angle->copy->bcos);
-	my @c = map {
-		my ($i, $j) = (($_ + 1) % 3, ($_ + 2) % 3);
-		$p[$_] * $angle->copy->bcos + $axis[$_] * $along + $tvec->[$_] +
-		    ($axis[$i] * $p[$j] - $axis[$j] * $p[$i]) * $angle->copy->bsin
-	} 0 .. 2;
-	divided(through(\@c, rows(3, @$k9)))
+	my @c = through([numbers(@$_)], @turned);
+	divided(through([map { $c[$_] + $tvec->[$_] } 0 .. 2], rows(3, @$k9)))
 } @board);
 
 # Returns the numbers that a whole recipe prints, in which words are replaced.
@@ -258,73 +262,119 @@ sub near {
 	ok(@$said == @true && !@wrong, $name) or diag("@{$said->[$i]}; @{$true[$i]}");
 }
 
-# The lens of OpenCV's projectPoints, with 5 and with 8 coefficients.
-for my $lens ([map { "$_" } @{$pnp->{distortion_coefficients}{data}}],
+# Returns where the lens of OpenCV's projectPoints shows a direction.
+sub bent {
+	my ($x, $y, @lens) = @_;
+	my ($k1, $k2, $p1, $p2, $k3, $k4, $k5, $k6) = (@lens, (number(0)) x 4);
+	my $r = $x * $x + $y * $y;
+	my $d = (1 + $k1 * $r + $k2 * $r ** 2 + $k3 * $r ** 3) /
+	    (1 + $k4 * $r + $k5 * $r ** 2 + $k6 * $r ** 3);
+	return ($x * $d + 2 * $p1 * $x * $y + $p2 * ($r + 2 * $x * $x),
+	    $y * $d + $p1 * ($r + 2 * $y * $y) + 2 * $p2 * $x * $y);
+}
+
+# A lens with 4, 5 and 8 coefficients, and back; behind the camera there is no image.
+for my $lens ([0.25, -0.5, 0.003, -0.002],
+    [map { "$_" } @{$pnp->{distortion_coefficients}{data}}],
     [0.25, -0.5, 0.003, -0.002, 0.125, 0.5, -0.25, 0.0625]) {
-	my ($k1, $k2, $p1, $p2, $k3, @rational) = numbers(@$lens);
-	my ($k4, $k5, $k6) = @rational ? @rational : numbers(0, 0, 0);
-	my $list = join ', ', @$lens;
-	my $json = '[' . join(', ', map { '[' . join(', ', @$_) . ']' } @board) . ']';
-	my @said = whole('distortion_coefficients', qr/\Q.distortion_coefficients.data[]\E/ =>
-	    $list, qr/%\.3f/ => '%.17g', qr/\[\[0, 0, 0\].*?\]\]/ => $json);
-	near(@$lens . ' coefficients of a lens', \@said, map {
-		my @p = numbers(@$_);
-		my $along = dot(\@axis, \@p) * (1 - $angle->copy->bcos);
-		my @c = map {
-			my ($i, $j) = (($_ + 1) % 3, ($_ + 2) % 3);
-			$p[$_] * $angle->copy->bcos + $axis[$_] * $along + $tvec->[$_] +
-			    ($axis[$i] * $p[$j] - $axis[$j] * $p[$i]) * $angle->copy->bsin
-		} 0 .. 2;
+	my @coefficients = (qr/\Q.distortion_coefficients.data\E/ =>
+	    '[' . join(', ', @$lens) . ']', qr/-d \d/ => '');
+	my (@raw, @straight);
+	for my $p (@board) {
+		my @c = through([numbers(@$p)], @turned);
+		@c = map { $c[$_] + $tvec->[$_] } 0 .. 2;
 		my ($x, $y) = ($c[0] / $c[2], $c[1] / $c[2]);
-		my $r = $x * $x + $y * $y;
-		my $d = (1 + $k1 * $r + $k2 * $r ** 2 + $k3 * $r ** 3) /
-		    (1 + $k4 * $r + $k5 * $r ** 2 + $k6 * $r ** 3);
-		[$k9->[2] + $k9->[0] * ($x * $d + 2 * $p1 * $x * $y + $p2 * ($r + 2 * $x * $x)),
-		    $k9->[5] + $k9->[4] * ($y * $d + $p1 * ($r + 2 * $y * $y) + 2 * $p2 * $x * $y)]
-	} @board);
+		my ($u, $v) = bent($x, $y, numbers(@$lens));
+		push @raw, [$k9->[2] + $k9->[0] * $u, $k9->[5] + $k9->[4] * $v];
+		push @straight, [$k9->[2] + $k9->[0] * $x, $k9->[5] + $k9->[4] * $y];
+	}
+	my $json = '[' . join(', ', map { '[' . join(', ', @$_) . ']' } @board) . ']';
+	my $pixels = join '', map { sprintf "%.17g %.17g 1\\n", map { $_->numify } @$_ } @raw;
+	near(@$lens . ' coefficients of a lens, and back', [whole('fisheye_model',
+	    @coefficients, qr/\[\[0, 0, 0\].*?\]\]/ => $json,
+	    qr/echo 596.*? 1\b/ => "printf '$pixels'")], @raw, @straight);
+}
+spew("$tmp/bent", "0 0 -1\n0 0 0\n2 1 1\nnan nan nan\n0.5 0.25 1\n");
+for my $back ('', 'back=1') {
+	my (undef, $out) = run("awk -v k='-0.3 0 0 0' -f lens.awk $back $tmp/bent",
+	    'testdata');
+	like($out, qr/^(?:nan nan nan\n){4}0\.[45]\d+ 0\.2\d+ 1$/,
+	    "what a lens does not show $back");
+}
+for my $k ('', '0.1 0.2 0.3', '0 0 0 0 0 0 0 0 0') {
+	my ($status, $out, $err) = run("echo 0 0 1 | awk -v k='$k' -f lens.awk",
+	    'testdata');
+	ok($status == 1 && $out eq '' && $err =~ /^lens.awk: a lens has 4, 5 or 8/,
+	    "lens.awk refuses '$k'");
 }
 
 # A disparity: z is f b / d.
 my @right = @{document('camera_info.json')->{p}};
-near('disparity', [whole('fb=', qr/-d 3/ => '')], map {
+near('disparity', [whole('stereo.jq', qr/-d 3/ => '')], map {
 	my ($u, $v, $d) = numbers(@$_);
 	my $z = -number($right[3]) / $d;
 	[($u - number($right[2])) * $z / number($right[0]),
 	    ($v - number($right[6])) * $z / number($right[5]), $z]
 } [340, 240, 20], [400, 200, 8.5]);
 
-SKIP: {
-	skip 'no gnuplot', 1 if missing('gnuplot');
-	my ($lines) = grep { /project --lines/ } @whole;
-	chomp $lines;
-	my (undef, $out, $err) = run("$lines | gnuplot -e 'set terminal dumb; " .
-	    "set yrange [480:0]; plot \"<cat\" with lines'", 'testdata');
-	ok($out =~ /\*/ && $err eq '', 'gnuplot draws a wireframe') or diag($err);
+# OpenMVG: K R (x - center), R by rows.
+my $sfm = document('sfm_data.json');
+for my $i (0, 1) {
+	my ($view) = map { $_->{value}{ptr_wrapper}{data} } $sfm->{views}[$i];
+	my ($pose) = map { $_->{value} } grep { $_->{key} == $view->{id_pose} }
+	    @{$sfm->{extrinsics}};
+	my ($k) = map { $_->{value}{ptr_wrapper}{data} }
+	    grep { $_->{key} == $view->{id_intrinsic} } @{$sfm->{intrinsics}};
+	my @points = grid([0.5, -0.25], [0, 0.75], [1, 2.5]);
+	compare("OpenMVG, $view->{filename}", [printed($recipe{'sfm_data.json'}[0], \@points,
+	    'b.jpg' => $view->{filename})], map {
+		my @c = through(minus([numbers(@$_)], [numbers(@{$pose->{center}})]),
+		    map { [numbers(@$_)] } @{$pose->{rotation}});
+		[map { number($k->{principal_point}[$_]) +
+		    number($k->{focal_length}) * $c[$_] / $c[2] } 0, 1]
+	} @points);
 }
 
-# Returns a point turned by a rotation vector.
-sub turned {
-	my ($r, $p) = @_;
-	my $angle = dot($r, $r)->bsqrt;
-	my @u = map { $_ / $angle } @$r;
-	my $along = dot(\@u, $p) * (1 - $angle->copy->bcos);
-	return map {
-		my ($i, $j) = (($_ + 1) % 3, ($_ + 2) % 3);
-		$p->[$_] * $angle->copy->bcos + $u[$_] * $along +
-		    ($u[$i] * $p->[$j] - $u[$j] * $p->[$i]) * $angle->copy->bsin
-	} 0 .. 2;
+# Meshroom: as OpenMVG, but R by columns, millimetres, and pixels from the centre.
+my $mesh = document('sfm.json');
+my $lens = $mesh->{intrinsics}[0];
+for my $i (0, 1) {
+	my ($center, @c) = map { [numbers(@$_)] }
+	    @{$mesh->{poses}[$i]{pose}{transform}}{qw(center rotation)};
+	my @r = transposed(rows(3, @{$c[0]}));
+	my @points = grid([-3, 0.5], [-2, 0.25], [0.5, 4]);
+	my $f = number($lens->{focalLength}) / number($lens->{sensorWidth}) * $lens->{width};
+	near("Meshroom, view $i", [printed($recipe{'sfm.json'}[0], \@points,
+	    'IMG_2' => 'IMG_' . ($i + 1))], map {
+		my @c = through(minus([numbers(@$_)], $center), @r);
+		[$lens->{width} / 2 + number($lens->{principalPoint}[0]) + $f * $c[0] / $c[2],
+		    $lens->{height} / 2 + number($lens->{principalPoint}[1]) +
+		    $f * number($lens->{pixelRatio}) * $c[1] / $c[2]]
+	} @points);
 }
 
-# Cameras that stand in the recipes themselves.
-my @exact = (qr/-d 3/ => '');
-near('OpenMVG', [whole('extrinsics|"center"', @exact)], [through(
-    minus([numbers(1, 7, 3)], [numbers(1, 2, 3)]),
-    [numbers(0.6, -0.8, 0)], [numbers(0, 0, -1)], [numbers(0.8, 0.6, 0)])]);
-near('Metashape', [whole('<transform>', @exact)], [through(
-    minus([numbers(5, 8, 5)], [numbers(4, 5, 6)]),
-    inverse([numbers(1, 0, 0)], [numbers(0, 0, 1)], [numbers(0, -1, 0)]))]);
+# Metashape: u = w/2 + cx + x f + x b1 + y b2, v = h/2 + cy + y f, with x and y of the
+# inverse of the transform.
+my $xml = slurp('testdata/cameras/cameras.xml');
+my %adjusted = $xml =~ /adjusted.*?<\/calibration>/s && $& =~ /<(\w+)>([^<]*)</g;
+for my $label (qw(DJI_0001 DJI_0003)) {
+	my ($m) = $xml =~ /label="$label">\s*<transform>([^<]*)/;
+	my @m = rows(4, numbers(split ' ', $m));
+	my @r = inverse(map { [@$_[0 .. 2]] } @m[0 .. 2]);
+	my @points = grid([-3.5, 0.25], [1, -2.5], [3.5, 0]);
+	near("Metashape, $label", [printed($recipe{'cameras.xml'}[0], \@points,
+	    DJI_0003 => $label)], map {
+		my @c = through(minus([numbers(@$_)], [map { $_->[3] } @m[0 .. 2]]), @r);
+		my ($x, $y) = ($c[0] / $c[2], $c[1] / $c[2]);
+		my %n = map { $_ => number($adjusted{$_}) } qw(f cx cy b1 b2);
+		[5472 / 2 + $n{cx} + $x * $n{f} + $x * $n{b1} + $y * $n{b2},
+		    3648 / 2 + $n{cy} + $y * $n{f}]
+	} @points);
+}
+
+# Bundle Adjustment in the Large: P = R X + t, p = -P / P.z, f r(p) p.
 {
-	my @c = turned([numbers(0.02, -0.01, 0.03)], [numbers(0.5, 1, -2)]);
+	my @c = through([numbers(0.5, 1, -2)], rodrigues(numbers(0.02, -0.01, 0.03)));
 	my @t = numbers(-0.1, 0.2, -5);
 	@c = map { $c[$_] + $t[$_] } 0 .. 2;
 	my ($x, $y) = map { -$_ } @{divided(@c)};
@@ -333,57 +383,167 @@ near('Metashape', [whole('<transform>', @exact)], [through(
 	near('Bundle Adjustment in the Large', [whole('camera=', qr/%\.3f/ => '%.17g')],
 	    [$s * $x, $s * $y]);
 }
-{
-	my @body = through(minus([numbers(5, 5, 9)], [numbers(4, 5, 6)]),
-	    inverse(turn(numbers(0, 0, 0.6, 0.8))));
-	near('EuRoC', [whole('T_BS', @exact)], [through(
-	    minus(\@body, [numbers(0.1, 0.2, 0.3)]),
-	    inverse([numbers(0, -1, 0)], [numbers(1, 0, 0)], [numbers(0, 0, 1)]))]);
-}
-{
-	my ($up, $round) = map { $_ * Math::BigFloat->bpi(90) / 180 } numbers(20, 30);
-	near('an orbit', [whole('azimuth', @exact)],
-	    [5 * $up->copy->bcos * $round->copy->bsin, 1 + 5 * $up->copy->bsin,
-	    5 * $up->copy->bcos * $round->copy->bcos]);
-	my @ray = numbers(0.1, 0.075, 1);
-	my $n = dot(\@ray, \@ray)->bsqrt;
-	near('depth along the ray', [whole('append --ray', qr/awk/ => 'awk -v OFMT=%.17g')],
-	    [map { number(2.5) * $_ / $n } @ray]);
-}
-# A pixel through the lens and back.
-for my $pixel ('596.246 393.119', '20.5 30.25') {
-	my ($u, $v) = map { number($_) } split / /, $pixel;
-	my ($k1, $k2, $p1, $p2, $k3) =
-	    numbers(map { "$_" } @{$pnp->{distortion_coefficients}{data}});
-	my ($x, $y) = (($u - $k9->[2]) / $k9->[0], ($v - $k9->[5]) / $k9->[4]);
-	my $r = $x * $x + $y * $y;
-	my $d = 1 + $k1 * $r + $k2 * $r ** 2 + $k3 * $r ** 3;
-	my $bent = join ' ', map { $_->copy->bround(17)->bstr }
-	    $k9->[2] + $k9->[0] * ($x * $d + 2 * $p1 * $x * $y + $p2 * ($r + 2 * $x * $x)),
-	    $k9->[5] + $k9->[4] * ($y * $d + $p1 * ($r + 2 * $y * $y) + 2 * $p2 * $x * $y);
-	my ($said) = whole('99', qr/596.237 393.126/ => $bent, qr/%\.3f/ => '%.11g');
-	ok(abs($said->[0] - $u) < 1e-6 && abs($said->[1] - $v) < 1e-6, "lens back to $pixel")
-	    or diag("$bent: @$said");
+
+# EuRoC: T_BS leads from the camera to the body, and q and p from there to the world;
+# what the recipe of lenses does with a scene leads on to the pixel.
+my ($bends) = (grep { /fisheye_model/ } @whole)[0] =~
+    /( && \\\n  k=.*?) && \\\n  echo/s;
+my ($yaml, @truth) = (slurp('testdata/cameras/sensor.yaml'), lines('groundtruth.csv'));
+my ($t_bs, $fu, $disto) = map { [numbers(split /,\s*/)] }
+    map { $yaml =~ /\n$_:[^\[]*\[([^\]]*)/ }
+    qw(T_BS intrinsics distortion_coefficients);
+my @t_bs = rows(4, @$t_bs);
+my @from_body = inverse(map { [@$_[0 .. 2]] } @t_bs[0 .. 2]);
+for my $line (@truth[1, 2]) {
+	my ($time) = split /,/, $line;
+	my (undef, @n) = numbers(split /,/, $line);
+	my @from_world = transposed(turn(@n[4 .. 6, 3]));
+	my @points = ([2.75, 2.5, 0.5], [2, 3, 0.75]);
+	my $json = '[' . join(', ', map { '[' . join(', ', @$_) . ']' } @points) . ']';
+	my $recipe = $recipe{'sensor.yaml'}[0] =~ s/1520500401312143104/$time/r;
+	my ($status, $out, $err) = run("scene=\$($recipe)" .
+	    ($bends =~ s/\[\[.*?\]\]/$json/r =~ s/-d 3//r), 'testdata');
+	near("EuRoC, $time", [map { [split] } split /\n/, $out], map {
+		my @c = through(minus([numbers(@$_)], [@n[0 .. 2]]), @from_world);
+		@c = through(minus(\@c, [map { $_->[3] } @t_bs[0 .. 2]]), @from_body);
+		my ($u, $v) = bent($c[0] / $c[2], $c[1] / $c[2], @$disto);
+		[$fu->[2] + $fu->[0] * $u, $fu->[3] + $fu->[1] * $v]
+	} @points);
 }
 
-# Recipes stop where the file is not what they assume.
-for my $other (
-    ['.distortion_model', 'camera_info.json', '.binning_x = 2'],
-    ['.distortion_model', 'camera_info.json', '.roi.y_offset = 1'],
-    ['.distortion_model', 'camera_info.json', '.distortion_model = "equidistant"'],
-    ['fb=', 'camera_info_left.json', '.p[2] += 1'],
-    ['distortion_coefficients', 'pnp.json',
-	'.distortion_coefficients.data += [0, 0, 0, 1]'],
-    ['fl_x', 'transforms.json', '.k1 = 0.01'],
-    ['after', 'camera_info.yaml', 's/plumb_bob/equidistant/'],
-    ['realsense', 'realsense.txt', 's/0]/0.1]/']) {
-	my ($what, $file, $change) = @$other;
-	my $edit = $file =~ /json/ ? 'jq' : 'sed';
-	system("$edit '$change' testdata/cameras/$file >$tmp/$file") == 0 or die;
-	my ($command) = grep { /\Q$what\E/ && /\b\Q$file\E/ } @whole;
-	$command =~ s{cameras/\Q$file\E}{$tmp/$file}g;
-	my ($status, $out, $err) = run($command, 'testdata');
-	ok($out eq '' && $err =~ /^jq: error/, "stops at $change") or diag("$out$err");
+{
+	my ($up, $round) = map { $_ * Math::BigFloat->bpi(90) / 180 } numbers(20, 30);
+	near('an orbit', [whole('azimuth', qr/-d 3/ => '')],
+	    [5 * $up->copy->bcos * $round->copy->bsin, 1 + 5 * $up->copy->bsin,
+	    5 * $up->copy->bcos * $round->copy->bcos]);
+}
+
+# A distance along the ray: the point is as far from the eye, and on the pixel's ray.
+my @far = whole('append --ray', qr/awk/ => 'awk -v OFMT=%.17g',
+    qr/echo 400 300 2.5/ => "printf '400 300 2.5\n10 20 0\n10 20 nan\n10 20 -1\n'");
+is("@{pop @far}", 'nan nan nan', 'no distance') for 1 .. 3;
+my @ray = numbers(0.1, 0.075, 1);
+my $norm = dot(\@ray, \@ray)->bsqrt;
+near('depth along the ray', \@far, [map { number(2.5) * $_ / $norm } @ray]);
+
+# What a recipe assumes of its file: with another file it prints nothing but the reason,
+# and ends with another status than 0.
+for my $case (
+    ['camera_info.json' => 'viewport: .width, height.,',
+	['"binning_x": 0' => '"binning_x": 2', 'binning'],
+	['"binning_y": 0' => '"binning_y": 4', 'binning'],
+	['"x_offset": 0' => '"x_offset": 16', 'roi'],
+	['"height": 0, "width": 0' => '"height": 240, "width": 320', 'roi'],
+	['plumb_bob' => 'equidistant', 'distortion_model'],
+	['plumb_bob' => 'rational_polynomial', 'distortion_model']],
+    ['camera_info.yaml' => 'camera_info.yaml',
+	['plumb_bob' => 'equidistant', 'distortion_model'],
+	['distortion_model: plumb_bob' => 'x: 1', 'no distortion_model'],
+	['projection_matrix' => 'x', 'no projection_matrix']],
+    ['camera_info_left.json' => 'camera_info_left',
+	['341.12068, 0.0' => '339.5, 0.0', 'cx of the cameras differ'],
+	['415.97421' => '415.5', 'not the left and the right'],
+	['"binning_x": 0' => '"binning_x": 2', 'binning'],
+	['"y_offset": 0' => '"y_offset": 8', 'roi'],
+	['plumb_bob' => 'equidistant', 'distortion_model']],
+    ['camera_info.json' => 'camera_info_left',
+	['-49.918765' => '0.0', 'not the left and the right'],
+	['-49.918765' => '49.918765', 'not the left and the right']],
+    ['pnp.json' => 'fisheye_model',
+	['0.0 ]\n    },\n    "rvec"' => '0.0, 0.1 ]\n    },\n    "rvec"',
+	    'coefficients'],
+	['0.0 ]\n    },\n    "rvec"' => '0, 0, 0, 0, 0, 0, 0, 0, 0, 0]},"rvec"',
+	    'coefficients'],
+	['"image_width"' => '"fisheye_model": 1, "image_width"', 'fisheye_model'],
+	['"image_width"' => '"fisheye_model": true, "image_width"', 'fisheye_model']],
+    ['realsense.txt' => 'realsense',
+	['[0 0 0 0 0]' => '[-0.055 0.066 0 0 -0.02]', 'undistort first'],
+	['Brown Conrady' => 'Kannala Brandt4', 'undistort first']],
+    ['cameras.txt' => 'images.txt',
+	['PINHOLE 4000 2250 2950.5' => 'SIMPLE_RADIAL 4000 2250', 'SIMPLE_RADIAL'],
+	['PINHOLE' => 'OPENCV_FISHEYE', 'undistort OPENCV_FISHEYE first']],
+    ['images.txt' => 'images.txt', ['frame1.jpg' => 'x.jpg', 'no picture frame1.jpg']],
+    ['sfm_data.json' => 'sfm_data',
+	['"disto_k3": [0.0' => '"disto_k3": [0.01', 'undistort first'],
+	['disto_k3' => 'fisheye', 'undistort first'],
+	['focal_length' => 'spherical', 'undistort first'],
+	['"b.jpg"' => '"x.jpg"', 'no picture b.jpg'],
+	['"id_pose": 1' => '"id_pose": 9', 'no pose']],
+    ['sfm.json' => 'sfm.json',
+	['"2", "8"' => '"2", "4"', 'version before 1.2.5'],
+	['"poseId": "2291", "intrinsicId"' => '"poseId": "2291", "rigId": "1", "intrinsicId"',
+	    'rigId'],
+	['["0", "0", "0"]' => '["0.1", "0", "0"]', 'undistort first'],
+	['radialk3' => 'fisheye4', 'undistort first'],
+	['pinhole' => 'equidistant', 'undistort first'],
+	['IMG_2' => 'IMG_3', 'no picture IMG_2.jpg'],
+	['"poseId": "2291", "pose"' => '"poseId": "1", "pose"', 'no pose']],
+    ['cameras.xml' => 'cameras.xml',
+	['<k2>0' => '<k2>0.01', 'undistort first'],
+	['mm" type="frame"' => 'mm" type="fisheye"', 'not a frame'],
+	['class="adjusted"' => 'class="initial"', 'not adjusted'],
+	['DJI_0002' => 'DJI_0003', 'not aligned'],
+	['DJI_0003' => 'DJI_0004', 'no camera DJI_0003']],
+    ['transforms.json' => 'frames\[0\]',
+	['"cx"' => '"k1": 0.1, "cx"', 'undistort first'],
+	['"cx"' => '"is_fisheye": true, "cx"', 'undistort first'],
+	['"cx"' => '"camera_model": "OPENCV_FISHEYE", "cx"', 'undistort first']],
+    ['sensor.yaml' => 'sensor.yaml',
+	['camera_model: pinhole' => 'camera_model: omni', 'camera_model'],
+	['radial-tangential' => 'equidistant', 'distortion_model'],
+	['-4.0921e-05' => '-4.0921e-05, 0, 0', 'not 4 coefficients']],
+    ['groundtruth.csv' => 'sensor.yaml',
+	['401312143104' => '401312143105', 'no such time']],
+    ['blender.json' => 'blender',
+	['"AUTO"' => '"VERTICAL"', 'sensor_fit'],
+	['"lens"' => '"pixel_aspect_x": 2, "pixel_aspect_y": 1, "lens"', 'pixel_aspect_x'],
+	['"lens"' => '"resolution_percentage": 50, "lens"', 'resolution_percentage'],
+	['"lens"' => '"type": "ORTHO", "lens"', 'type']]) {
+	my ($file, $what, @changes) = @$case;
+	my ($command) = grep { /$what/ } @whole;
+	for my $change (@changes) {
+		my ($from, $to, $reason) = map { s/\\n/\n/gr } @$change;
+		my $text = slurp("testdata/cameras/$file");
+		$text =~ s/\Q$from\E/$to/ or die "$file has no $from\n";
+		spew("$tmp/$file", $text);
+		$to =~ s/\s+/ /g;
+		my ($status, $out, $err) = run($command =~ s{cameras/\Q$file\E}{$tmp/$file}gr =~
+		    s/\| sed -n 3p//r, 'testdata');
+		ok($status != 0 && $out eq '' && $err =~ /\Q$reason\E/, "$to stops $file")
+		    or diag("$status $out $err");
+	}
+}
+
+# What says the same in other words does not stop it.
+for my $case (
+    ['camera_info.json' => 'viewport: .width, height.,',
+	['"height": 0, "width": 0' => '"height": 480, "width": 640'], ['"p":' => '"P":']],
+    ['pnp.json' => 'fisheye_model',
+	['"image_width"' => '"fisheye_model": 0, "image_width"']],
+    ['realsense.txt' => 'realsense', ['Brown Conrady' => 'None']],
+    ['transforms.json' => 'frames\[0\]',
+	['"cx"' => '"k1": 0, "is_fisheye": false, "camera_model": "PINHOLE", "cx"']],
+    ['blender.json' => 'blender', ['"lens"' => '"resolution_percentage": 100, "lens"'],
+	['"lens"' => '"pixel_aspect_x": 1, "pixel_aspect_y": 1, "type": "PERSP", "lens"']]) {
+	my ($file, $what, @changes) = @$case;
+	my ($command) = grep { /$what/ } @whole;
+	for my $change (@changes) {
+		my ($from, $to) = @$change;
+		my $text = slurp("testdata/cameras/$file");
+		$text =~ s/\Q$from\E/$to/ or die "$file has no $from\n";
+		spew("$tmp/$file", $text);
+		my @said = run($command =~ s{cameras/\Q$file\E}{$tmp/$file}gr, 'testdata');
+		is("@said", join(' ', run($command, 'testdata')), "$to does not stop $file");
+	}
+}
+
+SKIP: {
+	skip 'no gnuplot', 1 if missing('gnuplot');
+	my ($lines) = grep { /project --lines/ } @whole;
+	chomp $lines;
+	my (undef, $out, $err) = run("$lines | gnuplot -e 'set terminal dumb; " .
+	    "set yrange [480:0]; plot \"<cat\" with lines'", 'testdata');
+	ok($out =~ /\*/ && $err eq '', 'gnuplot draws a wireframe') or diag($err);
 }
 
 # ROS and DTU: the matrix P.
