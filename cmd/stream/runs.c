@@ -81,11 +81,11 @@ static void runs_take_block(const struct job *j, struct chunk *c)
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	double *const image[4] = { c->image[0], c->image[1], c->image[2], c->image[3] };
 	unsigned char outside[POINTS_BLOCK];
-	const struct line *last = &c->line[c->block_lines - 1];
 	struct block_head head = { 0 };
 
 	if (c->block_lines == 0)
 		return;
+	const struct line *last = &c->line[c->block_lines - 1];
 	const size_t bytes = (size_t)(last->s + last->size - c->line[0].s);
 	const size_t most = sizeof head + c->block_lines * sizeof(struct run_point);
 	char *const out = chunk_reserve(c, most + (r->names ? bytes + NAMES_UNIT : 0));

@@ -295,7 +295,7 @@ near('disparity', [whole('fb=', qr/-d 3/ => '')], map {
 
 SKIP: {
 	skip 'no gnuplot', 1 if missing('gnuplot');
-	my ($lines) = grep { /function put/ } @whole;
+	my ($lines) = grep { /project --lines/ } @whole;
 	chomp $lines;
 	my (undef, $out, $err) = run("$lines | gnuplot -e 'set terminal dumb; " .
 	    "set yrange [480:0]; plot \"<cat\" with lines'", 'testdata');

@@ -39,7 +39,8 @@ END
 my $beyond = qr{
 	other\ handedness | does\ not\ mirror | equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
 	less\ than\ min | no\ extent | parallel\ to | does\ not\ run | does\ not\ begin |
-	that\ fit\ computes | all\ of\ the\ bounds | takes\ z\ to\ w | about\ the\ depth\ of | no\ points$ | not\ in\ order | crosses\ the\ volume |
+	that\ fit\ computes | all\ of\ the\ bounds | takes\ z\ to\ w | about\ the\ depth\ of |
+	no\ straight\ lines | missing;\ lines\ of | no\ points$ | not\ in\ order | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
 	singular | determinant | last\ column | rows\ are\ for | transposed | leave\ -c\ out | needs\ a\ "convention" | pi\S*\ radians |
 	too\ far\ from |

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "../points/kernel/midway.h"
+
 /* A number has at most CUT_WORDS words before it is multiplied, so that EX_WORDS hold
  * each product of a cut. A cut's coordinates have about twice the words of its
  * segment's, and those of ordinary scenes fit through four cuts of cuts. What does not
@@ -457,21 +459,11 @@ void clip_ring_end(struct clip_ring *r)
 	}
 }
 
-/* Takes the coordinate that all images of cuts by the plane have in common. */
-static void learn_edge(struct quick_cut *quick, int plane, const double image[4])
-{
-	if (quick->has_edges)
-		quick->edge[plane] = image[plane / 2];
-}
-
-void clip_image(const struct clipper *c, struct clip_vertex *v, bool single,
+static void exact_image(const struct clipper *c, struct clip_vertex *v, bool single,
     double image[4])
 {
 	struct sum n, d, z;
 
-	if (v->cut && !v->located && c->quick != NULL && !single &&
-	    quick_cut_image(c->quick, v->plane, v->in, v->other, image))
-		return;
 	locate(c, v);
 	if (c->out == 4)
 		d = sum_mul(c->to_target.divisor, v->at[c->has_weight ? 4 : 3]);
@@ -489,6 +481,45 @@ void clip_image(const struct clipper *c, struct clip_vertex *v, bool single,
 		if (!isfinite(image[k]))
 			image[k] = (double)NAN;
 	}
-	if (v->cut && c->quick != NULL && !single && (v->on & (v->on - 1)) == 0)
-		learn_edge(c->quick, __builtin_ctz(v->on), image);
+}
+
+/* Does what exact_image does, unless it is not sure, and then returns false. A double
+ * that is not midway between two floats rounds to the same float as the exact image. */
+static bool quick_image(const struct clipper *c, const struct clip_vertex *v,
+    bool single, double image[4])
+{
+	if (!v->cut || v->located || c->quick == NULL ||
+	    !quick_cut_image(c->quick, v->plane, v->in, v->other, image))
+		return false;
+	for (int k = 0; k < c->out && single; k++) {
+		if (is_midway(image[k]))
+			return false;
+		image[k] = (double)(float)image[k];
+		if (isinf(image[k]))
+			image[k] = (double)NAN;
+	}
+	return true;
+}
+
+/* Takes the coordinate that all images of cuts by the vertex's plane have in common. */
+static void learn_edge(const struct clipper *c, struct clip_vertex *v)
+{
+	const int plane = __builtin_ctz(v->on);
+	double image[4];
+
+	if (!c->quick->has_edges || (v->on & (v->on - 1)) != 0 ||
+	    !isnan(c->quick->edge[plane]))
+		return;
+	exact_image(c, v, false, image);
+	c->quick->edge[plane] = image[plane / 2];
+}
+
+void clip_image(const struct clipper *c, struct clip_vertex *v, bool single,
+    double image[4])
+{
+	if (quick_image(c, v, single, image))
+		return;
+	exact_image(c, v, single, image);
+	if (v->cut && c->quick != NULL)
+		learn_edge(c, v);
 }

@@ -34,10 +34,9 @@ bool clipper_of(const struct scene *, enum space from, enum space to, struct cli
 
 /* A point, or a vertex that a cut has made. */
 struct clip_vertex {
-	double in[4]; /* the point as it was given */
-	size_t index; /* the caller's number of it */
-	unsigned
-	    outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if they are not known */
+	double in[4];     /* the point as it was given */
+	size_t index;     /* the caller's number of it */
+	unsigned outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if not known */
 	/* A cut has made the vertex, and index is not set. If it is not located, the
 	 * plane `plane` alone cuts it from the segment from `in` to `other`. */
 	bool cut;

@@ -112,7 +112,7 @@ static void cut_truth(const struct truth_vertex *p, struct sized a,
 }
 
 static void judge(const struct truth_clip *t, const struct truth_vertex *v,
-    const double *image, struct tally *tally)
+    const double *image, bool single, struct tally *tally)
 {
 	struct sized n, d, w = v->weight;
 
@@ -133,7 +133,7 @@ static void judge(const struct truth_clip *t, const struct truth_vertex *v,
 			assert_true(isnan(image[k]));
 			continue;
 		}
-		const enum verdict verdict = truth_verdict(image[k], n, d, false);
+		const enum verdict verdict = truth_verdict(image[k], n, d, single);
 
 		tally->n[verdict == WITHIN_TOLERANCE && !t->irrational ? WRONG :
 									 verdict]++;
@@ -221,6 +221,7 @@ static void check_segment(struct truth_clip *t, const struct clipper *clipper,
 	struct truth_vertex truth[2];
 	struct sized side[2][2];
 	double image[4], p[4];
+	const bool single = sample_below(4) == 0;
 	int cut[2];
 
 	for (size_t k = 0; k < 2; k++) {
@@ -253,8 +254,8 @@ static void check_segment(struct truth_clip *t, const struct clipper *clipper,
 		struct truth_vertex at;
 
 		cut_truth(&truth[0], side[k][0], &truth[1], side[k][1], &at);
-		clip_image(clipper, &end[k], false, image);
-		judge(t, &at, image, &c->tally);
+		clip_image(clipper, &end[k], single, image);
+		judge(t, &at, image, single, &c->tally);
 		c->cut++;
 		c->quick += !end[k].located;
 	}
@@ -338,7 +339,7 @@ static void check_polygon(struct truth_clip *t, const struct clipper *clipper,
 	c->polygons++;
 	for (int i = 0; i < at; i++) {
 		assert_int_equal(came.index[i], from[i].index);
-		judge(t, &from[i], came.image[i], &c->tally);
+		judge(t, &from[i], came.image[i], false, &c->tally);
 		c->deep += came.depth[i] > 1;
 	}
 }
