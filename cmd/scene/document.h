@@ -27,7 +27,8 @@ struct document {
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */
 	bool has_bounds, has_eye, has_pick;
-	/* The members, wrong ones, too, and those that unknown ones may mean, as bits. */
+	/* The members, also wrong ones, and those that unknown ones may mean, as
+	 * bits. */
 	unsigned present;
 	struct bounds bounds;
 	/* The text, for messages. Its `row` is that of a scene or, if the whole
