@@ -57,9 +57,9 @@ void picture_add_dot(struct picture *, const struct dot *);
  * eye looks along `gaze`. */
 void picture_complete(struct picture *, const double lamp[3], const double gaze[3]);
 
-/* Returns how far `at` is beyond the plane of a face, times normal[2]. It is above 0 only
- * if it is more than what the digits of usual files leave open: 2^-18, relative to the
- * picture and to z. So lines on a face are not beyond it. */
+/* Returns how far `at` is beyond the plane of a face, times normal[2]. It is above 0
+ * only if it is more than what the digits of usual files leave open: 2^-18, relative to
+ * the picture and to z. So lines on a face are not beyond it. */
 double picture_beyond(const struct picture *, const struct face *, const double at[3]);
 
 /* Returns whether the vertices of a segment are corners of a face: 0, 1 or both; then 1
