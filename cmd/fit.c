@@ -76,6 +76,17 @@ static void name_points(const struct options *o, struct document *d)
 		d->source.name = "POINTS";
 }
 
+/* Refuses bounds that are given twice, or not at all. */
+static bool check_given(const struct options *o, const struct document *d)
+{
+	if (d->has_bounds && o->n_points > 0)
+		return document_refuse(d, "/bounds", "not together with POINTS",
+		    "give one");
+	return o->n_points > 0 || (d->present & (SCENE_BOUNDS | SCENE_POINTS)) != 0 ||
+	    document_refuse(d, "/bounds", "missing",
+		"add it ('projcalc help bounds'), POINTS or -");
+}
+
 bool run_fit(const struct options *o, struct document *d, struct job *j)
 {
 	struct refusals *const faults = d->source.faults;
@@ -86,12 +97,8 @@ bool run_fit(const struct options *o, struct document *d, struct job *j)
 	if (d->scene.answer != NULL)
 		return document_refuse(d, "/convention", "fit prints the scene's",
 		    "leave -c out");
-	if (d->has_bounds && o->n_points > 0)
-		return document_refuse(d, "/bounds", "not together with POINTS",
-		    "give one");
-	if (!d->has_bounds && !points)
-		return document_refuse(d, "/bounds", "missing",
-		    "add it ('projcalc help bounds'), POINTS or -");
+	if (!check_given(o, d))
+		return false;
 	if (!d->flat)
 		notes_say(d,
 		    notes_of_document(d, 0) |
@@ -112,7 +119,7 @@ void judge_fit(const struct options *o, const struct document *d)
 	const struct bounds *b = d->has_bounds ? &d->bounds : NULL;
 	struct hull h;
 
-	(void)o;
+	check_given(o, d);
 	if (d->flat)
 		fit_check_window(&d->scene, b, &h, d->source.faults);
 	else

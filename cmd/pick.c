@@ -198,6 +198,8 @@ static bool check_circle(const struct document *d, const struct options *o)
 	const struct pick *p = &d->pick;
 	bool is_right = true;
 
+	if (!d->has_pick && (d->present & SCENE_PICK) != 0)
+		return false; /* an unknown member may mean it */
 	if (o->pick_at.n == 0 && !p->has_at && !isnan(p->at[0]))
 		is_right = document_refuse(d, "/pick/at", "missing",
 		    "give --at X,Y and --radius R, or in the scene "

@@ -168,7 +168,7 @@ static bool is_outline(const struct raster *r, int x, int y, int x1, int y1)
 	const double z = plane_z(r, a->face, (x1 + 0.5) / r->scale,
 	    (y1 + 0.5) / r->scale);
 
-	if ((r->picture->parallel || z < 0) &&
+	if ((r->picture->parallel || (z > 0) == r->picture->reverse) &&
 	    distance_of_z(r, (double)b->z) - distance_of_z(r, z) > r->depth)
 		return true;
 	for (int k = 0; k < 3; k++)

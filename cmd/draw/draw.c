@@ -30,7 +30,6 @@ struct drawing {
 	struct quick_cut quick;
 	struct clip_vertex end[2], cut[2];
 	struct clip_ring ring;
-	unsigned on; /* what the last vertex of a face that is cut is on */
 	struct run_reader reader;
 };
 
@@ -43,30 +42,39 @@ void check_draw(const struct options *o)
 		    text("--background: there is no file %s", o->background), NULL);
 }
 
+/* Adds a point of a run, and returns its vertex. */
+static unsigned add_point(struct drawing *w, const struct run *run, size_t i)
+{
+	const struct run_point *p = &run->point[i];
+	const double at[3] = { p->in[0], p->in[1], w->flat ? 0 : p->in[2] };
+	const unsigned vertex = mesh_vertex(&w->mesh, at);
+	unsigned size = p->name_size;
+	const char *name = size > 0 ? run->names + p->name : "";
+
+	if (size > 1 && *name == '"' &&
+	    memchr(name + 1, '"', size - 1) == name + size - 1) {
+		name++;
+		size -= 2;
+	}
+	if (!w->lines || run->n == 1 || size > 0)
+		mesh_add_dot(&w->mesh, vertex, name, size);
+	return vertex;
+}
+
 static void take_run(void *data, const struct run *run)
 {
 	struct drawing *w = data;
-	struct mesh *m = &w->mesh;
-	unsigned last = 0;
+	unsigned *vertex = xrealloc(NULL, run->n * sizeof *vertex);
 
 	for (size_t i = 0; i < run->n; i++) {
-		const struct run_point *p = &run->point[i];
-		const double at[3] = { p->in[0], p->in[1], w->flat ? 0 : p->in[2] };
-		const unsigned vertex = mesh_vertex(m, at);
-		unsigned size = p->name_size;
-		const char *name = size > 0 ? run->names + p->name : "";
-
-		if (size > 1 && *name == '"' &&
-		    memchr(name + 1, '"', size - 1) == name + size - 1) {
-			name++;
-			size -= 2;
-		}
-		if (!w->lines || run->n == 1 || size > 0)
-			mesh_add_dot(m, vertex, name, size);
+		vertex[i] = add_point(w, run, i);
 		if (w->lines && i > 0)
-			mesh_add_segment(m, last, vertex, STROKE_LINE);
-		last = vertex;
+			mesh_add_segment(&w->mesh, vertex[i - 1], vertex[i],
+			    STROKE_LINE);
 	}
+	if (w->lines && run->n > 3 && vertex[0] == vertex[run->n - 1])
+		mesh_add_ring(&w->mesh, vertex, run->n - 1);
+	free(vertex);
 }
 
 /* Nothing is printed before the end. */
@@ -173,28 +181,30 @@ static void add_segment(struct drawing *w, const struct mesh_segment *m)
 	picture_add_segment(&w->picture, &s);
 }
 
-/* Adds the side of a face, to its last corner, where a plane has cut the face. */
-static void add_cut_side(struct drawing *w, const double from[3], const double to[3])
-{
-	struct segment s = { .vertex = { NO_VERTEX, NO_VERTEX },
-		.stroke = STROKE_EDGE };
-
-	memcpy(s.end[0], from, sizeof s.end[0]);
-	memcpy(s.end[1], to, sizeof s.end[1]);
-	picture_add_segment(&w->picture, &s);
-}
-
-struct cut_face {
+/* A polygon that is being cut. */
+struct cut_polygon {
 	struct drawing *drawing;
+	enum stroke stroke;
 	size_t first;               /* of its corners in the picture */
 	unsigned first_on, last_on; /* the planes that they are on */
 };
 
-/* Takes a corner of what is left of a triangle. */
+/* Adds the side of a polygon where a plane has cut it. */
+static void add_cut_side(const struct cut_polygon *c, const double from[3],
+    const double to[3])
+{
+	struct segment s = { .vertex = { NO_VERTEX, NO_VERTEX }, .stroke = c->stroke };
+
+	memcpy(s.end[0], from, sizeof s.end[0]);
+	memcpy(s.end[1], to, sizeof s.end[1]);
+	picture_add_segment(&c->drawing->picture, &s);
+}
+
+/* Takes a corner of what is left of a polygon. */
 static void take_corner(void *data, struct clip_vertex *v)
 {
-	struct cut_face *f = data;
-	struct drawing *w = f->drawing;
+	struct cut_polygon *c = data;
+	struct drawing *w = c->drawing;
 	struct picture *p = &w->picture;
 	double at[3];
 
@@ -202,15 +212,43 @@ static void take_corner(void *data, struct clip_vertex *v)
 		memcpy(at, w->position[v->index], sizeof at);
 	else if (!place_cut(w, v, at))
 		return;
-	const bool begins = p->corners == f->first;
 	const unsigned on = v->cut ? v->on : 0;
 
-	if (begins)
-		f->first_on = on;
-	else if ((f->last_on & on) != 0)
-		add_cut_side(w, p->corner[p->corners - 1], at);
+	if (p->corners == c->first)
+		c->first_on = on;
+	else if ((c->last_on & on) != 0)
+		add_cut_side(c, p->corner[p->corners - 1], at);
 	picture_add_corner(p, at);
-	f->last_on = on;
+	c->last_on = on;
+}
+
+/* Adds the corners of what is left of a polygon, and the sides where it is cut. Returns
+ * whether there is a part of it. */
+static bool add_polygon(struct drawing *w, const unsigned *vertex, size_t n,
+    enum stroke stroke)
+{
+	struct picture *p = &w->picture;
+	struct cut_polygon c = { w, stroke, p->corners, 0, 0 };
+	unsigned some = 0, all = ~0u;
+
+	for (size_t i = 0; i < n; i++) {
+		some |= w->outside[vertex[i]];
+		all &= w->outside[vertex[i]];
+	}
+	if (all != 0)
+		return false;
+	for (size_t i = 0; i < n && some == 0; i++)
+		picture_add_corner(p, w->position[vertex[i]]);
+	if (some == 0)
+		return true;
+	clip_ring_begin(&w->ring, &w->clipper, take_corner, &c);
+	for (size_t i = 0; i < n; i++)
+		clip_ring_add(&w->ring, w->mesh.point[vertex[i]], vertex[i],
+		    w->outside[vertex[i]]);
+	clip_ring_end(&w->ring);
+	if (p->corners > c.first + 1 && (c.first_on & c.last_on) != 0)
+		add_cut_side(&c, p->corner[p->corners - 1], p->corner[c.first]);
+	return p->corners > c.first + 2;
 }
 
 /* Writes the normal of a triangle in view space, up to its length. */
@@ -233,34 +271,15 @@ static void view_normal(const struct drawing *w, const unsigned corner[3], doubl
 
 static void add_triangle(struct drawing *w, const struct mesh_triangle *t)
 {
-	struct picture *p = &w->picture;
-	struct cut_face f = { .drawing = w, .first = p->corners };
-	unsigned some = 0, all = ~0u;
+	const size_t first = w->picture.corners;
 	double normal[3];
 
-	for (int i = 0; i < 3; i++) {
-		some |= w->outside[t->corner[i]];
-		all &= w->outside[t->corner[i]];
+	if (add_polygon(w, t->corner, 3, STROKE_EDGE)) {
+		view_normal(w, t->corner, normal);
+		picture_add_face(&w->picture, first, t->corner, normal);
+	} else {
+		w->picture.corners = first;
 	}
-	if (all != 0)
-		return;
-	for (int i = 0; i < 3 && some == 0; i++)
-		picture_add_corner(p, w->position[t->corner[i]]);
-	if (some != 0) {
-		clip_ring_begin(&w->ring, &w->clipper, take_corner, &f);
-		for (int i = 0; i < 3; i++)
-			clip_ring_add(&w->ring, w->mesh.point[t->corner[i]],
-			    t->corner[i], w->outside[t->corner[i]]);
-		clip_ring_end(&w->ring);
-		if (p->corners > f.first + 1 && (f.first_on & f.last_on) != 0)
-			add_cut_side(w, p->corner[p->corners - 1], p->corner[f.first]);
-	}
-	if (p->corners < f.first + 3) {
-		p->corners = f.first;
-		return;
-	}
-	view_normal(w, t->corner, normal);
-	picture_add_face(p, f.first, t->corner, normal);
 }
 
 /* Makes the picture of the mesh. */
@@ -276,6 +295,14 @@ static void clip_mesh(struct drawing *w, const struct document *d)
 
 	for (size_t i = 0; i < m->triangles; i++)
 		add_triangle(w, &m->triangle[i]);
+	for (size_t i = 0; i < m->rings; i++) {
+		const size_t corners = p->corners;
+
+		/* the sides are segments, but for those that cuts make */
+		add_polygon(w, m->ring_vertex + m->ring[i].first, m->ring[i].n,
+		    STROKE_LINE);
+		p->corners = corners;
+	}
 	for (size_t i = 0; i < m->segments; i++)
 		if (w->view == NULL || m->segment[i].stroke == STROKE_LINE)
 			add_segment(w, &m->segment[i]);
@@ -292,6 +319,13 @@ static void clip_mesh(struct drawing *w, const struct document *d)
 		picture_add_dot(p, &dot);
 	}
 	picture_complete(p, lamp, gaze);
+}
+
+/* Returns whether a volume's far plane is nearer to the eye than its near plane. */
+static bool looks_to_eye(const struct projection *p, const struct distance *d)
+{
+	return projection_family(p) == FAMILY_VOLUME && !d->parallel &&
+	    sum_sign(d->column[2]) * (p->volume.z_far > p->volume.z_near ? 1 : -1) < 0;
 }
 
 /* Sets what the scene alone decides. Returns false if it is refused. */
@@ -324,6 +358,7 @@ static bool prepare(struct drawing *w, const struct options *o, struct document 
 		    !transform_of_scene(s, from, SPACE_VIEW, false, view, faults))
 			return false;
 		w->picture.parallel = distance.parallel;
+		w->picture.reverse = looks_to_eye(&s->projection, &distance);
 	}
 	if (!distance_transform(s, from, to, &j->transform, faults) ||
 	    !frustum_of(s, from, false, &j->frustum, faults) ||

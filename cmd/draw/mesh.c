@@ -121,12 +121,23 @@ void mesh_add_face(struct mesh *m, const unsigned *corner, size_t n)
 	    m->triangle + m->triangles);
 }
 
+void mesh_add_ring(struct mesh *m, const unsigned *vertex, size_t n)
+{
+	GROW(m->ring, m->rings, 1, m->ring_room);
+	GROW(m->ring_vertex, m->ring_vertices, n, m->ring_vertex_room);
+	m->ring[m->rings++] = (struct mesh_ring){ m->ring_vertices, n };
+	memcpy(m->ring_vertex + m->ring_vertices, vertex, n * sizeof *vertex);
+	m->ring_vertices += n;
+}
+
 void mesh_free(struct mesh *m)
 {
 	free(m->point);
 	free(m->dot);
 	free(m->segment);
 	free(m->triangle);
+	free(m->ring);
+	free(m->ring_vertex);
 	free(m->names);
 	free(m->by_point.place);
 	free(m->by_ends.place);

@@ -26,6 +26,11 @@ struct mesh_triangle {
 	unsigned corner[3];
 };
 
+/* A closed run of lines: n vertices from the `first` of ring_vertex on. */
+struct mesh_ring {
+	size_t first, n;
+};
+
 /* A table of the places of elements in an array, found by what the elements are. */
 struct index_table {
 	unsigned *place; /* of an element, plus 1; 0: free */
@@ -37,9 +42,12 @@ struct mesh {
 	struct mesh_dot *dot;
 	struct mesh_segment *segment;
 	struct mesh_triangle *triangle;
+	struct mesh_ring *ring;
+	unsigned *ring_vertex;
 	char *names;
-	size_t points, dots, segments, triangles, name_bytes;
-	size_t point_room, dot_room, segment_room, triangle_room, name_room;
+	size_t points, dots, segments, triangles, rings, ring_vertices, name_bytes;
+	size_t point_room, dot_room, segment_room, triangle_room, ring_room,
+	    ring_vertex_room, name_room;
 	struct index_table by_point, by_ends;
 };
 
@@ -54,5 +62,8 @@ void mesh_add_segment(struct mesh *, unsigned from, unsigned to, enum stroke);
 
 /* Adds the edges and triangles of a face of n corners, n > 2, which may be concave. */
 void mesh_add_face(struct mesh *, const unsigned *corner, size_t n);
+
+/* Notes that the segments between n vertices are the sides of a polygon. */
+void mesh_add_ring(struct mesh *, const unsigned *vertex, size_t n);
 
 void mesh_free(struct mesh *);

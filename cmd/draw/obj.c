@@ -209,9 +209,8 @@ bool obj_read(struct span file, struct obj *obj, struct refusal *fault)
 
 		r.s = newline != NULL ? newline + 1 : r.end;
 	}
-	r.line = 0;
 	if (obj->points == 0)
-		return obj_refuse(&r, "has no points", "v 1 2 3 is one");
+		return obj_refuse(&r, "the file has no points", "v 1 2 3 is one");
 	r.line = r.greatest_line;
 	return r.greatest <= obj->points ||
 	    obj_refuse(&r,

@@ -55,7 +55,7 @@ static void extent_hold(struct extent *e, double distance)
 static void set_depth(const struct picture *p, const struct extent *e, double at[3])
 {
 	if (!p->parallel)
-		at[2] = -e->least / at[2];
+		at[2] = (p->reverse ? e->least : -e->least) / at[2];
 	else
 		at[2] = e->most > e->least ? (at[2] - e->least) / (e->most - e->least) :
 					     0;

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* What a viewport shows: the images of dots, segments and faces that are in the view
- * volume. x and y are from the viewport's top left corner, to the right and down, and 1
- * is its greater side. z grows away from the eye, and planes stay planes: it is the
- * distance along the gaze of a parallel projection, 0 at the nearest, and else -1 over
- * the distance, -1 at the nearest. */
+ * volume. x and y are from the viewport's top left corner, to the right and down; 1 is
+ * its greater side. z grows away from the eye, and planes stay planes: it is the
+ * distance along the gaze of a parallel projection, 0 at the nearest, else -1 over the
+ * distance, -1 at the nearest; in a reverse perspective, which looks toward its eye, 1
+ * over the distance. */
 #pragma once
 
 #include "../message/utf8.h"
@@ -35,7 +36,7 @@ struct dot {
 
 struct picture {
 	double width, height; /* of which the greater one is 1 */
-	bool parallel;
+	bool parallel, reverse;
 	double (*corner)[3];
 	struct face *face;
 	struct segment *segment;

@@ -246,8 +246,8 @@ static const struct remark remarks[] = {
 	    "distortion undistort distort distortioncoefficients distortioncoeffs "
 	    "distortionmodel distcoeffs distcoef dist fisheye k1 k2 k3 k4 k5 k6",
 	    NULL,
-	    "lenses are not modelled; 'Points through a lens' in 'man projcalc-recipes' "
-	    "bends points" },
+	    "lenses are not modelled; 'Points through a lens' in "
+	    "'man projcalc-recipes' bends points" },
 
 	/* of a world */
 	{ WORD_MEMBER, "model modelmatrix", "world translate",

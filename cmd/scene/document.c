@@ -287,6 +287,7 @@ bool document_read(struct document *d, const char *name, char *begin, size_t siz
 	read_first(d, &w, m, seen);
 	read_members(d, m, seen & ~(unsigned)(FIRST | SCENE_POINTS));
 	complete_scene(d, &w, m, seen);
+	d->present = seen | meant;
 	if (seen & SCENE_POINTS)
 		cut_points(d, &m[SCENE_ROW_POINTS], points, w.coordinates);
 	return source->faults->n == 0;

@@ -27,6 +27,9 @@ struct document {
 	struct pick pick;
 	/* whether bounds, the camera's eye, and pick are given */
 	bool has_bounds, has_eye, has_pick;
+	/* The members, also wrong ones, and those that unknown ones may mean, as
+	 * bits. */
+	unsigned present;
 	struct bounds bounds;
 	/* The text, for messages. Its `row` is that of a scene or, if the whole
 	 * document is one member of a scene, such as a camera, the row of this member,

@@ -14,7 +14,7 @@ for my $case (map { examples($_) } glob 'man/*.[157] README.md') {
 	my $name = join ' ', split /\n/, $case->{command};
 	SKIP: {
 		my $lacks = missing(grep { $name =~ /\b$_\b/ }
-		    qw(parallel jq python3 bash gnuplot));
+		    qw(parallel jq python3 bash));
 		skip "no $lacks: $name", 1 if $lacks;
 		# errors are among the output, as in a terminal
 		my $command = "{ $case->{command}} 2>&1";

@@ -322,12 +322,35 @@ static bool are_known(int n, const double *v)
 	return are;
 }
 
-/* What a check needs depends on the way: axes and a roll are compared with nothing, and
- * a refused eye is 0 where no other member is compared with it. */
+/* Returns whether the numbers are known that turn a camera of this way. */
+static bool knows_turn(const struct camera *c)
+{
+	switch (c->way) {
+	case CAMERA_AT:
+	case CAMERA_GAZE:
+		return are_known(3, c->eye) && are_known(3, c->at) &&
+		    are_known(3, c->up);
+	case CAMERA_ORIENTATION:
+	case CAMERA_TRANSLATION:
+		return are_known(4, c->orientation);
+	case CAMERA_RVEC:
+	case CAMERA_RVEC_TRANSLATION:
+		return are_known(3, c->rvec);
+	case CAMERA_ROTATION:
+	case CAMERA_ROTATION_TRANSLATION:
+		return are_known(9, c->rotation[0]);
+	case CAMERA_POSE:
+	case CAMERA_MATRIX: /* its steps are marked */
+		break;
+	}
+	return true;
+}
+
+/* Axes and a roll are compared with nothing, and an eye or a translation only with the
+ * point that is looked at: else one that is not known becomes 0. */
 bool camera_check(const struct camera *given, const struct convention *convention,
     bool inverse, struct refusals *faults)
 {
-	const bool by_gaze = camera_is_by_gaze(given);
 	struct camera c = *given;
 	struct map r;
 
@@ -336,9 +359,7 @@ bool camera_check(const struct camera *given, const struct convention *conventio
 			c.eye[k] = 0;
 	c.has_axes = false;
 	c.roll = 0;
-	if (by_gaze ? are_known(3, c.eye) && are_known(3, c.at) && are_known(3, c.up) :
-		      are_known(4, c.orientation) && are_known(3, c.rvec) &&
-		    are_known(9, c.rotation[0]))
+	if (knows_turn(&c))
 		return camera_map(&c, convention, inverse, &r, faults);
-	return !by_gaze || check_directions(&c, faults);
+	return !camera_is_by_gaze(&c) || check_directions(&c, faults);
 }

@@ -161,7 +161,7 @@ static void top_is_up(void **state)
 
 static void refusals(void **state)
 {
-	struct scene s = { .window = { .by_edges = true } };
+	struct scene s = { .window = { .by_edges = true, .top = 1 } };
 	struct frustum f;
 
 	(void)state;
