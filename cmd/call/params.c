@@ -222,17 +222,15 @@ static bool holds_points(const char *s, bool may_be_device)
  * as the files do that have a name. */
 static bool is_binary(const char *s, size_t n)
 {
-	const char *const end = s + (n < 32 ? n : 32);
+	const char *at = s, *const end = s + (n < 32 ? n : 32);
 	struct refusal foreign;
 	unsigned code;
 
-	for (int k; s < end && *s != '{'; s += k) {
-		k = utf8_read(s, s + n, &code);
-		if (k == 0 || (code < ' ' && !json_is_blank(*s)))
+	for (int k; at < end && *at != '{'; at += k) {
+		k = utf8_read(at, s + n, &code);
+		if (k == 0 || (code < ' ' && !json_is_blank(*at)))
 			return n % sizeof(float) == 0 &&
-			    !format_is_foreign(end - (n < 32 ? n : 32), n, false,
-				&foreign);
-		n -= (size_t)k;
+			    !format_is_foreign(s, n, false, &foreign);
 	}
 	return false;
 }
