@@ -100,6 +100,7 @@ const struct member_type type_word = { .read = read_word_member,
 const struct member_type type_points = { .name = "a point or a list" };
 
 const char *const vector_names[] = { "row", "column", NULL };
+const char *const y_names[] = { "up", "down", NULL };
 
 enum { MATRIX_ROW_MATRIX, MATRIX_ROW_VECTORS };
 
