@@ -27,6 +27,13 @@ const struct member *member_named(const struct member *row, int variant,
 	return NULL;
 }
 
+/* Returns whether the numbers of a row are sizes, of which 0 is none. */
+static bool is_size(const struct member *row)
+{
+	return row->range != NULL && row->range->min == range_positive.min &&
+	    row->range->max == range_positive.max;
+}
+
 const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 {
 	if (row->type->name != NULL)
@@ -37,9 +44,7 @@ const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 		return words_join(out, row->words, " or ", "");
 	if (row->type->number_size == sizeof(bool))
 		return "true or false";
-	const bool size = row->range != NULL && row->range->min == range_positive.min &&
-	    row->range->max == range_positive.max;
-	const char *one = size                                     ? "size" :
+	const char *one = is_size(row)                             ? "size" :
 	    row->unit != NULL && strcmp(row->unit, "degrees") == 0 ? "angle" :
 								     "number";
 
@@ -485,7 +490,7 @@ static bool is_omitted(const struct member *row, const void *at)
 	const double *v = at;
 	double fallback[4];
 
-	if (row->fallback == NULL && row->range == &range_positive)
+	if (row->fallback == NULL && is_size(row))
 		return *v == 0;
 	if (row->fallback == NULL || row->shown || row->type->number_size == 0)
 		return false;
