@@ -10,8 +10,8 @@
 #include "../message/message.h"
 #include "../message/utf8.h"
 #include "../message/words.h"
-#include "input.h"
 #include "../scene/convention_member.h"
+#include "input.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
 
@@ -192,10 +192,10 @@ static bool is_point(const char *s)
 	return has[0] && has[1];
 }
 
-/* Returns whether the text at s holds points in place of a scene: it is an object that
- * is a point; or none, and one of its first lines begins like a point, or the first has
+/* Returns whether the text at s is points in place of a scene: it is an object that is
+ * a point; or none, and one of its first lines begins like a point, or the first has
  * fields with separators. A device has x and y, too. */
-static bool holds_points(const char *s, bool may_be_device)
+static bool begins_with_points(const char *s, bool may_be_device)
 {
 	enum { LINES = 4 };
 
@@ -222,17 +222,15 @@ static bool holds_points(const char *s, bool may_be_device)
  * as the files do that have a name. */
 static bool is_binary(const char *s, size_t n)
 {
-	const char *const end = s + (n < 32 ? n : 32);
+	const char *at = s, *const end = s + (n < 32 ? n : 32);
 	struct refusal foreign;
 	unsigned code;
 
-	for (int k; s < end && *s != '{'; s += k) {
-		k = utf8_read(s, s + n, &code);
-		if (k == 0 || (code < ' ' && !json_is_blank(*s)))
+	for (int k; at < end && *at != '{'; at += k) {
+		k = utf8_read(at, s + n, &code);
+		if (k == 0 || (code < ' ' && !json_is_blank(*at)))
 			return n % sizeof(float) == 0 &&
-			    !format_is_foreign(end - (n < 32 ? n : 32), n, false,
-				&foreign);
-		n -= (size_t)k;
+			    !format_is_foreign(s, n, false, &foreign);
 	}
 	return false;
 }
@@ -251,7 +249,7 @@ static bool hold_points(const struct options *o)
 	if (params.number > 1)
 		return *s == '{' ? !may_be_device && is_point(s) : is_row(s);
 	return (*s != '{' && (table || format_is_binary(o->in))) ||
-	    holds_points(s, may_be_device) ||
+	    begins_with_points(s, may_be_device) ||
 	    is_binary(s, params.text.size - params.begin);
 }
 

@@ -11,8 +11,8 @@ struct look {
 	const char *s, *end; /* the next byte; the end of the text */
 	int level;           /* the number of open brackets */
 	const char *open[JSON_LEVELS_MAX + 1];
-	struct span
-	    points; /* the array `points` of the outermost object; s may be NULL */
+	/* the array `points` of the outermost object; its s is NULL if there is none */
+	struct span points;
 	const char *closed; /* the end of the outermost brackets, or NULL */
 	const char *string; /* the last string, and whether the text ends in it */
 	bool in_string;

@@ -27,6 +27,13 @@ const struct member *member_named(const struct member *row, int variant,
 	return NULL;
 }
 
+/* Returns whether the numbers of a row are sizes, of which 0 is none. */
+static bool is_size(const struct member *row)
+{
+	return row->range != NULL && row->range->min == range_positive.min &&
+	    row->range->max == range_positive.max;
+}
+
 const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 {
 	if (row->type->name != NULL)
@@ -37,9 +44,7 @@ const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 		return words_join(out, row->words, " or ", "");
 	if (row->type->number_size == sizeof(bool))
 		return "true or false";
-	const bool size = row->range != NULL && row->range->min == range_positive.min &&
-	    row->range->max == range_positive.max;
-	const char *one = size                                     ? "size" :
+	const char *one = is_size(row)                             ? "size" :
 	    row->unit != NULL && strcmp(row->unit, "degrees") == 0 ? "angle" :
 								     "number";
 
@@ -188,14 +193,17 @@ static uint64_t required_of(const struct way *w, enum task task)
 	return w->has & ~w->by_viewport & ~(task == TASK_FIT ? w->fitted : 0);
 }
 
-/* Writes all ways: "give A and B, or C". Omits optional members that are not given. */
-static void write_ways(char out[LIST_ROOM], const struct reading *r,
-    const struct rule *rule, enum task task)
+/* Returns the hint of a rule or, without one, all its ways, written to out: "give A and
+ * B, or C". Omits optional members that are not given. */
+static const char *hint_of(const struct rule *rule, const struct reading *r,
+    enum task task, char out[LIST_ROOM])
 {
 	const char *names[MEMBERS_MAX + 1];
 	char all[LIST_ROOM];
 	size_t n = 0;
 
+	if (rule->hint != NULL)
+		return rule->hint;
 	for (size_t i = 0; i < rule->n && n < LIST_ROOM; i++) {
 		const struct way *w = &rule->ways[i];
 
@@ -205,6 +213,7 @@ static void write_ways(char out[LIST_ROOM], const struct reading *r,
 		n += (size_t)snprintf(out + n, LIST_ROOM - n, "%s%s",
 		    i > 0 ? ", or " : "give ", *all != '\0' ? all : "none of them");
 	}
+	return out;
 }
 
 /* Refuses an object that lacks members, of which it names the first. */
@@ -213,9 +222,8 @@ static void refuse_missing(const struct reading *r, const struct rule *rule,
 {
 	char ways[LIST_ROOM];
 
-	write_ways(ways, r, rule, task);
 	value_refuse(VALUE_NAMED(r->v, r->table[__builtin_ctzll(members)].name),
-	    "missing", rule->hint != NULL ? rule->hint : ways);
+	    "missing", hint_of(rule, r, task, ways));
 }
 
 /* Refuses a member that is not of the way of which the object has the members `way`. */
@@ -227,9 +235,6 @@ static void refuse_rival(const struct reading *r, const struct rule *rule,
 	uint64_t others = way;
 	struct value m;
 
-	write_ways(ways, r, rule, task);
-	const char *hint = rule->hint != NULL ? rule->hint : ways;
-
 	for (size_t i = 0; i < rule->n; i++)
 		if (all_of(&rule->ways[i]) >> member & 1)
 			others &= ~all_of(&rule->ways[i]);
@@ -237,7 +242,7 @@ static void refuse_rival(const struct reading *r, const struct rule *rule,
 	object_member(r->v, &r->table[member], &m);
 	value_refuse(m.item != NULL ? &m : VALUE_NAMED(r->v, r->table[member].name),
 	    text("does not go with %s", words_join(rivals, names, " and ", "\"")),
-	    rule->rivals != NULL ? rule->rivals : hint);
+	    rule->rivals != NULL ? rule->rivals : hint_of(rule, r, task, ways));
 }
 
 /* Returns the way that the members `given` of a rule are most likely of: a way that
@@ -406,7 +411,8 @@ static void read_of_any_variant(const struct reading *r, const struct value *m)
 	struct refusals *const faults = m->source->faults;
 	const size_t n = faults->n;
 	const struct member *first = NULL;
-	double field[16 * 4];
+	double
+	    field[16]; /* of a matrix, the greatest member of an object of variants */
 
 	for (const struct member *row = r->table; row->name != NULL; row++) {
 		if (member_named(row, ANY_VARIANT, m->name) != row)
@@ -484,7 +490,7 @@ static bool is_omitted(const struct member *row, const void *at)
 	const double *v = at;
 	double fallback[4];
 
-	if (row->fallback == NULL && row->range == &range_positive)
+	if (row->fallback == NULL && is_size(row))
 		return *v == 0;
 	if (row->fallback == NULL || row->shown || row->type->number_size == 0)
 		return false;

@@ -61,8 +61,8 @@ struct member {
 	 * default is printed only if `shown` is set. */
 	const char *fallback;
 	bool shown;
-	/* What the help says before `fallback`, as "-c's" of "-c's,
-	 * else d3d"; or NULL. */
+	/* What the help says before `fallback`, as "-c's" of "-c's, else d3d"; or
+	 * NULL. */
 	const char *default_from;
 	/* Texts of the help. `unit` is "degrees" for all angles, NULL for no unit. */
 	const char *unit, *about;
@@ -158,6 +158,5 @@ void object_print(struct printer *, const struct member *row, int variant,
  * table is NULL. */
 const struct member *member_named(const struct member *, int variant, const char *name);
 
-/* Returns a member's type for the help, such as "3 numbers"; may be
- * written to `out`. */
+/* Returns a member's type for the help, such as "3 numbers", which may be in `out`. */
 const char *member_type_name(const struct member *, char out[LIST_ROOM]);

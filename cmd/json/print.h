@@ -16,8 +16,8 @@ struct printer {
 	bool compact;
 	int level; /* the number of open brackets */
 	/* What is put before the next value: NULL before the first value of the output,
-	 * "" before that of an array or of an object, else a comma
-	 * and perhaps blanks. */
+	 * "" before that of an array or of an object, else a comma and perhaps
+	 * blanks. */
 	const char *separator;
 };
 

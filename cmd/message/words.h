@@ -54,8 +54,7 @@ const char *word_nearest(const char *word, const char *const *words,
 
 /* Writes a remedy for a word that is none of words[]: its remark, the nearest of them
  * ("did you mean NAME?"), which may be NULL, or all of them if there are at most
- * twelve. `quote` is before and after each word, as "\"". Returns out, which may be "".
- * */
+ * twelve, with `quote` before and after each. Returns out, which may be "". */
 const char *word_remedy(char out[LIST_ROOM], const struct remark *, const char *near,
     const char *const *words, const char *quote);
 

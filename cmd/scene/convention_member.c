@@ -40,7 +40,6 @@ const struct convention conventions[] = {
 
 static const char *const hand_names[] = { "left", "right", NULL };
 static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
-static const char *const y_names[] = { "up", "down", NULL };
 static const char *const origin_names[] = { "top-left", "bottom-left", NULL };
 
 #define CHOICE(label, list, field, first, text)                 \

@@ -100,6 +100,13 @@ static bool has_member(const struct value *object, const struct member *table,
 	    object_member(object, member_named(table, 0, name), &given);
 }
 
+/* Returns whether an object of the scene has the member `name`. */
+static bool object_has(const struct value m[SCENE_ROWS], enum scene_row row,
+    const char *name)
+{
+	return has_member(&m[row], scene_members[row].members, name);
+}
+
 /* Returns whether a "convention" gives a member, as each name of one does. */
 static bool convention_gives(const struct value *v, const char *name)
 {
@@ -155,59 +162,62 @@ static void check_camera(const struct value *v, const struct camera *c)
 		    "\"row\")");
 }
 
-static void check_distance(const struct value *viewport, const struct member *table)
+static void check_distance(const struct value m[SCENE_ROWS])
 {
 	static const char *const names[] = { "min_z", "max_z" };
 
 	for (int i = 0; i < 2; i++)
-		if (has_member(viewport, table, names[i])) {
-			value_refuse(VALUE_NAMED(viewport, names[i]),
+		if (object_has(m, SCENE_ROW_VIEWPORT, names[i])) {
+			value_refuse(VALUE_NAMED(&m[SCENE_ROW_VIEWPORT], names[i]),
 			    "not together with \"depth\": \"distance\"",
 			    "it is for \"buffer\"");
 			return;
 		}
 }
 
-/* A device without "origin" takes it from -c or, without -c, from the document's;
- * without either, y of the device points down if that of the window does. */
+/* Sets the origin of a device that gives none: to that of -c or, without -c, of the
+ * document's convention; without either, y points down if the window's does. */
+static void set_device_origin(struct scene *s, const struct document_wants *w,
+    const struct value m[SCENE_ROWS])
+{
+	if (object_has(m, SCENE_ROW_DEVICE, "origin"))
+		return;
+	if (w->convention != NULL)
+		s->device.top_left = !w->convention->origin_bottom_left;
+	else if (convention_gives(&m[SCENE_ROW_CONVENTION], "origin"))
+		s->device.top_left = !s->convention.origin_bottom_left;
+	else if (window_has_y_down(&s->window))
+		s->device.top_left = true;
+}
+
+/* Completes the scene that was read by what follows from several members, and notes
+ * which of them the document has. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_ROWS], unsigned seen)
 {
 	struct scene *s = &d->scene;
-	const struct convention *answer = w->convention;
-	const struct value *viewport = &m[SCENE_ROW_VIEWPORT],
-			   *camera = &m[SCENE_ROW_CAMERA];
-	const struct member *const table = scene_members[SCENE_ROW_VIEWPORT].members;
+	const struct value *camera = &m[SCENE_ROW_CAMERA];
 
 	s->camera.unit = (enum angle_unit)d->source.unit;
 	s->projection.without_camera = !s->has_camera;
 	d->written.angle_unit = (seen & SCENE_ANGLE_UNIT) != 0;
 	d->written.world_rows = s->has_world && has_bare_rows(&m[SCENE_ROW_WORLD]);
-	d->written.scale = s->has_viewport && has_member(viewport, table, "scale");
+	d->written.scale = s->has_viewport &&
+	    object_has(m, SCENE_ROW_VIEWPORT, "scale");
 	d->has_eye = s->has_camera &&
-	    (!camera_has_eye(&s->camera) ||
-		has_member(camera, scene_members[SCENE_ROW_CAMERA].members, "eye"));
+	    (!camera_has_eye(&s->camera) || object_has(m, SCENE_ROW_CAMERA, "eye"));
 	s->camera.has_default_up = s->has_camera &&
-	    !has_member(camera, scene_members[SCENE_ROW_CAMERA].members, "up");
+	    !object_has(m, SCENE_ROW_CAMERA, "up");
 	/* also one without members, which is d3d's, is written */
 	if (s->has_camera && !d->written.convention && value_is(camera, JSON_OBJECT))
 		check_camera(camera, &s->camera);
 	if (s->has_viewport && s->viewport.distance)
-		check_distance(viewport, table);
+		check_distance(m);
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[SCENE_ROW_PROJECTION],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
-	if (s->has_device && answer == NULL &&
-	    convention_gives(&m[SCENE_ROW_CONVENTION], "origin"))
-		answer = &s->convention;
-	if (s->has_device && answer != NULL &&
-	    !has_member(&m[SCENE_ROW_DEVICE], scene_members[SCENE_ROW_DEVICE].members,
-		"origin"))
-		s->device.top_left = !answer->origin_bottom_left;
-	else if (s->has_device && answer == NULL && window_has_y_down(&s->window) &&
-	    !has_member(&m[SCENE_ROW_DEVICE], scene_members[SCENE_ROW_DEVICE].members,
-		"origin"))
-		s->device.top_left = true;
+	if (s->has_device)
+		set_device_origin(s, w, m);
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }

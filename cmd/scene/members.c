@@ -13,7 +13,6 @@ static const char *const scale_names[] = {
 	[SCALE_UNIFORM + 1] = NULL,
 };
 static const char *const depth_names[] = { "buffer", "distance", NULL };
-static const char *const y_names[] = { "up", "down", NULL };
 static const char *const adapt_names[] = {
 	[ADAPT_STRETCH] = "stretch",
 	[ADAPT_GROW] = "grow",

@@ -41,8 +41,6 @@ const char *const projection_type_names[] = {
 	[TYPE(MATRIX)] = "matrix",
 	[PROJECTION_TYPES - 1] = NULL,
 };
-_Static_assert(sizeof projection_type_names / sizeof(char *) == PROJECTION_TYPES,
-    "every type but PROJECTION_NONE has a name");
 
 /* The aliases of the names, as word_aliases has them. */
 static const char *const projection_type_aliases[PROJECTION_TYPES] = {
@@ -428,7 +426,6 @@ static bool set_image_size(const struct value *v, const struct viewport *viewpor
 
 	if (viewport != NULL)
 		viewport_full(viewport, full);
-
 	if (viewport == NULL)
 		is_right = value_refuse(given,
 		    "needs a \"viewport\", in whose units it is",
@@ -462,9 +459,8 @@ bool projection_complete(const struct value *v, const struct viewport *viewport,
 		is_right = value_refuse(VALUE_NAMED(v, "aspect"), "missing",
 		    "give it, or a \"viewport\"");
 	p->aspect[0] = p->aspect[1] = 1;
-	if (viewport != NULL && viewport->scale != SCALE_UNIFORM) {
+	if (viewport != NULL && viewport->scale != SCALE_UNIFORM)
 		viewport_full(viewport, p->aspect);
-	}
 	return is_right;
 }
 

@@ -247,7 +247,8 @@ static const struct member *find_lone_step(const struct value *v)
 
 static bool read_steps(const struct value *v, const struct member *row, void *out)
 {
-	const bool is_world = row->offset != offsetof(struct camera, steps);
+	/* of the rows of steps only the world's says what a step is */
+	const bool is_world = row->members == step_members;
 	const struct member *lone = value_is(v, JSON_OBJECT) ? find_lone_step(v) : NULL;
 	struct steps *steps = out;
 

@@ -100,38 +100,52 @@ const struct member_type type_word = { .read = read_word_member,
 const struct member_type type_points = { .name = "a point or a list" };
 
 const char *const vector_names[] = { "row", "column", NULL };
+const char *const y_names[] = { "up", "down", NULL };
+
+enum { MATRIX_ROW_MATRIX, MATRIX_ROW_VECTORS };
 
 /* The object that -o json prints for a matrix. */
-static const struct member matrix_members[] = { { .name = "matrix" },
-	{ .name = "vectors" }, { .name = NULL } };
+static const struct member matrix_members[] = {
+	[MATRIX_ROW_MATRIX] = { .name = "matrix" },
+	[MATRIX_ROW_VECTORS] = { .name = "vectors" },
+	{ .name = NULL },
+};
 
 #define MATRIX_FORMS "16 numbers or 4 rows of 4"
 #define AFFINE_FORMS "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 #define STEP_FORMS AFFINE_FORMS " or 3"
 
 static const struct rule matrix_rules[] = {
-	{ WAYS(WAY(1, .optional = 2)) },
+	{ WAYS(WAY(MEMBER_BIT(MATRIX_ROW_MATRIX),
+	    .optional = MEMBER_BIT(MATRIX_ROW_VECTORS))) },
 	{ .n = 0 },
 };
 static const struct member matrix_row = { .members = matrix_members,
 	.rules = matrix_rules };
+
+/* What a matrix is for. Each use has the forms of those before it, and more. */
+enum matrix_use { ANY_MATRIX, AFFINE_MATRIX, MATRIX_OF_STEP, MATRIX_USES };
 
 /* The forms of a matrix: an array of rows or, with no rows, of all numbers. */
 static const struct form {
 	size_t rows, columns;
 	/* the vectors that the rows are for, always or if "vectors" does not say */
 	enum { BY_DOCUMENT, FOR_ROWS, FOR_COLUMNS, MOSTLY_FOR_COLUMNS } vectors;
-	enum matrix_use { ANY_MATRIX, AFFINE_MATRIX, STEP_MATRIX_ONLY } least;
+	enum matrix_use first; /* of the uses that have the form */
 } forms[] = {
 	{ 4, 3, FOR_ROWS, AFFINE_MATRIX },
 	{ 4, 4, BY_DOCUMENT, ANY_MATRIX },
-	{ 3, 3, MOSTLY_FOR_COLUMNS, STEP_MATRIX_ONLY },
+	{ 3, 3, MOSTLY_FOR_COLUMNS, MATRIX_OF_STEP },
 	{ 3, 4, FOR_COLUMNS, AFFINE_MATRIX },
 	{ 0, 16, BY_DOCUMENT, ANY_MATRIX },
 };
 
 /* The forms of the uses, for messages. */
-static const char *const form_names[] = { MATRIX_FORMS, AFFINE_FORMS, STEP_FORMS };
+static const char *const form_names[MATRIX_USES] = {
+	[ANY_MATRIX] = MATRIX_FORMS,
+	[AFFINE_MATRIX] = AFFINE_FORMS,
+	[MATRIX_OF_STEP] = STEP_FORMS,
+};
 
 /* Returns the form of the array v, or NULL after a refusal. */
 static const struct form *find_form(const struct value *v, enum matrix_use use)
@@ -142,7 +156,7 @@ static const struct form *find_form(const struct value *v, enum matrix_use use)
 	for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
 		const struct form *f = &forms[i];
 
-		if (use >= f->least && n == (f->rows > 0 ? f->rows : f->columns) &&
+		if (use >= f->first && n == (f->rows > 0 ? f->rows : f->columns) &&
 		    (f->columns != 3 || columns == 3))
 			return f;
 	}
@@ -162,7 +176,8 @@ static bool read_vectors(const struct value *v, const struct form *f, bool *colu
 
 	*columns = f->vectors == BY_DOCUMENT ? v->source->column_vectors :
 					       f->vectors != FOR_ROWS;
-	if (!value_is(v, JSON_OBJECT) || !object_member(v, &matrix_members[1], &given))
+	if (!value_is(v, JSON_OBJECT) ||
+	    !object_member(v, &matrix_members[MATRIX_ROW_VECTORS], &given))
 		return true;
 	if (!value_word(&given, vector_names, NULL, &index))
 		return false;
@@ -184,7 +199,8 @@ static bool lacks_convention(const struct value *v, const struct form *f)
 
 	return f->vectors == BY_DOCUMENT &&
 	    (s->is_convention_wrong || (s->is_camera && !s->has_convention)) &&
-	    !(value_is(v, JSON_OBJECT) && object_member(v, &matrix_members[1], &given));
+	    !(value_is(v, JSON_OBJECT) &&
+		object_member(v, &matrix_members[MATRIX_ROW_VECTORS], &given));
 }
 
 /* `columns` says which vectors the rows of the matrix were read for. */
@@ -234,8 +250,9 @@ static void set_matrix(const struct form *f, bool columns, const double e[16],
 bool matrix_read_member(const struct value *object, const struct value *v,
     const struct member *row, double m[4][4])
 {
+	/* of the rows of type_affine all are steps; type_steps reads by it, too */
 	const enum matrix_use use = row->type == &type_matrix ? ANY_MATRIX :
-	    row->type == &type_affine                         ? STEP_MATRIX_ONLY :
+	    row->type == &type_affine                         ? MATRIX_OF_STEP :
 								AFFINE_MATRIX;
 	const bool affine = use != ANY_MATRIX;
 	double e[16] = { 0 };
@@ -276,7 +293,7 @@ static bool read_matrix(const struct value *v, const struct member *row, void *o
 
 	if (value_is(v, JSON_OBJECT)) {
 		object_read(v, &matrix_row, 0, NULL, NULL);
-		if (!object_member(v, &matrix_members[0], &m))
+		if (!object_member(v, &matrix_members[MATRIX_ROW_MATRIX], &m))
 			return false;
 	}
 	return matrix_read_member(v, &m, row, out);

@@ -24,6 +24,9 @@ extern const char *const angle_unit_names[];
 /* "row" and "column", the vectors that a matrix may be for; NULL ends them. */
 extern const char *const vector_names[];
 
+/* "up" and "down", where y may point; NULL ends them. */
+extern const char *const y_names[];
+
 /* A matrix: 16 numbers, by rows for row vectors or by columns for column vectors; or 4
  * rows, for row vectors unless source->column_vectors is set; or an object with members
  * "matrix" and "vectors". type_affine may also be 3 rows of 4 for column vectors, or 4

@@ -240,6 +240,32 @@ static void every_type_has_rows(void **state)
 	}
 }
 
+/* Returns whether a rule for the type names the row. */
+static bool is_ruled(const struct member *row, int type)
+{
+	const uint64_t bit = MEMBER_BIT(row - projection_members);
+	bool is = false;
+
+	for (const struct rule *r = projection_rules; r->n > 0; r++)
+		for (size_t k = 0; k < r->n; k++)
+			is |= (r->variants >> type & 1) != 0 &&
+			    ((r->ways[k].has | r->ways[k].optional) & bit) != 0;
+	return is;
+}
+
+/* A member without a default that no rule names would be 0 if it is not given, as only
+ * min_near may be. */
+static void members_have_rules_or_defaults(void **state)
+{
+	(void)state;
+	for (int i = 0; i < PROJECTION_TYPES - 1; i++)
+		for (const struct member *m = projection_members; m->name != NULL; m++)
+			if ((m->variants >> i & 1) != 0 && m->fallback == NULL &&
+			    strcmp(m->name, "min_near") != 0 && !is_ruled(m, i))
+				fail_msg("no rule of type %s names %s",
+				    projection_type_names[i], m->name);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -250,6 +276,7 @@ int main(void)
 		cmocka_unit_test(test_angle_unit),
 		cmocka_unit_test(test_volume),
 		cmocka_unit_test(every_type_has_rows),
+		cmocka_unit_test(members_have_rules_or_defaults),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,7 +4,7 @@
 #include "matrix.h"
 #include "persp.h"
 
-static const struct projection_row rows[] = {
+static const struct projection_row rows[PROJECTION_TYPES] = {
 	[PROJECTION_NONE] = { .family = FAMILY_FIXED,
 	    .map = none_map,
 	    .frame = FRAME_SCENE,
@@ -37,7 +37,6 @@ static const struct projection_row rows[] = {
 	    .is_reversed = matrix_is_reversed,
 	    .is_given_matrix = true },
 };
-_Static_assert(sizeof rows / sizeof *rows == PROJECTION_TYPES, "each type has a row");
 
 enum projection_type projection_type_of(enum projection_family family, bool sheared)
 {

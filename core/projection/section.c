@@ -19,23 +19,36 @@ static void tangents(const double angle[2], enum angle_unit unit, struct sum *sc
 	*edge_sum = sum_add(left, right);
 }
 
-/* Sets the sizes of ways that give one number and an aspect. */
+/* Sets the sizes of ways that give one number and an aspect; f->s[0] is twice the
+ * distance. */
 static void sizes_by_aspect(const struct projection *p, struct scaled_matrix *f)
 {
 	const struct projection_section *s = &p->section;
 	const bool wide = p->aspect[0] >= p->aspect[1];
 
-	_Static_assert(SECTION_WAYS == 10, "each way is read here or in section_sizes");
-	if (section_is_by_angle(s->way))
+	switch (s->way) {
+	case SECTION_FOVY:
+	case SECTION_FOVX:
+	case SECTION_VIEW_ANGLE:
 		scaled_set_sizes(p->aspect,
 		    s->way == SECTION_FOVY || (s->way == SECTION_VIEW_ANGLE && wide),
 		    trig_cot(s->angle / 2, p->unit), 1, f);
-	if (s->way == SECTION_FIELD)
+		break;
+	case SECTION_FIELD:
 		scaled_set_sizes(p->aspect, !wide, sum_one, s->field, f);
-	if (s->way == SECTION_WIDTH)
+		break;
+	case SECTION_WIDTH:
 		scaled_set_sizes(p->aspect, 0, f->s[0], s->width, f);
-	if (s->way == SECTION_HEIGHT)
+		break;
+	case SECTION_HEIGHT:
 		scaled_set_sizes(p->aspect, 1, f->s[0], s->height, f);
+		break;
+	case SECTION_SIZE:
+	case SECTION_EDGES:
+	case SECTION_ANGLES:
+	case SECTION_INTRINSICS: /* section_sizes reads both numbers */
+		break;
+	}
 }
 
 bool section_check(const struct projection *p, struct refusals *faults)

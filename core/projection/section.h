@@ -5,8 +5,8 @@
 #include "../refusal/refusal.h"
 #include "scaled.h"
 
-/* The ways to give a cross-section. In
- * persp, sizes and edges are at distance edges_at. */
+/* The ways to give a cross-section. In persp, sizes and edges are at distance
+ * edges_at. */
 enum section_way {
 	SECTION_FOVY,       /* angle from bottom to top, aspect */
 	SECTION_FOVX,       /* angle from left to right, aspect */

@@ -254,27 +254,28 @@ static bool map_of_steps(const struct camera *c, const struct steps *s,
 static bool camera_rotation_map(const struct camera *c, bool inverse, struct map *r,
     struct refusals *faults)
 {
-	const bool by_eye = c->way == CAMERA_ROTATION;
+	const bool is_translation = c->way == CAMERA_ROTATION_TRANSLATION;
 	struct steps s = { .matrix = { { 0 }, { 0 }, { 0 }, { 0, 0, 0, 1 } } };
 	struct sum minus[3];
 
 	for (int i = 0; i < 9; i++)
 		s.matrix[i / 3][i % 3] = c->rotation[i % 3][i / 3];
-	for (int k = 0; k < 3 && !by_eye; k++)
+	for (int k = 0; k < 3 && is_translation; k++)
 		s.matrix[3][k] = c->eye[k];
 	if (!map_of_steps(c, &s, camera_3x3_pointer(c), inverse, true, r, faults))
 		return false;
+	if (is_translation)
+		return true;
 	for (int k = 0; k < 3; k++)
 		sum_set(&minus[k], -c->eye[k]);
-	for (int k = 0; k < 3 && by_eye; k++)
+	for (int k = 0; k < 3; k++)
 		if (inverse)
 			r->m[3][k] = sum_scale(r->divisor, c->eye[k]);
 		else
 			sum_dot(3, minus, &r->m[0][k], 4, &r->m[3][k]);
-	if (by_eye)
-		map_set_origin(r, inverse ? NULL : c->eye);
-	for (int k = 0; k < 3 && by_eye && !inverse; k++)
-		sum_set(&r->m[4][k], 0);
+	map_set_origin(r, inverse ? NULL : c->eye);
+	for (int k = 0; k < 3 && !inverse; k++)
+		sum_set(&r->m[4][k], 0); /* the eye's image */
 	return true;
 }
 
