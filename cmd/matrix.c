@@ -7,10 +7,10 @@
 #include "call/notes.h"
 #include "call/operands.h"
 #include "json/print.h"
-#include "lines.h"
 #include "message/message.h"
 #include "scene/types.h"
 #include "call/option_row.h"
+#include "stream/lines.h"
 
 /* Puts a row of n elements. Binary is for row vectors: column vectors need the same
  * bytes, stored by columns. */
@@ -141,7 +141,7 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	j->count_imageless = !planes;
 	j->from = flat ? flat_names[from - FLAT_WINDOW] : space_names[from];
 	j->space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
-	if (o->lines && !lines_prepare(o, d, from, to, j))
+	if (o->lines && !lines_prepare(&d->scene, from, to, j, d->source.faults))
 		return false;
 	return operands_run_job(o, d, from, to, j);
 }

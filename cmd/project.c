@@ -2,10 +2,10 @@
 #include "../core/points/distance.h"
 #include "call/notes.h"
 #include "call/operands.h"
-#include "lines.h"
 #include "matrix.h"
 #include "call/option_row.h"
 #include "message/message.h"
+#include "stream/lines.h"
 
 void check_project(const struct options *o)
 {
@@ -145,7 +145,7 @@ bool run_project(const struct options *o, struct document *d, struct job *j)
 		return matrix_print(o, d, &j->transform);
 	j->from = space_names[from];
 	j->space = space_names[to];
-	if (o->lines && !lines_prepare(o, d, from, to, j))
+	if (o->lines && !lines_prepare(&d->scene, from, to, j, d->source.faults))
 		return false;
 	return operands_run_job(o, d, o->homogeneous ? SPACE_CLIP : from, to, j);
 }

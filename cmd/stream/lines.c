@@ -3,9 +3,8 @@
 
 #include <string.h>
 
-#include "../core/derive/clip.h"
-#include "call/options.h"
-#include "stream/runs.h"
+#include "../../core/derive/clip.h"
+#include "runs.h"
 
 enum { LINES_ROWS = 8 * NUMBER_BATCH };
 
@@ -16,11 +15,10 @@ struct lines {
 	struct quick_cut quick;
 	struct clip_ring ring;
 	struct clip_vertex end[2], cut[2];
+	const struct job *job;
 	const struct run *run;
+	bool single; /* the numbers are floats */
 
-	int writes;  /* numbers in a row */
-	bool single; /* they are floats */
-	struct number_style style[4];
 	bool any;                /* a part was printed before */
 	bool begins;             /* the next row begins a part */
 	size_t n;                /* rows */
@@ -35,12 +33,14 @@ struct lines {
 static char *write_row(const struct lines *l, size_t row,
     struct number_text (*t)[NUMBER_BATCH], char *out)
 {
+	const int last = l->clipper.out - 1;
+
 	if (l->parted[row])
 		*out++ = '\n';
-	for (int k = 0; k < l->writes; k++) {
+	for (int k = 0; k <= last; k++) {
 		out = number_text_put(out, &t[k][row % NUMBER_BATCH], l->image[k][row],
-		    l->single, l->style[k]);
-		*out++ = k < l->writes - 1 ? ' ' : '\n';
+		    l->single, l->job->layout.output.style[k]);
+		*out++ = k < last ? ' ' : '\n';
 	}
 	return out;
 }
@@ -57,9 +57,9 @@ static void print_rows(void *data)
 		const size_t n = left < NUMBER_BATCH ? left : NUMBER_BATCH;
 		char *at = text;
 
-		for (int k = 0; k < l->writes; k++)
-			number_texts(&l->image[k][from], n, l->single, l->style[k],
-			    t[k]);
+		for (int k = 0; k < l->clipper.out; k++)
+			number_texts(&l->image[k][from], n, l->single,
+			    l->job->layout.output.style[k], t[k]);
 		for (size_t i = from; i < from + n; i++)
 			at = write_row(l, i, t, at);
 		output_write(text, (size_t)(at - text));
@@ -71,7 +71,7 @@ static void add_row(struct lines *l, const double image[4])
 {
 	if (l->n == LINES_ROWS)
 		print_rows(l);
-	for (int k = 0; k < l->writes; k++)
+	for (int k = 0; k < l->clipper.out; k++)
 		l->image[k][l->n] = image[k];
 	l->parted[l->n++] = l->begins && l->any;
 	l->any = true;
@@ -199,25 +199,23 @@ static void take_run(void *data, const struct run *run)
 	struct lines *l = data;
 
 	l->run = run;
+	l->single = l->job->precision == PRECISION_SINGLE;
 	if (is_closed(l))
 		take_polygon(l);
 	else
 		take_polyline(l);
 }
 
-bool lines_prepare(const struct options *o, const struct document *d, enum space from,
-    enum space to, struct job *j)
+bool lines_prepare(const struct scene *s, enum space from, enum space to, struct job *j,
+    struct refusals *faults)
 {
 	static struct lines l;
 
-	if (!clipper_of(&d->scene, from, to, &l.clipper, d->source.faults))
+	if (!clipper_of(s, from, to, &l.clipper, faults))
 		return false;
-	l.writes = j->transform.out;
-	l.single = o->precision == PRECISION_SINGLE;
-	for (int k = 0; k < l.writes; k++)
-		l.style[k] = options_style(o, k);
 	if (quick_cut_of(&l.quick, from, to, &j->transform, &j->frustum))
 		l.clipper.quick = &l.quick;
+	l.job = j;
 	l.reader.take = take_run;
 	l.reader.flush = print_rows;
 	l.reader.data = &l;
