@@ -222,7 +222,7 @@ int main(int argc, char **argv)
 			c->check(&o);
 		operands_check(&o);
 		status = run_scenes(&o);
-		if (status == EXIT_OK && c->finish != NULL)
+		if (c->finish != NULL)
 			c->finish();
 	}
 	return answer_end(status);

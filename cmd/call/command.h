@@ -39,7 +39,8 @@ struct command {
 	/* Refuses options that do not go together, before documents are read; or
 	 * NULL. */
 	void (*check)(const struct options *);
-	/* Prints what was gathered of all documents, after the last; or NULL. */
+	/* Prints what was gathered of the documents before the end or a refusal; or
+	 * NULL. */
 	void (*finish)(void);
 	/* params_read_document adds to a copy what the options need. */
 	struct document_wants wants;

@@ -184,11 +184,26 @@ static bool read_line(struct reader *r)
 		if (*name == shapes[k].letter &&
 		    (name[1] == '\0' || strcmp(name, "fo") == 0))
 			return read_shape(r, k);
-	if (strlen(name) == n && word_is_one_of(name, other_words))
+	if (word_is_one_of(name, other_words))
 		return true;
 	return obj_refuse(r,
 	    text("'%.*s' begins no line of an OBJ file", n < 20 ? (int)n : 20, word.s),
 	    "v, p, l and f are drawn, and its other words skipped");
+}
+
+/* Refuses what no line of a text has, and carriage returns that end lines alone. */
+static bool is_text(struct reader *r)
+{
+	r->line = 1;
+	for (const char *s = r->s; s < r->end; s++) {
+		if (*s == '\0')
+			return obj_refuse(r, "is binary", "an OBJ file is text");
+		if (*s == '\r' && s + 1 < r->end && s[1] != '\n')
+			return obj_refuse(r, "has carriage returns alone for line ends",
+			    "make them newlines: tr '\\r' '\\n'");
+		r->line += *s == '\n';
+	}
+	return true;
 }
 
 bool obj_read(struct span file, struct obj *obj, struct refusal *fault)
@@ -197,7 +212,7 @@ bool obj_read(struct span file, struct obj *obj, struct refusal *fault)
 	struct span rest;
 
 	r.s = skip_bom(file.s, file.end);
-	if (format_is_foreign(r.s, (size_t)(r.end - r.s), false, fault))
+	if (format_is_foreign(r.s, (size_t)(r.end - r.s), false, fault) || !is_text(&r))
 		return false;
 	while (r.s < r.end) {
 		r.line = ++r.next_line;

@@ -78,8 +78,8 @@ static void put_escaped(struct span name)
 
 		if (n == 0 || (code < ' ' && code != '\t') || (code & 0xfffe) == 0xfffe)
 			put("\xef\xbf\xbd");
-		else if (code == '<' || code == '&')
-			put(code == '<' ? "&lt;" : "&amp;");
+		else if (code == '<' || code == '&' || code == '>')
+			put(code == '<' ? "&lt;" : code == '>' ? "&gt;" : "&amp;");
 		else
 			put_bytes(s, (size_t)n);
 		s += n > 0 ? n : 1;

@@ -37,6 +37,9 @@ sub seed_lines {
 		seed($fuzzer, "$name-more", pack('C4',
 		    $number{$in} * (1 + @formats), 0, 0, 64) . $text);
 	}
+	# as runs: the parts of --lines, and with names
+	seed('stream', "$name-runs-$_", pack('C4', $number{$in}, 0, 0, $_) . $text)
+	    for 128, 192;
 }
 
 for my $case (map { transcript($_) } glob 'testdata/transcripts/*.txt') {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads any bytes as a source of points that arrives in small parts, for libFuzzer,
- * with the threads of stream.c. Output and messages must be those of the same bytes in
- * one part, and the scalar code must give those of the vector code. The functions here
+ * with the threads of stream.c, for points, for runs with names, or for the parts of
+ * --lines. Output and messages must be those of the same bytes in one part, and the
+ * scalar code must give those of the vector code. The functions here
  * replace those of message.c and, by --wrap, read and poll. */
 #include <errno.h>
 #include <poll.h>
@@ -14,6 +15,8 @@
 #include "../scene/document.h"
 #include "layout.h"
 #include "../stream/answer.h"
+#include "../stream/lines.h"
+#include "../stream/runs.h"
 #include "../stream/stream.h"
 #include "../message/message.h"
 
@@ -180,6 +183,42 @@ static void set_more(struct layout *l)
 	}
 }
 
+static void add_run(void *data, const struct run *run)
+{
+	const struct transform *t = &((const struct job *)data)->transform;
+
+	for (size_t i = 0; i < run->n; i++) {
+		const struct run_point *p = &run->point[i];
+
+		add(&printed, (const char *)p->in, (size_t)t->in * sizeof *p->in);
+		add(&printed, (const char *)p->image, (size_t)t->out * sizeof *p->in);
+		add(&printed, (const char *)&p->outside, 1);
+		add(&printed, run->names + p->name, p->name_size);
+	}
+	add(&printed, "|", 1);
+}
+
+static void do_nothing(void *data)
+{
+	(void)data;
+}
+
+/* Makes runs of the points: --lines, or with names as draw takes them. */
+static void set_runs(struct job *j, const struct scene *s, enum space from,
+    enum space to, bool names)
+{
+	static struct run_reader reader = { add_run, do_nothing, .names = true };
+	static struct refusals none;
+
+	reader.data = j;
+	j->rays = false;
+	j->layout.output.flags = j->layout.output.append = false;
+	if (names)
+		runs_prepare(&reader, j);
+	else if (!lines_prepare(s, from, to, j, &none))
+		abort();
+}
+
 /* Sets the transform of a job for as many coordinates as layout_of chose. */
 static void set_job(struct job *j, const struct scene *s, uint8_t b)
 {
@@ -205,6 +244,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->count_imageless = !j->layout.output.flags && !j->visible;
 	j->precision = (enum precision)(b / 2 % 3);
 	j->layout.output.single = j->precision == PRECISION_SINGLE;
+	if (b & 128 && !format_is_binary(j->layout.in.format))
+		set_runs(j, s, from, to, b & 64);
 }
 
 /* Does in one chunk what stream.c and answer.c do, as the truth about them. A newline
@@ -238,12 +279,16 @@ static bool do_at_once(struct job *j, const char *bytes, size_t size)
 	job_do(j, c);
 	if (c->refused || c->piece.state > PIECE_LAST)
 		return false;
-	if (c->size > 0) {
-		add(&printed, "\n", unended);
-		unended = !format_is_binary(j->layout.out.format) &&
-		    c->out[c->size - 1] != '\n';
+	if (j->collect_chunk != NULL) {
+		j->collect_chunk(j, c);
+	} else {
+		if (c->size > 0) {
+			add(&printed, "\n", unended);
+			unended = !format_is_binary(j->layout.out.format) &&
+			    c->out[c->size - 1] != '\n';
+		}
+		add(&printed, c->out, c->size);
 	}
-	add(&printed, c->out, c->size);
 	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX; i++) {
 		const struct refusal *what = &c->complaint[i];
 		struct place p = { .line = chunk_line(c, (size_t)what->line),
@@ -264,6 +309,17 @@ static void compare(struct bytes *b, const struct bytes *was)
 	b->n = 0;
 }
 
+/* Prints what runs have left. A blank line before the first part depends on what was
+ * printed before. */
+static void flush(const struct job *j)
+{
+	if (j->flush == NULL)
+		return;
+	j->flush(j);
+	if (printed.n > 0 && *printed.s == '\n')
+		memmove(printed.s, printed.s + 1, --printed.n);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	static struct scene s;
@@ -279,6 +335,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
 	kernels_choose(data[3] & 32 ? "baseline" : NULL);
 	bool whole_source = do_at_once(&j, (const char *)data + HEADER, size - HEADER);
+
+	flush(&j);
 	struct bytes whole = printed, messages = said;
 
 	printed = said = (struct bytes){ 0 };
@@ -298,6 +356,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	if (!source_begin(&source, &j.layout, &r))
 		abort();
 	stream_points(&j, source);
+	flush(&j);
 	compare(&printed, &whole);
 	compare(&said, &messages);
 	return 0;
