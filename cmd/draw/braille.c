@@ -10,7 +10,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include "grow.h"
+#include "../message/message.h"
 
 enum { COLUMNS_MAX = 1000, ROWS_MAX = 1000, CHARACTER_MAX = 4 };
 

@@ -86,19 +86,8 @@ static void keep(void *data)
 static bool take_obj(const struct job *j, struct span text, struct refusal *r)
 {
 	struct drawing *w = ((const struct run_reader *)j->data)->data;
-	struct obj obj = { 0 };
-	bool good = obj_read(text, &obj, r);
 
-	if (good && !w->flat && obj.flat_line > 0) {
-		refusal_set(r, NULL, "v has fewer than three numbers",
-		    "v 1 2 3 is a point");
-		r->line = obj.flat_line;
-		good = false;
-	}
-	if (good)
-		obj_add(&obj, &w->mesh);
-	obj_free(&obj);
-	return good;
+	return obj_read(text, w->flat, &w->mesh, r);
 }
 
 /* Makes a position of an image on the device, whose z may be a distance. */
@@ -295,12 +284,11 @@ static void clip_mesh(struct drawing *w, const struct document *d)
 
 	for (size_t i = 0; i < m->triangles; i++)
 		add_triangle(w, &m->triangle[i]);
-	for (size_t i = 0; i < m->rings; i++) {
+	for (size_t i = 0; i < m->ring_size; i += m->ring[i] + 1) {
 		const size_t corners = p->corners;
 
 		/* the sides are segments, but for those that cuts make */
-		add_polygon(w, m->ring_vertex + m->ring[i].first, m->ring[i].n,
-		    STROKE_LINE);
+		add_polygon(w, &m->ring[i + 1], m->ring[i], STROKE_LINE);
 		p->corners = corners;
 	}
 	for (size_t i = 0; i < m->segments; i++)

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "grow.h"
+#include "../message/grow.h"
 
 /* Parts of the picture that are told apart, and by which outlines are widened, so that
  * no line shows between two neighbours. */
@@ -34,7 +34,7 @@ struct interval {
 
 static struct intervals {
 	struct interval *v;
-	size_t n, room;
+	size_t n;
 } hidden;
 
 enum { LEAF_FACES = 4 };
@@ -189,7 +189,7 @@ static void hide_by(const struct picture *p, const struct face *f,
 		to = a / (a - b);
 	if (!cut_by_outline(p, f, s, &from, &to))
 		return;
-	GROW(hidden.v, hidden.n, 1, hidden.room);
+	GROW(hidden.v, hidden.n, 1);
 	hidden.v[hidden.n++] = (struct interval){ from, to };
 }
 
@@ -309,7 +309,7 @@ void picture_hide(struct picture *p)
 		return;
 	tree_make(&t, p);
 	p->segment = NULL;
-	p->segments = p->segment_room = 0;
+	p->segments = 0;
 	for (size_t i = 0; i < segments; i++) {
 		hide(p, &t, &given[i]);
 		add_parts(p, &given[i]);

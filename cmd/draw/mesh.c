@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "grow.h"
+#include "../message/grow.h"
 #include "triangulate.h"
 
 /* Mixes the bits of a key (the finalizer of MurmurHash3, by Austin Appleby). */
@@ -68,7 +68,7 @@ unsigned mesh_vertex(struct mesh *m, const double given[3])
 			return t->place[place] - 1;
 	if (m->points == UINT32_MAX - 1)
 		die(EXIT_INPUT, "draw: more than 4294967294 points", NULL);
-	GROW(m->point, m->points, 1, m->point_room);
+	GROW(m->point, m->points, 1);
 	memcpy(m->point[m->points++], at, sizeof at);
 	t->place[place] = (unsigned)m->points;
 	t->n++;
@@ -77,11 +77,11 @@ unsigned mesh_vertex(struct mesh *m, const double given[3])
 
 void mesh_add_dot(struct mesh *m, unsigned vertex, const char *name, unsigned n)
 {
-	GROW(m->dot, m->dots, 1, m->dot_room);
+	GROW(m->dot, m->dots, 1);
 	m->dot[m->dots++] = (struct mesh_dot){ vertex, n, m->name_bytes };
 	if (n == 0)
 		return;
-	GROW(m->names, m->name_bytes, n, m->name_room);
+	GROW(m->names, m->name_bytes, n);
 	memcpy(m->names + m->name_bytes, name, n);
 	m->name_bytes += n;
 }
@@ -105,7 +105,7 @@ void mesh_add_segment(struct mesh *m, unsigned from, unsigned to, enum stroke st
 			return;
 		}
 	}
-	GROW(m->segment, m->segments, 1, m->segment_room);
+	GROW(m->segment, m->segments, 1);
 	m->segment[m->segments++] = (struct mesh_segment){ { from, to }, stroke };
 	t->place[place] = (unsigned)m->segments;
 	t->n++;
@@ -116,18 +116,17 @@ void mesh_add_face(struct mesh *m, const unsigned *corner, size_t n)
 	for (size_t i = 0; i < n; i++)
 		mesh_add_segment(m, corner[i], corner[i + 1 < n ? i + 1 : 0],
 		    STROKE_EDGE);
-	GROW(m->triangle, m->triangles, n - 2, m->triangle_room);
+	GROW(m->triangle, m->triangles, n - 2);
 	m->triangles += triangulate((const double(*)[3])m->point, corner, n,
 	    m->triangle + m->triangles);
 }
 
 void mesh_add_ring(struct mesh *m, const unsigned *vertex, size_t n)
 {
-	GROW(m->ring, m->rings, 1, m->ring_room);
-	GROW(m->ring_vertex, m->ring_vertices, n, m->ring_vertex_room);
-	m->ring[m->rings++] = (struct mesh_ring){ m->ring_vertices, n };
-	memcpy(m->ring_vertex + m->ring_vertices, vertex, n * sizeof *vertex);
-	m->ring_vertices += n;
+	GROW(m->ring, m->ring_size, n + 1);
+	m->ring[m->ring_size] = (unsigned)n;
+	memcpy(m->ring + m->ring_size + 1, vertex, n * sizeof *vertex);
+	m->ring_size += n + 1;
 }
 
 void mesh_free(struct mesh *m)
@@ -137,7 +136,6 @@ void mesh_free(struct mesh *m)
 	free(m->segment);
 	free(m->triangle);
 	free(m->ring);
-	free(m->ring_vertex);
 	free(m->names);
 	free(m->by_point.place);
 	free(m->by_ends.place);

@@ -26,11 +26,6 @@ struct mesh_triangle {
 	unsigned corner[3];
 };
 
-/* A closed run of lines: n vertices from the `first` of ring_vertex on. */
-struct mesh_ring {
-	size_t first, n;
-};
-
 /* A table of the places of elements in an array, found by what the elements are. */
 struct index_table {
 	unsigned *place; /* of an element, plus 1; 0: free */
@@ -42,12 +37,9 @@ struct mesh {
 	struct mesh_dot *dot;
 	struct mesh_segment *segment;
 	struct mesh_triangle *triangle;
-	struct mesh_ring *ring;
-	unsigned *ring_vertex;
+	unsigned *ring; /* of each closed run: how many vertices, and these */
 	char *names;
-	size_t points, dots, segments, triangles, rings, ring_vertices, name_bytes;
-	size_t point_room, dot_room, segment_room, triangle_room, ring_room,
-	    ring_vertex_room, name_room;
+	size_t points, dots, segments, triangles, ring_size, name_bytes;
 	struct index_table by_point, by_ends;
 };
 

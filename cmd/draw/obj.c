@@ -9,17 +9,21 @@
 #include "../message/words.h"
 #include "../number/number.h"
 #include "../table/format.h"
-#include "grow.h"
+#include "../message/grow.h"
 
-/* Reads words. A backslash at the end of a line joins it to the next. */
+/* Reads a text twice, for its points and for its shapes, as an index may be of a point
+ * below. */
 struct reader {
-	struct obj *obj;
+	struct mesh *mesh;
+	bool flat;
 	struct refusal *fault;
 	const char *s, *end;
 	long long line, next_line; /* where the line and the one after it begin */
-	/* the greatest index, from 1, and the first line that has it */
-	unsigned long long greatest;
-	long long greatest_line;
+	unsigned *vertex;          /* of each point */
+	size_t points, above;      /* all of them; those above the line */
+	unsigned *corner;          /* of the shape so far */
+	size_t corners;
+	bool any; /* shape was read */
 };
 
 /* What a shape needs. */
@@ -59,7 +63,8 @@ static bool is_space(char c)
 	return c == ' ' || c == '\t' || c == '\r';
 }
 
-/* Moves to the next word of the line and past it. Returns false if there is none: the
+/* Moves to the next word of the line and past it; a backslash at its end joins it to
+ * the next line. Returns false if there is none: the
  * line ends, or a comment begins. */
 static bool next_word(struct reader *r, struct span *word)
 {
@@ -82,7 +87,6 @@ static bool next_word(struct reader *r, struct span *word)
 
 static bool read_vertex(struct reader *r)
 {
-	struct obj *obj = r->obj;
 	struct span word;
 	double v[3] = { 0 };
 	int n = 0;
@@ -95,13 +99,11 @@ static bool read_vertex(struct reader *r)
 			return obj_refuse(r, "v has a number that is not up to 1e150",
 			    "v 1 2 3 is a point");
 	}
-	if (n < 2)
+	if (n < 2 + !r->flat)
 		return obj_refuse(r, "v has fewer than three numbers",
 		    "v 1 2 3 is a point");
-	if (n == 2 && obj->flat_line == 0)
-		obj->flat_line = r->line;
-	GROW(obj->point, obj->points, 1, obj->point_room);
-	memcpy(obj->point[obj->points++], v, sizeof v);
+	GROW(r->vertex, r->points, 1);
+	r->vertex[r->points++] = mesh_vertex(r->mesh, v);
 	return true;
 }
 
@@ -121,8 +123,7 @@ static const char *read_whole(const char *s, const char *end, long long *v)
 /* Reads i, i/t, i//n or i/t/n. Only i counts. */
 static bool read_index(struct reader *r, struct span word)
 {
-	struct obj *obj = r->obj;
-	const long long n = (long long)obj->points;
+	const long long above = (long long)r->above;
 	long long i, other;
 	const char *const end = word.end, *at = read_whole(word.s, end, &i);
 
@@ -134,68 +135,97 @@ static bool read_index(struct reader *r, struct span word)
 	if (at != end)
 		return obj_refuse(r, "a word is no index",
 		    "an index is i, i/t, i//n or i/t/n of whole numbers");
-	if (i == 0 || -i > n)
+	if (i == 0 || -i > above || i > (long long)r->points)
 		return obj_refuse(r,
 		    i == 0 ? "an index is 0" :
-			     text("index %lld, and %lld points are before it", i, n),
+		    i < 0  ? text("index %lld, and %lld points are before it", i, above) :
+			     text("index %lld, and there are %zu points", i, r->points),
 		    "indices count from 1 on, or from -1 back");
-	if (i > 0 && (unsigned long long)i > r->greatest) {
-		r->greatest = (unsigned long long)i;
-		r->greatest_line = r->line;
-	}
-	GROW(obj->index, obj->indices, 1, obj->index_room);
-	obj->index[obj->indices++] = (unsigned)(i > 0 ? i - 1 : n + i);
+	GROW(r->corner, r->corners, 1);
+	r->corner[r->corners++] = r->vertex[i > 0 ? i - 1 : above + i];
 	return true;
 }
 
 static bool read_shape(struct reader *r, int kind)
 {
-	struct obj *obj = r->obj;
-	struct obj_shape shape = { shapes[kind].letter, obj->indices, 0 };
+	const char letter = shapes[kind].letter;
 	struct span word;
 
+	r->corners = 0;
 	while (next_word(r, &word))
 		if (!read_index(r, word))
 			return false;
-	shape.n = obj->indices - shape.first;
-	if (shape.n < shapes[kind].least)
+	if (r->corners < shapes[kind].least)
 		return obj_refuse(r, shapes[kind].what,
 		    "f 1 2 3 is a face, l 1 2 a line and p 1 a point");
-	GROW(obj->shape, obj->shapes, 1, obj->shape_room);
-	obj->shape[obj->shapes++] = shape;
-	return true;
+	if (letter == 'f')
+		mesh_add_face(r->mesh, r->corner, r->corners);
+	for (size_t i = 0; i < r->corners && letter == 'p'; i++)
+		mesh_add_dot(r->mesh, r->corner[i], NULL, 0);
+	for (size_t i = 0; i + 1 < r->corners && letter == 'l'; i++)
+		mesh_add_segment(r->mesh, r->corner[i], r->corner[i + 1], STROKE_LINE);
+	return r->any = true;
 }
 
-static bool read_line(struct reader *r)
+static bool is_vertex(struct span word)
 {
-	char name[24] = "";
-	struct span word;
+	return word.end - word.s == 1 && *word.s == 'v';
+}
 
-	if (!next_word(r, &word))
-		return true;
+static bool read_point_line(struct reader *r, struct span word)
+{
+	return !is_vertex(word) || read_vertex(r);
+}
+
+static bool read_shape_line(struct reader *r, struct span word)
+{
 	const size_t n = (size_t)(word.end - word.s);
+	char name[24] = "";
 
+	if (is_vertex(word)) {
+		r->above++;
+		return true;
+	}
 	if (n < sizeof name)
 		memcpy(name, word.s, n);
-	if (strcmp(name, "v") == 0)
-		return read_vertex(r);
 	/* fo is what f was called once */
 	for (int k = 0; k < 3; k++)
 		if (*name == shapes[k].letter &&
 		    (name[1] == '\0' || strcmp(name, "fo") == 0))
 			return read_shape(r, k);
-	if (word_is_one_of(name, other_words))
-		return true;
-	return obj_refuse(r,
-	    text("'%.*s' begins no line of an OBJ file", n < 20 ? (int)n : 20, word.s),
-	    "v, p, l and f are drawn, and its other words skipped");
+	return word_is_one_of(name, other_words) ||
+	    obj_refuse(r,
+		text("'%.*s' begins no line of an OBJ file", n < 20 ? (int)n : 20,
+		    word.s),
+		"v, p, l and f are drawn, and its other words skipped");
+}
+
+/* Gives the first word of each line to a function, until one returns false. */
+static bool read_lines(struct reader *r, const char *from,
+    bool (*read)(struct reader *, struct span word))
+{
+	struct span word;
+
+	r->s = from;
+	r->next_line = 0;
+	while (r->s < r->end) {
+		r->line = ++r->next_line;
+		if (next_word(r, &word) && !read(r, word))
+			return false;
+		while (next_word(r, &word)) /* in the lines that are joined */
+			continue;
+		const char *newline = memchr(r->s, '\n', (size_t)(r->end - r->s));
+
+		r->s = newline != NULL ? newline + 1 : r->end;
+	}
+	return true;
 }
 
 /* Refuses what no line of a text has, and carriage returns that end lines alone. */
-static bool is_text(struct reader *r)
+static bool is_text(struct reader *r, const char *s)
 {
 	r->line = 1;
-	for (const char *s = r->s; s < r->end; s++) {
+	for (; s < r->end; s++) {
 		if (*s == '\0')
 			return obj_refuse(r, "is binary", "an OBJ file is text");
 		if (*s == '\r' && s + 1 < r->end && s[1] != '\n')
@@ -206,63 +236,19 @@ static bool is_text(struct reader *r)
 	return true;
 }
 
-bool obj_read(struct span file, struct obj *obj, struct refusal *fault)
+bool obj_read(struct span file, bool flat, struct mesh *m, struct refusal *fault)
 {
-	struct reader r = { .obj = obj, .fault = fault, .end = file.end };
-	struct span rest;
+	struct reader r = { .mesh = m, .flat = flat, .fault = fault, .end = file.end };
+	const char *const s = skip_bom(file.s, file.end);
+	bool good = !format_is_foreign(s, (size_t)(r.end - s), false, fault) &&
+	    is_text(&r, s) && read_lines(&r, s, read_point_line) &&
+	    read_lines(&r, s, read_shape_line);
 
-	r.s = skip_bom(file.s, file.end);
-	if (format_is_foreign(r.s, (size_t)(r.end - r.s), false, fault) || !is_text(&r))
-		return false;
-	while (r.s < r.end) {
-		r.line = ++r.next_line;
-		if (!read_line(&r))
-			return false;
-		while (next_word(&r, &rest)) /* in the lines that are joined */
-			continue;
-		const char *newline = memchr(r.s, '\n', (size_t)(r.end - r.s));
-
-		r.s = newline != NULL ? newline + 1 : r.end;
-	}
-	if (obj->points == 0)
-		return obj_refuse(&r, "the file has no points", "v 1 2 3 is one");
-	r.line = r.greatest_line;
-	return r.greatest <= obj->points ||
-	    obj_refuse(&r,
-		text("index %llu, and there are %zu points", r.greatest, obj->points),
-		"indices count from 1 on, or from -1 back");
-}
-
-void obj_add(const struct obj *obj, struct mesh *m)
-{
-	unsigned *vertex = xrealloc(NULL, obj->points * sizeof *vertex);
-	unsigned *corner = xrealloc(NULL, (obj->indices + 1) * sizeof *corner);
-
-	for (size_t i = 0; i < obj->points; i++)
-		vertex[i] = mesh_vertex(m, obj->point[i]);
-	for (size_t i = 0; i < obj->indices; i++)
-		corner[i] = vertex[obj->index[i]];
-	for (size_t i = 0; i < obj->shapes; i++) {
-		const struct obj_shape *s = &obj->shape[i];
-		const unsigned *at = corner + s->first;
-
-		if (s->letter == 'f')
-			mesh_add_face(m, at, s->n);
-		for (size_t k = 0; k < s->n && s->letter == 'p'; k++)
-			mesh_add_dot(m, at[k], NULL, 0);
-		for (size_t k = 0; k + 1 < s->n && s->letter == 'l'; k++)
-			mesh_add_segment(m, at[k], at[k + 1], STROKE_LINE);
-	}
-	for (size_t i = 0; i < obj->points && obj->shapes == 0; i++)
-		mesh_add_dot(m, vertex[i], NULL, 0);
-	free(vertex);
-	free(corner);
-}
-
-void obj_free(struct obj *o)
-{
-	free(o->point);
-	free(o->index);
-	free(o->shape);
-	*o = (struct obj){ 0 };
+	if (good && r.points == 0)
+		good = obj_refuse(&r, "the file has no points", "v 1 2 3 is one");
+	for (size_t i = 0; i < r.points && good && !r.any; i++)
+		mesh_add_dot(m, r.vertex[i], NULL, 0);
+	free(r.vertex);
+	free(r.corner);
+	return good;
 }

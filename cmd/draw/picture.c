@@ -5,11 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "grow.h"
+#include "../message/grow.h"
 
 void picture_add_corner(struct picture *p, const double at[3])
 {
-	GROW(p->corner, p->corners, 1, p->corner_room);
+	GROW(p->corner, p->corners, 1);
 	memcpy(p->corner[p->corners++], at, sizeof *p->corner);
 }
 
@@ -25,19 +25,19 @@ void picture_add_face(struct picture *p, size_t first, const unsigned vertex[3],
 		f.vertex[k] = vertex[k];
 		f.view_normal[k] = (float)(length > 0 ? view_normal[k] / length : 0);
 	}
-	GROW(p->face, p->faces, 1, p->face_room);
+	GROW(p->face, p->faces, 1);
 	p->face[p->faces++] = f;
 }
 
 void picture_add_segment(struct picture *p, const struct segment *s)
 {
-	GROW(p->segment, p->segments, 1, p->segment_room);
+	GROW(p->segment, p->segments, 1);
 	p->segment[p->segments++] = *s;
 }
 
 void picture_add_dot(struct picture *p, const struct dot *dot)
 {
-	GROW(p->dot, p->dots, 1, p->dot_room);
+	GROW(p->dot, p->dots, 1);
 	p->dot[p->dots++] = *dot;
 }
 

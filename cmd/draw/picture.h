@@ -42,7 +42,6 @@ struct picture {
 	struct segment *segment;
 	struct dot *dot;
 	size_t corners, faces, segments, dots;
-	size_t corner_room, face_room, segment_room, dot_room;
 };
 
 /* These add a corner, and make a face of the corners from `first` on, whose normal in

@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "../number/number.h"
-#include "grow.h"
+#include "../message/grow.h"
 
 struct drawn {
 	struct frame frame;
@@ -19,16 +19,16 @@ struct drawn {
 
 static struct svg {
 	char *text;
-	size_t size, room;
+	size_t size;
 	struct drawn *drawn;
-	size_t n, drawn_room;
+	size_t n;
 	double unit;      /* numbers are rounded to multiples of 1 / unit */
 	char *background; /* the address of an image element; or NULL */
 } svg;
 
 static void put_bytes(const char *s, size_t n)
 {
-	GROW(svg.text, svg.size, n, svg.room);
+	GROW(svg.text, svg.size, n);
 	memcpy(svg.text + svg.size, s, n);
 	svg.size += n;
 }
@@ -111,14 +111,6 @@ static void put_path(const struct picture *p, const struct frame *f, int class)
 	}
 }
 
-static bool has_class(const struct picture *p, int class)
-{
-	for (size_t i = 0; i < p->segments && class != CLASS_DOT; i++)
-		if ((int)p->segment[i].stroke == class)
-			return true;
-	return class == CLASS_DOT && p->dots > 0;
-}
-
 /* Puts each name to the right of its dot or, in the right quarter, to the left. */
 static void put_names(const struct picture *p, const struct frame *f)
 {
@@ -151,15 +143,20 @@ static void put_class(const struct picture *p, const struct frame *f, int class)
 {
 	const bool photo = svg.background != NULL;
 	const char *name = classes[class];
+	const size_t before = svg.size;
 	char begin[64], use[128];
 
-	if (!has_class(p, class))
-		return;
 	snprintf(begin, sizeof begin,
 	    photo ? "<defs><path id=\"%s%zu\" d=\"" : "<path class=\"%s\" d=\"", name,
 	    svg.n);
 	put(begin);
+	const size_t empty = svg.size;
+
 	put_path(p, f, class);
+	if (svg.size == empty) {
+		svg.size = before;
+		return;
+	}
 	put("\"/>\n");
 	if (!photo)
 		return;
@@ -186,7 +183,7 @@ void svg_add(const struct picture *p, const struct frame *f)
 		put_class(p, f, class);
 	put_names(p, f);
 	d.to = svg.size;
-	GROW(svg.drawn, svg.n, 1, svg.drawn_room);
+	GROW(svg.drawn, svg.n, 1);
 	svg.drawn[svg.n++] = d;
 }
 

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "grow.h"
+#include "../message/message.h"
 
 struct ring {
 	double (

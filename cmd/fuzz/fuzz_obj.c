@@ -108,17 +108,15 @@ static void make_picture(const struct mesh *m, struct picture *p)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	const struct frame frame = { 0, 0, 1, 1, false };
-	struct obj obj = { 0 };
 	struct mesh m = { 0 };
 	struct refusal r;
 
 	if (obj_read((struct span){ (const char *)data, (const char *)data + size },
-		&obj, &r)) {
+		size % 2 == 0, &m, &r)) {
 		struct picture p = { .width = 1,
 			.height = 1,
-			.parallel = obj.points % 2 == 0 };
+			.parallel = m.points % 2 == 0 };
 
-		obj_add(&obj, &m);
 		check_mesh(&m);
 		make_picture(&m, &p);
 		braille_print(&p, COLUMNS);
@@ -130,10 +128,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		svg_add(&p, &frame);
 		svg_print();
 		picture_free(&p);
-		mesh_free(&m);
 	} else {
 		want(*r.what != '\0');
 	}
-	obj_free(&obj);
+	mesh_free(&m);
 	return 0;
 }
