@@ -200,6 +200,21 @@ static bool read_shape_line(struct reader *r, struct span word)
 		"v, p, l and f are drawn, and its other words skipped");
 }
 
+/* Moves past the end of the line, which may be that of another that is joined to it. */
+static void skip_line(struct reader *r)
+{
+	const char *newline = memchr(r->s, '\n', (size_t)(r->end - r->s));
+	struct span word;
+
+	if (newline != NULL && newline > r->s &&
+	    (newline[-1] == '\\' || (newline > r->s + 1 && newline[-2] == '\\'))) {
+		while (next_word(r, &word))
+			continue;
+		newline = memchr(r->s, '\n', (size_t)(r->end - r->s));
+	}
+	r->s = newline != NULL ? newline + 1 : r->end;
+}
+
 /* Gives the first word of each line to a function, until one returns false. */
 static bool read_lines(struct reader *r, const char *from,
     bool (*read)(struct reader *, struct span word))
@@ -212,11 +227,7 @@ static bool read_lines(struct reader *r, const char *from,
 		r->line = ++r->next_line;
 		if (next_word(r, &word) && !read(r, word))
 			return false;
-		while (next_word(r, &word)) /* in the lines that are joined */
-			continue;
-		const char *newline = memchr(r->s, '\n', (size_t)(r->end - r->s));
-
-		r->s = newline != NULL ? newline + 1 : r->end;
+		skip_line(r);
 	}
 	return true;
 }
