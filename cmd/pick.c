@@ -11,6 +11,7 @@
 #include "call/notes.h"
 #include "call/operands.h"
 #include "call/option_row.h"
+#include "message/grow.h"
 #include "message/message.h"
 
 /* A point within the radius, with the text that is printed for it. A csv header is a
@@ -29,7 +30,7 @@ struct hits {
 	bool finite_near; /* the near plane is not at infinity */
 	size_t n;
 	char *buffer; /* the hits, one after another */
-	size_t size, room;
+	size_t size;
 };
 
 /* Returns the bytes from a hit with `size` bytes of text to the next. */
@@ -119,10 +120,7 @@ static void hits_collect_chunk(const struct job *j, const struct chunk *c)
 	struct hits *h = j->data;
 	const size_t end = h->size + c->size;
 
-	if (end > h->room) {
-		h->room = h->room / 2 + end;
-		h->buffer = xrealloc(h->buffer, h->room);
-	}
+	GROW(h->buffer, h->size, c->size);
 	if (c->size > 0)
 		memcpy(h->buffer + h->size, c->out, c->size);
 	for (; h->size < end; h->n++) {

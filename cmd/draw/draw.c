@@ -20,6 +20,7 @@
 /* A document's drawing. `position` and `outside` belong to the vertices of the mesh. */
 struct drawing {
 	bool lines, flat;
+	enum space from, to;
 	struct mesh mesh;
 	double (*position)[3]; /* in the picture, with z the distance */
 	double (*view)[3];     /* in view space */
@@ -33,13 +34,25 @@ struct drawing {
 	struct run_reader reader;
 };
 
+static void set_background(const char *name)
+{
+	struct refusal r;
+
+	if (!input_check(name))
+		die(EXIT_USAGE, text("--background: there is no file %s", name), NULL);
+	struct input_text t = input_of_file(name);
+
+	if (!svg_set_background((struct span){ t.s, t.s + t.size }, &r))
+		die_at(EXIT_INPUT, &(struct place){ .file = name }, r.what, r.remedy);
+	input_free(&t);
+}
+
 void check_draw(const struct options *o)
 {
 	if (o->has_from && o->from > SPACE_VIEW)
 		die(EXIT_USAGE, "draw: --from is model, world or view", NULL);
-	if (o->background != NULL && !input_check(o->background))
-		die(EXIT_USAGE,
-		    text("--background: there is no file %s", o->background), NULL);
+	if (o->background != NULL)
+		set_background(o->background);
 }
 
 /* Adds a point of a run, and returns its vertex. */
@@ -77,12 +90,6 @@ static void take_run(void *data, const struct run *run)
 	free(vertex);
 }
 
-/* Nothing is printed before the end. */
-static void keep(void *data)
-{
-	(void)data;
-}
-
 static bool take_obj(const struct job *j, struct span text, struct refusal *r)
 {
 	struct drawing *w = ((const struct run_reader *)j->data)->data;
@@ -94,7 +101,7 @@ static bool take_obj(const struct job *j, struct span text, struct refusal *r)
 static void place_image(const struct drawing *w, const double image[3], double at[3])
 {
 	const struct frame *f = &w->frame;
-	const double size = fmax(f->width, f->height);
+	const double size = frame_size(f);
 
 	at[0] = (image[0] - f->x) / size;
 	at[1] = (f->from_bottom ? f->y + f->height - image[1] : image[1] - f->y) / size;
@@ -316,43 +323,41 @@ static bool looks_to_eye(const struct projection *p, const struct distance *d)
 	    sum_sign(d->column[2]) * (p->volume.z_far > p->volume.z_near ? 1 : -1) < 0;
 }
 
+static struct frame frame_of(const struct scene *s, bool flat)
+{
+	if (flat)
+		return (struct frame){ s->device.x, s->device.y, s->device.width,
+			s->device.height, !s->device.top_left };
+	return (struct frame){ s->viewport.x, s->viewport.y, s->viewport.width,
+		s->viewport.height, s->convention.origin_bottom_left };
+}
+
 /* Sets what the scene alone decides. Returns false if it is refused. */
-static bool prepare(struct drawing *w, const struct options *o, struct document *d,
-    struct job *j, struct transform *view)
+static bool prepare(struct drawing *w, struct document *d, struct job *j,
+    struct transform *view)
 {
 	struct scene *s = &d->scene;
 	struct refusals *const faults = d->source.faults;
-	const enum space from = d->flat ? FLAT_WINDOW : o->from;
-	const enum space to = d->flat ? FLAT_DEVICE : SPACE_DEVICE;
-	const double size = fmax(d->flat ? s->device.width : s->viewport.width,
-	    d->flat ? s->device.height : s->viewport.height);
-	struct distance distance;
+	struct picture *p = &w->picture;
+	struct distance distance = { .parallel = true };
 
 	/* the picture is the same in each convention, and needs true distances */
 	s->answer = NULL;
-	s->viewport.distance = !d->flat;
-	if (d->flat)
-		w->frame = (struct frame){ s->device.x, s->device.y, s->device.width,
-			s->device.height, !s->device.top_left };
-	else
-		w->frame = (struct frame){ s->viewport.x, s->viewport.y,
-			s->viewport.width, s->viewport.height,
-			s->convention.origin_bottom_left };
-	w->picture.width = w->frame.width / size;
-	w->picture.height = w->frame.height / size;
-	w->picture.parallel = true;
-	if (!d->flat) {
-		if (!distance_of(s, &distance, faults) ||
-		    !transform_of_scene(s, from, SPACE_VIEW, false, view, faults))
-			return false;
-		w->picture.parallel = distance.parallel;
-		w->picture.reverse = looks_to_eye(&s->projection, &distance);
-	}
-	if (!distance_transform(s, from, to, &j->transform, faults) ||
-	    !frustum_of(s, from, false, &j->frustum, faults) ||
-	    !clipper_of(s, from, to, &w->clipper, faults))
+	s->viewport.distance = !w->flat;
+	w->frame = frame_of(s, w->flat);
+	if (!w->flat &&
+	    (!distance_of(s, &distance, faults) ||
+		!transform_of_scene(s, w->from, SPACE_VIEW, false, view, faults)))
 		return false;
-	if (quick_cut_of(&w->quick, from, to, &j->transform, &j->frustum))
+	p->width = w->frame.width / frame_size(&w->frame);
+	p->height = w->frame.height / frame_size(&w->frame);
+	p->parallel = distance.parallel;
+	p->reverse = !w->flat && looks_to_eye(&s->projection, &distance);
+	if (!distance_transform(s, w->from, w->to, &j->transform, faults) ||
+	    !frustum_of(s, w->from, false, &j->frustum, faults) ||
+	    !clipper_of(s, w->from, w->to, &w->clipper, faults))
+		return false;
+	if (quick_cut_of(&w->quick, w->from, w->to, &j->transform, &j->frustum))
 		w->clipper.quick = &w->quick;
 	return true;
 }
@@ -397,21 +402,6 @@ static void print_picture(struct drawing *w, bool text)
 	}
 }
 
-static void set_background(const char *name)
-{
-	static bool done;
-	struct refusal r;
-
-	if (name == NULL || done)
-		return;
-	struct input_text t = input_of_file(name);
-
-	if (!svg_set_background((struct span){ t.s, t.s + t.size }, &r))
-		die_at(EXIT_INPUT, &(struct place){ .file = name }, r.what, r.remedy);
-	input_free(&t);
-	done = true;
-}
-
 void judge_draw(const struct options *o, const struct document *d)
 {
 	scene_check(&d->scene, d->flat ? FLAT_WINDOW : o->from,
@@ -423,27 +413,25 @@ bool run_draw(const struct options *o, struct document *d, struct job *j)
 	static struct drawing w;
 	static struct transform view;
 	const bool text = o->text || isatty(STDOUT_FILENO);
-	const enum space from = d->flat ? FLAT_WINDOW : o->from;
 
 	w.lines = o->lines;
 	w.flat = d->flat;
+	w.from = w.flat ? FLAT_WINDOW : o->from;
+	w.to = w.flat ? FLAT_DEVICE : SPACE_DEVICE;
 	w.reader.names = o->names;
 	w.reader.take = take_run;
-	w.reader.flush = keep;
 	w.reader.data = &w;
-	set_background(o->background);
-	if (!refuse_what_cannot_be(o, d) || !prepare(&w, o, d, j, &view))
+	if (!refuse_what_cannot_be(o, d) || !prepare(&w, d, j, &view))
 		return false;
 	runs_prepare(&w.reader, j);
 	j->take_obj = take_obj;
-	j->from = d->flat ? NULL : space_names[from];
-	if (!d->flat)
-		notes_say_of_spaces(d, from, SPACE_DEVICE);
-	bool good = operands_run_job(o, d, from, d->flat ? FLAT_DEVICE : SPACE_DEVICE,
-	    j);
+	j->from = w.flat ? NULL : space_names[w.from];
+	if (!w.flat)
+		notes_say_of_spaces(d, w.from, w.to);
+	bool good = operands_run_job(o, d, w.from, w.to, j);
 
 	if (good) {
-		map_vertices(&w, j, text && !d->flat ? &view : NULL);
+		map_vertices(&w, j, text && !w.flat ? &view : NULL);
 		clip_mesh(&w, d);
 		good = !ex_has_overflowed() ||
 		    document_refuse(d, NULL, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);

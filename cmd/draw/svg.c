@@ -58,11 +58,6 @@ static void round_by(double size)
 	svg.unit = pow(10, ceil(-log10(2e-5 * size)));
 }
 
-static double frame_size(const struct frame *f)
-{
-	return fmax(f->width, f->height);
-}
-
 static void put_place(const struct frame *f, const char *letter, const double at[3])
 {
 	put_with(letter, f->x + at[0] * frame_size(f));

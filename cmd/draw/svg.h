@@ -11,6 +11,12 @@ struct frame {
 	bool from_bottom; /* y of the device points up */
 };
 
+/* Returns the greater side, which is 1 in a picture. */
+static inline double frame_size(const struct frame *f)
+{
+	return f->width > f->height ? f->width : f->height;
+}
+
 /* Adds a picture, from which hidden lines are removed. */
 void svg_add(const struct picture *, const struct frame *);
 

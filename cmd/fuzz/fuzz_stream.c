@@ -198,16 +198,11 @@ static void add_run(void *data, const struct run *run)
 	add(&printed, "|", 1);
 }
 
-static void do_nothing(void *data)
-{
-	(void)data;
-}
-
 /* Makes runs of the points: --lines, or with names as draw takes them. */
 static void set_runs(struct job *j, const struct scene *s, enum space from,
     enum space to, bool names)
 {
-	static struct run_reader reader = { add_run, do_nothing, .names = true };
+	static struct run_reader reader = { add_run, .names = true };
 	static struct refusals none;
 
 	reader.data = j;

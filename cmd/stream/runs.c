@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../../core/points/points.h"
+#include "../message/grow.h"
 
 /* A chunk's out has, for each block: struct block_head, the points, and their names up
  * to a multiple of the alignment. A point whose only bit is OUT_NAN ends a run. */
@@ -124,15 +125,6 @@ static void end_run(struct run_reader *r)
 	r->n = r->text_size = 0;
 }
 
-/* Returns an array of at least n elements of `size` bytes, in place of `old`. */
-static void *reserve(void *old, size_t *room, size_t n, size_t size)
-{
-	if (n <= *room)
-		return old;
-	*room = *room / 2 + n;
-	return xrealloc(old, *room * size);
-}
-
 /* Adds n points, with no end of a run among them, to the run so far. */
 static void extend_run(struct run_reader *r, const struct run_point *point, size_t n,
     const char *names)
@@ -142,10 +134,10 @@ static void extend_run(struct run_reader *r, const struct run_point *point, size
 	const size_t from = point[0].name,
 		     size = point[n - 1].name + point[n - 1].name_size - from;
 
-	r->point = reserve(r->point, &r->room, r->n + n, sizeof *point);
+	GROW(r->point, r->n, n);
 	memcpy(r->point + r->n, point, n * sizeof *point);
 	if (r->names) {
-		r->text = reserve(r->text, &r->text_room, r->text_size + size + 1, 1);
+		GROW(r->text, r->text_size, size + 1);
 		memcpy(r->text + r->text_size, names + from, size);
 		for (size_t i = 0; i < n; i++)
 			r->point[r->n + i].name += r->text_size - from;
@@ -176,7 +168,8 @@ static void runs_collect_chunk(const struct job *j, const struct chunk *c)
 	}
 	if (c->piece.state >= PIECE_LAST)
 		end_run(r);
-	r->flush(r->data);
+	if (r->flush != NULL)
+		r->flush(r->data);
 }
 
 static void runs_flush(const struct job *j)
@@ -184,7 +177,8 @@ static void runs_flush(const struct job *j)
 	struct run_reader *r = j->data;
 
 	end_run(r);
-	r->flush(r->data);
+	if (r->flush != NULL)
+		r->flush(r->data);
 }
 
 void runs_prepare(struct run_reader *r, struct job *j)

@@ -25,14 +25,15 @@ struct run {
 
 struct run_reader {
 	void (*take)(void *data, const struct run *); /* gets each run */
-	/* is called after the runs of each piece of input, before more is waited for */
+	/* is called after the runs of each piece of input, before more is waited for;
+	 * or NULL */
 	void (*flush)(void *data);
 	void *data;
 	bool names;
 	/* the run so far: the reader's own, zero at first */
 	struct run_point *point;
 	char *text;
-	size_t n, room, text_size, text_room;
+	size_t n, text_size;
 };
 
 /* Makes the job read runs. The caller has set the reader's first members and the job's

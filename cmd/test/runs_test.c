@@ -30,11 +30,6 @@ static void take(void *data, const struct run *run)
 	size += (size_t)sprintf(came + size, "|");
 }
 
-static void do_nothing(void *data)
-{
-	(void)data;
-}
-
 static const struct {
 	enum format format;
 	const char *text, *wanted;
@@ -58,7 +53,7 @@ static const struct {
 
 static void runs_and_names_are_right(void **state)
 {
-	static struct run_reader reader = { take, do_nothing, NULL, .names = true };
+	static struct run_reader reader = { take, .names = true };
 	static struct scene scene;
 	static struct job j;
 
