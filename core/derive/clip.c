@@ -107,7 +107,6 @@ static void vertex_copy(const struct clipper *c, struct clip_vertex *r,
 	r->located = v->located;
 	r->index = v->index;
 	r->outside = v->outside;
-	r->plane = v->plane;
 	for (int i = 0; i < c->in; i++) {
 		r->in[i] = v->in[i];
 		r->other[i] = v->other[i];
@@ -158,6 +157,12 @@ static void cut_at(const struct clipper *c, const struct sum *p, const struct su
 		shorten(&at[j]);
 }
 
+/* Returns the plane that has made a vertex which one plane alone has. */
+static int plane_on(const struct clip_vertex *v)
+{
+	return __builtin_ctz(v->on);
+}
+
 static void locate(const struct clipper *c, struct clip_vertex *v)
 {
 	struct sum p[5], q[5], a, b;
@@ -171,8 +176,8 @@ static void locate(const struct clipper *c, struct clip_vertex *v)
 	}
 	locate_point(c, v->in, p);
 	locate_point(c, v->other, q);
-	plane_side(c, v->plane, p, &a);
-	plane_side(c, v->plane, q, &b);
+	plane_side(c, plane_on(v), p, &a);
+	plane_side(c, plane_on(v), q, &b);
 	cut_at(c, p, &a, q, &b, v->at);
 }
 
@@ -231,7 +236,6 @@ static void cut_later(const struct clipper *c, int plane, const struct clip_vert
 	r->located = false;
 	r->outside = 0;
 	r->on = 1u << plane;
-	r->plane = plane;
 	for (int i = 0; i < c->in; i++) {
 		r->in[i] = p->in[i];
 		r->other[i] = q->in[i];
@@ -489,7 +493,7 @@ static bool quick_image(const struct clipper *c, const struct clip_vertex *v,
     bool single, double image[4])
 {
 	if (!v->cut || v->located || c->quick == NULL ||
-	    !quick_cut_image(c->quick, v->plane, v->in, v->other, image))
+	    !quick_cut_image(c->quick, plane_on(v), v->in, v->other, image))
 		return false;
 	for (int k = 0; k < c->out && single; k++) {
 		if (is_midway(image[k]))
@@ -504,7 +508,7 @@ static bool quick_image(const struct clipper *c, const struct clip_vertex *v,
 /* Takes the coordinate that all images of cuts by the vertex's plane have in common. */
 static void learn_edge(const struct clipper *c, struct clip_vertex *v)
 {
-	const int plane = __builtin_ctz(v->on);
+	const int plane = plane_on(v);
 	double image[4];
 
 	if (!c->quick->has_edges || (v->on & (v->on - 1)) != 0 ||

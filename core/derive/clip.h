@@ -37,10 +37,9 @@ struct clip_vertex {
 	double in[4];     /* the point as it was given */
 	size_t index;     /* the caller's number of it */
 	unsigned outside; /* its OUT_ bits (frustum.h); OUT_BEHIND if not known */
-	/* A cut has made the vertex, and index is not set. If it is not located, the
-	 * plane `plane` alone cuts it from the segment from `in` to `other`. */
+	/* A cut has made the vertex, and index is not set. If it is not located, one
+	 * plane alone cuts it from the segment from `in` to `other`. */
 	bool cut;
-	int plane;
 	double other[4];
 	/* The OUT_ bits of planes whose cuts have made it: it lies on them. An edge
 	 * whose two ends have a bit in common lies on that plane. */
