@@ -137,9 +137,11 @@ static bool read_index(struct reader *r, struct span word)
 		    "an index is i, i/t, i//n or i/t/n of whole numbers");
 	if (i == 0 || -i > above || i > (long long)r->points)
 		return obj_refuse(r,
-		    i == 0 ? "an index is 0" :
-		    i < 0  ? text("index %lld, and %lld points are before it", i, above) :
-			     text("index %lld, and there are %zu points", i, r->points),
+		    i == 0 ?
+			"an index is 0" :
+			i < 0 ?
+			text("index %lld, and %lld points are before it", i, above) :
+			text("index %lld, and there are %zu points", i, r->points),
 		    "indices count from 1 on, or from -1 back");
 	GROW(r->corner, r->corners, 1);
 	r->corner[r->corners++] = r->vertex[i > 0 ? i - 1 : above + i];

@@ -13,9 +13,8 @@ static inline size_t array_room(size_t n)
 /* Returns the array, moved if there is no room for n + more elements. */
 static inline void *array_grow(void *array, size_t n, size_t more, size_t size)
 {
-	return n + more <= array_room(n) ?
-	    array :
-	    xrealloc(array, array_room(n + more) * size);
+	return n + more <= array_room(n) ? array :
+					   xrealloc(array, array_room(n + more) * size);
 }
 
 /* GROW(a, n, more) makes room for n + more elements in the array a of n. */

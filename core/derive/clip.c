@@ -64,12 +64,13 @@ bool clipper_of(const struct scene *s, enum space from, enum space to,
     struct clipper *c, struct refusals *faults)
 {
 	const bool flat = space_is_flat(from);
+	const bool open = !flat && projection_is_open(&s->projection);
 	const enum space base = from > SPACE_VIEW ? from : SPACE_VIEW;
 
 	c->in = flat ? 2 : from == SPACE_CLIP ? 4 : 3;
 	c->out = flat ? 2 : to == SPACE_CLIP ? 4 : 3;
-	c->reaches_eye = !flat && projection_is_open(&s->projection);
-	c->planes = flat || c->reaches_eye ? 4 : CLIP_PLANES;
+	c->reaches_eye = open && to > SPACE_CLIP;
+	c->planes = flat || open ? 4 : CLIP_PLANES;
 	c->mapped = from != base;
 	c->by_distance = to == SPACE_DEVICE && s->has_viewport && s->viewport.distance;
 	c->has_weight = from == SPACE_CLIP && to == SPACE_CLIP;

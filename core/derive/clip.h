@@ -3,7 +3,8 @@
  * window: left, right, bottom, top, near and far, in this order. All is decided and cut
  * in homogeneous coordinates with the numbers of core/exact, before any division: so
  * what passes behind the eye is right, and images of cuts are nearest doubles. Without
- * near and far planes the other four meet in the eye, which has no image. */
+ * near and far planes the other four meet in the eye, which has no image beyond clip
+ * space. */
 #pragma once
 
 #include "../points/distance.h"
@@ -20,7 +21,7 @@ struct clipper {
 	int planes;       /* that exist: 4 or 6 */
 	bool mapped;      /* the points are not of the space where they are cut */
 	bool by_distance; /* z of the image is a distance along the gaze */
-	bool reaches_eye; /* the planes meet in the eye */
+	bool reaches_eye; /* the planes meet in the eye, which has no image */
 	bool has_weight;  /* w of clip space is kept: element 4 is the weight */
 	/* what computes most cuts, as the caller wishes, with the same result; or NULL,
 	 * which clipper_of sets */
