@@ -187,10 +187,11 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 	if (ends && j->flush != NULL)
 		j->flush(j);
 	clear_progress();
-	for (size_t i = 0; i < c->n_complaints && i < COMPLAINTS_MAX; i++) {
+	for (size_t i = 0; i < c->n_complaints && i <= COMPLAINTS_MAX; i++) {
 		struct place p = line_place(c, (size_t)c->complaint[i].line);
+		bool ends_all = refused && (i == COMPLAINTS_MAX || i + 1 == c->n_complaints);
 
-		if (answer.bad_lines + i < COMPLAINTS_MAX || refused)
+		if (answer.bad_lines + i < COMPLAINTS_MAX || ends_all)
 			say_refusal(p, &c->complaint[i]);
 	}
 	answer.bad_lines += c->n_complaints;

@@ -36,17 +36,16 @@ char *chunk_reserve(struct chunk *c, size_t n)
 bool chunk_complain(const struct job *j, struct chunk *c, const struct refusal *r)
 {
 	bool goes_on = j->keep_going && !c->refused;
+	struct refusal *to = &c->complaint[c->n_complaints < COMPLAINTS_MAX ?
+		c->n_complaints :
+		COMPLAINTS_MAX];
 
-	if (c->n_complaints < COMPLAINTS_MAX) {
-		struct refusal *to = &c->complaint[c->n_complaints];
-
-		*to = *r;
-		to->line = (long long)(c->n_lines + c->block_lines);
-		if (c->is_list && c->piece.place[to->line].joined)
-			to->column = c->piece.place[to->line].column;
-		else if (c->is_list)
-			to->column += c->piece.place[to->line].column - 1;
-	}
+	*to = *r;
+	to->line = (long long)(c->n_lines + c->block_lines);
+	if (c->is_list && c->piece.place[to->line].joined)
+		to->column = c->piece.place[to->line].column;
+	else if (c->is_list)
+		to->column += c->piece.place[to->line].column - 1;
 	c->n_complaints++;
 	if (!goes_on)
 		c->text = c->end;

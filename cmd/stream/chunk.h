@@ -42,7 +42,9 @@ struct chunk {
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
 	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
-	struct refusal complaint[COMPLAINTS_MAX]; /* line is its index in the chunk */
+	/* line is its index in the chunk; the last one is the chunk's last complaint if
+	 * it has more */
+	struct refusal complaint[COMPLAINTS_MAX + 1];
 };
 
 struct chunk *chunk_new(void);

@@ -284,6 +284,15 @@ SKIP: {
 	is((run("taskset -c $first projcalc project -j64 scene.json $tmp/in " .
 	    "$tmp/in | wc -l"))[1], "2000000\n", 'which do all, of two files');
 }
+# Ten bad lines are told, and whatever ends the input, however many were bad before it.
+for my $bad (9 .. 12) {
+	my $last = $bad + 3;
+	spew("$tmp/in", "0 0 1\n" . "0 0 bad\n" x $bad . "0 0 2\n\0\n0 0 3\n");
+	my @said = same('', "binary input after $bad bad lines", 2);
+	like($said[2], qr/^projcalc: -:$last:1: is binary.*\n\z/m, 'which is told');
+	is($said[2] =~ tr/\n//, ($bad > 10 ? 10 : $bad) + 1, 'and ten bad lines');
+}
+
 # --progress counts from the offset at which reading begins, not from byte 0.
 spew("$tmp/in", "0 0 0\n" x 100000);
 like((run("(dd bs=300000 count=1 >$tmp/first 2>$tmp/told; projcalc project " .
