@@ -93,7 +93,8 @@ static void trace_put_point(const struct job *j, struct chunk *c,
 	    SPACES * 4 * (NUMBER_MAX + 16) + sizeof trace->axes + FLAG_MAX + 16);
 	*at++ = json ? '{' : '\n';
 	for (int s = 0; s < (json ? SPACES : trace->n_spaces); s++) {
-		at = trace_put_image(stpcpy(at, trace->label[json][s]), j, m, s, p);
+		at = trace_put_image(stpcpy(at, trace->label[json][s]), j,
+		    s < trace->n_spaces ? m : NULL, s, p);
 		*at++ = json ? ',' : '\n';
 	}
 	if (json)

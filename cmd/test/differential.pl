@@ -3,7 +3,8 @@
 # Draws random calls: commands, options, scenes and points in every format, right and
 # wrong. Each call must give the same output, messages and status
 # - with one program: with the loops of this processor and without, on one thread and
-#   on several, and from a file and a pipe that is cut anywhere;
+#   on several, from a file and a pipe that is cut anywhere, and of scenes of --scenes
+#   what each of them gives alone;
 # - with two: from both. Differences are counted by class. For each class the first one
 #   is made as short as possible, and kept as a call in a folder of its own.
 # usage: differential.pl PROGRAM [OTHER] [SECONDS] [SEED]; SECONDS of the processor,
@@ -908,6 +909,29 @@ sub compare_paths {
 	}
 }
 
+# Compares the output of scenes that are all right with that of each alone. A last line
+# without a newline gets one if another scene follows.
+sub compare_scenes {
+	my ($call) = @_;
+	my @alone;
+	return if $call->{scenes}->@* < 2;
+	for my $scene ($call->{scenes}->@*) {
+		my ($args, $from) = files({%$call, scenes => [$scene]});
+		my $got = answer($programs[0], $call->{command}, $args, $from);
+		return if $got->[2];
+		push @alone, $got->[0];
+	}
+	my ($args, $from) = files($call);
+	my $got = answer($programs[0], $call->{command}, $args, $from);
+	my $ended = join('', map { $_ eq '' || /\n\z/ ? $_ : "$_\n" } @alone[0 .. $#alone - 1])
+	    . $alone[-1];
+	return $passed++ if $got->[0] eq join('', @alone) || $got->[0] eq $ended;
+	$failed++;
+	print "call $call->{n}, of scenes and of each alone:\n";
+	keep($call, 'output: ' . shown_pair(first_difference($got->[0], $ended)))
+	    if $kept < 20;
+}
+
 sub seconds_used { my @t = times; return $t[0] + $t[1] + $t[2] + $t[3] }
 
 $| = 1;
@@ -918,6 +942,7 @@ my $began = time;
 for (my $n = 0; seconds_used() < $seconds && time - $began < 4 * $seconds; $n++) {
 	my $call = draw($n);
 	@programs == 2 ? compare_programs($call) : compare_paths($call);
+	compare_scenes($call) if @programs == 1;
 }
 my $took = time - $began;
 for my $class (sort { $count{$b} <=> $count{$a} || $a cmp $b } keys %count) {
