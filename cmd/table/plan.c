@@ -122,9 +122,30 @@ static bool finds_all(const struct sought *found, int reads)
 	return true;
 }
 
+/* Writes S_x and so on, of the space that is read. */
+static void name_in_space(const struct layout *l, int i, char name[2 * NAME_ROOM])
+{
+	snprintf(name, 2 * NAME_ROOM, "%s_%s", l->from, coordinate_name(i));
+}
+
+/* Returns whether the names of the coordinates that were found are those of the space
+ * that is read. */
+static bool are_in_space(const struct layout *l, struct cursor c,
+    const struct sought *found)
+{
+	char name[2 * NAME_ROOM];
+
+	for (int i = 0; i < l->reads && l->from != NULL; i++) {
+		name_in_space(l, i, name);
+		if (!is_named(&c, &found->field[i], name, false))
+			return false;
+	}
+	return l->from != NULL;
+}
+
 /* Sets the names that --columns gives; else those of the space that is read if the line
- * has all of them; else x, y, z and w in either case. Returns whether the second. */
-static bool choose_names(const struct layout *l, struct cursor c, struct names *n)
+ * has all of them; else x, y, z and w in either case. */
+static void choose_names(const struct layout *l, struct cursor c, struct names *n)
 {
 	struct sought found;
 	int index[4];
@@ -133,18 +154,16 @@ static bool choose_names(const struct layout *l, struct cursor c, struct names *
 	for (int i = 0; i < l->columns.n; i++)
 		n->given[i] = l->columns.name[i];
 	if (l->columns.n > 0)
-		return false;
+		return;
 	n->either_case = false;
 	for (int i = 0; i < l->reads && l->from != NULL; i++)
-		snprintf(n->name[i], sizeof *n->name, "%s_%s", l->from,
-		    coordinate_name(i));
+		name_in_space(l, i, n->name[i]);
 	find_names(c, n, l->reads, &found, index);
 	if (finds_all(&found, l->reads))
-		return true;
+		return;
 	n->either_case = true;
 	for (int i = 0; i < l->reads; i++)
 		strcpy(n->name[i], coordinate_name(i));
-	return false;
 }
 
 void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
@@ -188,14 +207,14 @@ static void find_clash(const struct layout *l, struct cursor c, struct sought *f
 }
 
 /* Finds S_w beside the coordinates S_x ... of a space that has no w: -H wrote them, not
- * divided by w. */
+ * divided by w, unless --columns says otherwise. */
 static void find_undivided(const struct layout *l, struct cursor c,
     struct sought *found)
 {
 	char name[2 * NAME_ROOM];
 	struct field f;
 
-	if (!l->plan.in_space || strcmp(l->from, "clip") == 0)
+	if (!l->plan.in_space || l->columns.n > 0 || strcmp(l->from, "clip") == 0)
 		return;
 	snprintf(name, sizeof name, "%s_w", l->from);
 	while (found->clash == NULL && cursor_next(&c, &f))
@@ -306,6 +325,13 @@ static void list_fields(struct cursor c, char all[512])
 		strcpy(all + n, ", ...");
 }
 
+static bool begins_with_number(const struct layout *l, struct cursor c)
+{
+	struct field f;
+
+	return !c.members && cursor_next(&c, &f) && is_number(l->in, f.value);
+}
+
 /* Says that the line has no field of coordinate i, or several, and which it has. */
 static void refuse_name(const struct layout *l, const struct line *line,
     struct cursor c, const struct names *names, const struct sought *found, int i,
@@ -332,6 +358,11 @@ static void refuse_name(const struct layout *l, const struct line *line,
 			l->columns.n > 0 ? "say --columns by number" :
 					   remedy);
 		set_column(r, line, c.members ? first->name.s : first->value.s);
+		return;
+	}
+	if (l->columns.n > 0 && l->header == HEADER_MAYBE && begins_with_number(l, c)) {
+		refusal_set(r, NULL, text("is no header, which would have '%s'", name),
+		    "--columns 2,3,4 counts columns");
 		return;
 	}
 	list_fields(c, all);
@@ -441,7 +472,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 	struct field f;
 
 	line->kind = LINE_REFUSED;
-	p->in_space = choose_names(l, c, &names);
+	choose_names(l, c, &names);
 	find_names(c, &names, l->reads, &found, p->field);
 	for (int i = 0; i < l->reads; i++) {
 		const bool by_number = l->columns.n > 0 && l->columns.name[i] == NULL;
@@ -459,6 +490,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 				line->at[i] = line_part(line, f.value);
 				found.field[i] = f;
 			}
+	p->in_space = are_in_space(l, c, &found);
 	find_undivided(l, c, &found);
 	find_clash(l, c, &found);
 	if (found.clash != NULL) {
@@ -530,10 +562,11 @@ static void find_object_fields(struct layout *l, struct cursor c, bool first,
     struct sought *found, struct names *names)
 {
 	struct plan *p = &l->plan;
-	const bool in_space = first && choose_names(l, c, names);
 	int index[4];
 
-	if (!first) {
+	if (first) {
+		choose_names(l, c, names);
+	} else {
 		*names = (struct names){ 0 };
 		for (int i = 0; i < l->reads; i++) {
 			names->given[i] = l->columns.name[i];
@@ -542,7 +575,7 @@ static void find_object_fields(struct layout *l, struct cursor c, bool first,
 	}
 	find_names(c, names, l->reads, found, index);
 	if (first && finds_all(found, l->reads)) {
-		p->in_space = in_space;
+		p->in_space = are_in_space(l, c, found);
 		for (int i = 0; i < l->reads && l->columns.n == 0; i++) {
 			const char *name = names->name[i];
 			const struct span lower = { name, name + strlen(name) };
