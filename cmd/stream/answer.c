@@ -189,9 +189,9 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 	clear_progress();
 	for (size_t i = 0; i < c->n_complaints && i <= COMPLAINTS_MAX; i++) {
 		struct place p = line_place(c, (size_t)c->complaint[i].line);
-		bool ends_all = refused && (i == COMPLAINTS_MAX || i + 1 == c->n_complaints);
+		bool last = i == COMPLAINTS_MAX || i + 1 == c->n_complaints;
 
-		if (answer.bad_lines + i < COMPLAINTS_MAX || ends_all)
+		if (answer.bad_lines + i < COMPLAINTS_MAX || (refused && last))
 			say_refusal(p, &c->complaint[i]);
 	}
 	answer.bad_lines += c->n_complaints;
