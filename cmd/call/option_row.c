@@ -233,7 +233,8 @@ const struct option_row option_rows[] = {
 	    "print textbook_error: what programs get that work in float or double",
 	    FLAG(textbook) },
 	{ "from", 0, COMMAND_PROJECT | COMMAND_TRACE | COMMAND_DRAW,
-	    "read points in this space: model, world, view, clip, ndc or device",
+	    "read points in this space: model, world, view, clip, ndc or "
+	    "device; draw takes the first three",
 	    "SPACE", option_read_word, OFFSET(from), .words = space_names,
 	    .word_aliases = space_aliases, FLAG(has_from) },
 	{ "to", 0, COMMAND_PROJECT,
@@ -284,7 +285,7 @@ const struct option_row option_rows[] = {
 	{ "text", 0, COMMAND_DRAW, "draw in Braille of 80 columns, as on a terminal",
 	    FLAG(text) },
 	{ "keep-going", 0, ALL_BUT_HELP,
-	    "go on after a wrong scene or a bad line; print nan for the line",
+	    "go on after a wrong scene or a bad line, whose image is nan",
 	    FLAG(keep_going) },
 	{ "jobs", 'j', READ_POINTS, "use N threads; default one for each processor",
 	    "N", option_read_numbers, OFFSET(jobs), WHOLE(1, 1, 256),

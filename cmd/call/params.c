@@ -264,6 +264,19 @@ static bool check_not_points(const struct options *o, struct document *d)
 		input_first_char(o->params) == '{' ? "points.json" : params.name));
 }
 
+/* Refuses PARAMS that are JSON in UTF-16, as some shells write it, for all scenes. */
+static bool check_not_utf16(struct document *d)
+{
+	struct refusal foreign;
+
+	if (params.number > 1 ||
+	    !format_is_foreign(params.text.s + params.begin,
+		params.end - params.begin, true, &foreign))
+		return true;
+	d->ends_run = true;
+	return document_refuse(d, NULL, foreign.what, foreign.remedy);
+}
+
 /* Returns a hint for points of two numbers, which may be positions; or NULL. */
 static const char *find_two_numbers_hint(const struct options *o)
 {
@@ -295,7 +308,7 @@ bool params_read_document(const struct options *o, struct document *d,
 		    params.text.s + params.end, &params.line, &params.column);
 	*d = (struct document){ .source = wants.source };
 	d->source.name = params.name;
-	if (!check_not_points(o, d))
+	if (!check_not_points(o, d) || !check_not_utf16(d))
 		return false;
 	wants.source.two_numbers_hint = find_two_numbers_hint(o);
 	if (o->plane.n > 0)

@@ -135,13 +135,13 @@ static bool read_index(struct reader *r, struct span word)
 	if (at != end)
 		return obj_refuse(r, "a word is no index",
 		    "an index is i, i/t, i//n or i/t/n of whole numbers");
-	if (i == 0 || -i > above || i > (long long)r->points)
+	const long long points = i < 0 ? above : (long long)r->points;
+
+	if (i == 0 || i > points || -i > points)
 		return obj_refuse(r,
-		    i == 0 ?
-			"an index is 0" :
-			i < 0 ?
-			text("index %lld, and %lld points are before it", i, above) :
-			text("index %lld, and there are %zu points", i, r->points),
+		    i == 0 ? "an index is 0" :
+			     text("index %lld of %lld point%s%s", i, points,
+				 points == 1 ? "" : "s", i < 0 ? " before it" : ""),
 		    "indices count from 1 on, or from -1 back");
 	GROW(r->corner, r->corners, 1);
 	r->corner[r->corners++] = r->vertex[i > 0 ? i - 1 : above + i];

@@ -161,11 +161,11 @@ static const struct remark remarks[] = {
 	    "of world to view it is \"rvec\" of \"camera\"" },
 	{ WORD_MEMBER, "quaternion quat q rotationquaternion localrotation",
 	    "orientation camera world quaternion",
-	    "x, y, z, w of view to world is \"orientation\" of \"camera\", of a model "
+	    "x, y, z, w of view to world is \"orientation\" of \"camera\", as a step "
 	    "{\"world\": [{\"quaternion\": [0,0,0,1]}]}" },
 	{ WORD_MEMBER, "rotation", "orientation camera world quaternion",
-	    "a quaternion x, y, z, w is \"orientation\" of \"camera\", or of a model "
-	    "{\"world\": [{\"quaternion\": [0,0,0,1]}]}" },
+	    "a quaternion x, y, z, w is as a step {\"world\": [{\"quaternion\": "
+	    "[0,0,0,1]}]}, of view to world \"orientation\" of \"camera\"" },
 	{ WORD_MEMBER, "qvec qw quaternionwxyz wxyz",
 	    "convention opencv camera matrix quaternion_wxyz translate",
 	    "of world to view, w first, it is {\"convention\": \"opencv\", \"camera\": "
@@ -254,7 +254,7 @@ static const struct remark remarks[] = {
 	    "it is {\"world\": [{\"translate\": [1,2,3]}]}, or a matrix in place of "
 	    "steps" },
 	{ WORD_MEMBER, "translation", "world translate translation camera",
-	    "of a model it is {\"world\": [{\"translate\": [1,2,3]}]}, the t of [R|t] "
+	    "as a step it is {\"world\": [{\"translate\": [1,2,3]}]}, the t of [R|t] "
 	    "\"translation\" of \"camera\"" },
 	{ WORD_MEMBER, "trs localposition localscale",
 	    "world node translation rotation scale",
