@@ -121,7 +121,9 @@ static void set_rvec(const struct sum q[4], double rvec[3])
 void rigid_of(const struct lens *l, const struct upright *u, struct rigid *r)
 {
 	const struct scene *s = &l->scene;
-	const bool split = !s->has_camera && projection_is_given_matrix(&s->projection);
+	const bool split = !s->has_camera &&
+	    (projection_is_given_matrix(&s->projection) ||
+		projection_has_intrinsics(&s->projection));
 	struct sum to_world[3][3], q[4];
 	struct frame f;
 

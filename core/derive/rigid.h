@@ -21,5 +21,6 @@ struct rigid {
 
 /* Describes the camera of a scene: its nearest rotation with the translation of a
  * matrix, or the eye of a pose, as `orthonormalize` makes it; the camera that
- * upright_of finds in a projection's matrix without a camera; or the identity. */
+ * upright_of finds in a projection's matrix or intrinsics without a camera; or the
+ * identity. */
 void rigid_of(const struct lens *, const struct upright *, struct rigid *);
