@@ -277,6 +277,15 @@ static bool check_not_utf16(struct document *d)
 	return document_refuse(d, NULL, foreign.what, foreign.remedy);
 }
 
+/* Returns whether the options read or print positions on the device. */
+static bool wants_device(const struct options *o)
+{
+	const bool back = o->ray || o->plane.n > 0;
+
+	return (o->has_from ? o->from == SPACE_DEVICE : back) ||
+	    (o->has_to && o->to == SPACE_DEVICE);
+}
+
 /* Returns a hint for points of two numbers, which may be positions; or NULL. */
 static const char *find_two_numbers_hint(const struct options *o)
 {
@@ -313,6 +322,8 @@ bool params_read_document(const struct options *o, struct document *d,
 	wants.source.two_numbers_hint = find_two_numbers_hint(o);
 	if (o->plane.n > 0)
 		wants.source.task = TASK_PLANE;
+	if (wants_device(o))
+		wants.needed |= SCENE_VIEWPORT;
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
 	/* the document's points are not read if operands replace them */

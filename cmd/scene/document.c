@@ -195,6 +195,9 @@ static void set_device_origin(struct scene *s, const struct document_wants *w,
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_ROWS], unsigned seen)
 {
+	/* in place of a viewport whose lack is told: nothing that follows from it is */
+	static const struct viewport assumed = { .width = 1, .height = 1 };
+	const bool told = ((w->needed | d->present) & SCENE_VIEWPORT) != 0;
 	struct scene *s = &d->scene;
 	const struct value *camera = &m[SCENE_ROW_CAMERA];
 
@@ -215,7 +218,10 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		check_distance(m);
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[SCENE_ROW_PROJECTION],
-		    s->has_viewport ? &s->viewport : NULL, &s->projection);
+		    s->has_viewport ? &s->viewport :
+			told        ? &assumed :
+				      NULL,
+		    &s->projection);
 	if (s->has_device)
 		set_device_origin(s, w, m);
 	if ((w->used & SCENE_MARGIN) == 0)
@@ -296,8 +302,8 @@ bool document_read(struct document *d, const char *name, char *begin, size_t siz
 	check_members(&root, &w, seen | meant);
 	read_first(d, &w, m, seen);
 	read_members(d, m, seen & ~(unsigned)(FIRST | SCENE_POINTS));
-	complete_scene(d, &w, m, seen);
 	d->present = seen | meant;
+	complete_scene(d, &w, m, seen);
 	if (seen & SCENE_POINTS)
 		cut_points(d, &m[SCENE_ROW_POINTS], points, w.coordinates);
 	return source->faults->n == 0;
