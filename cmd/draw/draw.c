@@ -51,6 +51,9 @@ void check_draw(const struct options *o)
 {
 	if (o->has_from && o->from > SPACE_VIEW)
 		die(EXIT_USAGE, "draw: --from is model, world or view", NULL);
+	if (o->background != NULL && o->text)
+		die(EXIT_USAGE, "draw: --text excludes --background",
+		    "a picture is behind an SVG alone");
 	if (o->background != NULL)
 		set_background(o->background);
 }

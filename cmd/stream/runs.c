@@ -32,8 +32,8 @@ static bool ends_run(const struct job *j, const struct line *line)
 		    text.end);
 }
 
-/* Returns the rest of a line, as struct run describes it. */
-static struct span rest_of(const struct job *j, const struct line *line)
+/* Returns what follows the coordinates of a line. */
+static struct span after_coordinates(const struct job *j, const struct line *line)
 {
 	const struct dialect in = j->layout.in;
 	struct span rest = line_text(line);
@@ -51,6 +51,35 @@ static struct span rest_of(const struct job *j, const struct line *line)
 	if (in.format == FORMAT_JSON)
 		rest.end -= rest.end > rest.s;
 	return trimmed(in, rest);
+}
+
+/* Returns what is before the coordinates of a line that is not JSON. */
+static struct span before_coordinates(const struct job *j, const struct line *line)
+{
+	const struct dialect in = j->layout.in;
+	struct span rest = line_text(line);
+	uint32_t to = line->size;
+
+	for (int k = 0; k < j->layout.reads; k++)
+		to = line->at[k].from < to ? line->at[k].from : to;
+	rest.end = rest.s + to;
+	rest = trimmed(in, rest);
+	/* a quote of csv that opens the coordinate, and the separator */
+	if (in.format == FORMAT_CSV && rest.s < rest.end && rest.end[-1] == '"')
+		rest = trimmed(in, (struct span){ rest.s, rest.end - 1 });
+	if (!format_of(in)->blanks && rest.s < rest.end && rest.end[-1] == in.separator)
+		rest.end--;
+	return trimmed(in, rest);
+}
+
+/* Returns the rest of a line, as struct run describes it. */
+static struct span rest_of(const struct job *j, const struct line *line)
+{
+	const struct span after = after_coordinates(j, line);
+
+	return after.s < after.end || j->layout.in.format == FORMAT_JSON ?
+	    after :
+	    before_coordinates(j, line);
 }
 
 static void add_name(const struct job *j, const struct line *line, char *names,

@@ -14,9 +14,9 @@ struct run_point {
 	size_t name;            /* its first byte, in run.names */
 };
 
-/* A run of n > 0 points. The names are the rest of each line: the text behind its last
- * coordinate, without the blanks and separators around it and, of JSON, without the
- * bracket that closes the line. */
+/* A run of n > 0 points. The name of a point is the text behind its last coordinate,
+ * without the blanks and separators around it and, of JSON, without the bracket that
+ * closes the line; or, where nothing is, and not of JSON, the text before the first. */
 struct run {
 	const struct run_point *point;
 	size_t n;

@@ -325,6 +325,21 @@ static void list_fields(struct cursor c, char all[512])
 		strcpy(all + n, ", ...");
 }
 
+/* Returns whether a line begins with a word that lines of OBJ begin with. */
+static bool is_obj(struct cursor c)
+{
+	static const char *const words[] = { "v", "o", "g", "mtllib" };
+	struct field f;
+
+	if (c.members || !cursor_next(&c, &f))
+		return false;
+	for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+		if (span_size(f.value) == strlen(words[i]) &&
+		    memcmp(f.value.s, words[i], strlen(words[i])) == 0)
+			return true;
+	return false;
+}
+
 static bool begins_with_number(const struct layout *l, struct cursor c)
 {
 	struct field f;
@@ -346,6 +361,8 @@ static void refuse_name(const struct layout *l, const struct line *line,
 	    NULL :
 	    c.s < c.end && (*c.s == '{' || *c.s == '[') ?
 	    "of JSON say -i json" :
+	    is_obj(c) ?
+	    "of OBJ say -i obj" :
 	    found->n == 1 || l->in.format == FORMAT_TEXT ?
 	    other_separator(l, (struct span){ c.s, c.end }) :
 	    NULL;
