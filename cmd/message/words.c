@@ -166,7 +166,7 @@ static const struct remark remarks[] = {
 	{ WORD_MEMBER, "rotation", "orientation camera world quaternion",
 	    "a quaternion x, y, z, w is as a step {\"world\": [{\"quaternion\": "
 	    "[0,0,0,1]}]}, of view to world \"orientation\" of \"camera\"" },
-	{ WORD_MEMBER, "qvec qw quaternionwxyz wxyz",
+	{ WORD_MEMBER, "qvec qw quaternionwxyz orientationwxyz wxyz",
 	    "convention opencv camera matrix quaternion_wxyz translate",
 	    "of world to view, w first, it is {\"convention\": \"opencv\", \"camera\": "
 	    "{\"matrix\": [{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": "

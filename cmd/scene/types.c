@@ -475,7 +475,8 @@ static bool read_intrinsics(const struct value *v, const struct member *row, voi
 	if (nested ? n != 3 : n != 9 && n != 12)
 		return value_refuse(v, "is none of " INTRINSICS_FORMS,
 		    n == 16 || nested || n < 5 ?
-			"a 4x4 from view to clip is of type \"matrix\"" :
+			"a last row 0 0 0 1 is left out; a 4x4 from view to clip is of "
+			"type \"matrix\"" :
 			"what follows fx, fy, cx, cy bends a lens: 'Points through a "
 			"lens' in 'man projcalc-recipes'");
 	if (!read_rows(v, 3, columns, e))

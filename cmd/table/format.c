@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "format.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -157,42 +158,60 @@ const char *format_read(struct dialect d, const char *s, const char *end, double
 	return after;
 }
 
-/* Copies a field with each byte `from` replaced by `to`, or left out if `to` is 0.
- * Returns whether the copy is a number. */
-static bool becomes_number(struct span f, const char *from, char to, char out[64])
+/* Copies a field with each byte of `from` replaced by `to`, or left out if `to` is 0,
+ * and without those of `drop`. Returns whether the copy is a number. */
+static bool becomes_number(struct span f, const char *from, char to, const char *drop,
+    char out[64])
 {
 	size_t n = 0;
 	double v;
 
-	for (const char *s = f.s; s < f.end && n < 60; s++)
-		if (strchr(from, *s) == NULL)
-			out[n++] = *s;
-		else if (to != '\0')
-			out[n++] = to;
+	for (const char *s = f.s; s < f.end && n < 60; s++) {
+		const bool changes = strchr(from, *s) != NULL;
+
+		if (strchr(drop, *s) == NULL && (!changes || to != '\0'))
+			out[n++] = changes ? to : *s;
+	}
 	out[n] = '\0';
 	return n > 0 && number_read(out, out + n, &v) == out + n && isfinite(v);
 }
 
+/* Returns what to write in place of a number with commas: the last of comma and point
+ * is the decimal one, but of a comma alone before three digits nobody knows. */
+static const char *comma_remedy(struct dialect d, struct span f)
+{
+	const char *const comma = memchr(f.s, ',', span_size(f));
+	const char *const point = memchr(f.s, '.', span_size(f));
+	const bool decimal = point == NULL || point < comma;
+	char number[64], whole[64];
+
+	if (comma == f.s || !isdigit((unsigned char)comma[-1]) ||
+	    !becomes_number(f, ",", decimal ? '.' : '\0', decimal ? "." : "", number))
+		return "";
+	if (point == NULL && f.end - comma == 4 &&
+	    becomes_number(f, ",", '\0', "", whole))
+		return text("write %s, or of thousands %s", number, whole);
+	return point != NULL ?
+	    text("write %s", number) :
+	    d.format == FORMAT_TEXT ?
+	    text("write %s with a decimal point; of csv say -i csv", number) :
+	    text("write %s with a decimal point", number);
+}
+
 const char *format_number_remedy(struct dialect d, struct span f)
 {
-	const size_t size = (size_t)(f.end - f.s);
-	const bool comma = memchr(f.s, ',', size) != NULL;
+	const size_t size = span_size(f);
 	char number[64], *end;
 
 	if (size == 0 || size > 40 || memchr(f.s, '\0', size) != NULL)
 		return "";
-	if (becomes_number(f, "dD", 'e', number))
+	if (becomes_number(f, "dD", 'e', "", number))
 		return text("write e for %c: %s",
 		    memchr(f.s, 'd', size) != NULL ? 'd' : 'D', number);
-	if (becomes_number(f, "_'", '\0', number))
+	if (becomes_number(f, "_'", '\0', "", number))
 		return text("write %s", number);
-	if (comma && becomes_number(f, ",", '.', number))
-		return d.format == FORMAT_TEXT ?
-		    text("write %s with a decimal point; of csv say -i csv", number) :
-		    text("write %s with a decimal point", number);
-	if (comma && memchr(f.s, '.', size) != NULL &&
-	    becomes_number(f, ",", '\0', number))
-		return text("write %s", number);
+	if (memchr(f.s, ',', size) != NULL)
+		return comma_remedy(d, f);
 	memcpy(number, f.s, size);
 	number[size] = '\0';
 	if (strchr("xX", number[strspn(number, "+-") + 1]) == NULL ||

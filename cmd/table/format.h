@@ -106,6 +106,11 @@ static inline const char *skip_blanks(struct dialect d, const char *s, const cha
 	return s;
 }
 
+static inline size_t span_size(struct span f)
+{
+	return (size_t)(f.end - f.s);
+}
+
 static inline struct span trimmed(struct dialect d, struct span f)
 {
 	f.s = skip_blanks(d, f.s, f.end);

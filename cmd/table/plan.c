@@ -38,11 +38,6 @@ void plan_begin(struct layout *l)
 		l->plan.field[i] = l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
-static size_t span_size(struct span f)
-{
-	return (size_t)(f.end - f.s);
-}
-
 static const char *shown(struct span f)
 {
 	char escaped[ESCAPED_MAX];
@@ -242,11 +237,12 @@ static bool is_number(struct dialect d, struct span f)
 }
 
 /* Returns whether the field is a name: no number, no missing value, and not like
- * one. */
+ * one, in quotes or not. */
 static bool is_name(struct dialect d, struct span f)
 {
 	double v;
 
+	f = header_name(f);
 	return format_read(d, f.s, f.end, &v) != f.end && !begins_like_number(f);
 }
 
@@ -357,15 +353,12 @@ static void refuse_name(const struct layout *l, const struct line *line,
 	const char *subject = c.members ? "has" : "the header has";
 	const char *what = c.members ? "member" : "column";
 	const char *remedy = "--columns chooses the coordinates";
-	const char *other = c.members ?
-	    NULL :
-	    c.s < c.end && (*c.s == '{' || *c.s == '[') ?
-	    "of JSON say -i json" :
-	    is_obj(c) ?
-	    "of OBJ say -i obj" :
+	const char *other = c.members                   ? NULL :
+	    c.s < c.end && (*c.s == '{' || *c.s == '[') ? "of JSON say -i json" :
+	    is_obj(c)                                   ? "of OBJ say -i obj" :
 	    found->n == 1 || l->in.format == FORMAT_TEXT ?
-	    other_separator(l, (struct span){ c.s, c.end }) :
-	    NULL;
+			other_separator(l, (struct span){ c.s, c.end }) :
+			NULL;
 	char all[512];
 
 	name = shown((struct span){ name, name + strlen(name) });
@@ -477,6 +470,25 @@ static bool columns_are_apart(const struct layout *l, size_t n, struct refusal *
 	return true;
 }
 
+/* Blanks part the names of text, also within quotes. */
+static bool has_whole_names(const struct layout *l, struct line *line, struct cursor c,
+    struct refusal *r)
+{
+	struct field f;
+
+	while (format_of(l->in)->blanks && cursor_next(&c, &f)) {
+		const struct span name = f.value;
+
+		if (*name.s != '"' || (span_size(name) > 1 && name.end[-1] == '"'))
+			continue;
+		refusal_set(r, NULL, text("the header's %s is not closed", shown(name)),
+		    "blanks part the names of text: rename it, or write csv");
+		set_column(r, line, name.s);
+		return false;
+	}
+	return true;
+}
+
 /* Reads a header: finds the columns of the coordinates. */
 static void read_header(struct layout *l, struct span text, struct line *line,
     struct refusal *r)
@@ -499,7 +511,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 			return;
 		}
 	}
-	if (!columns_are_apart(l, found.n, r))
+	if (!has_whole_names(l, line, c, r) || !columns_are_apart(l, found.n, r))
 		return;
 	for (int k = 0; cursor_next(&at, &f); k++)
 		for (int i = 0; i < l->reads; i++)
@@ -544,9 +556,11 @@ static bool has_its_fields(const struct layout *l, const struct line *line,
 	refusal_set(r, NULL,
 	    text("has %zu field%s and the %s %zu", found->n, found->n == 1 ? "" : "s",
 		p->header_fields > 0 ? "header" : "first row", p->fields),
-	    !format_of(l->in)->table ? NULL :
-		found->n > p->fields ? "quote a field that has the separator in it" :
-				       NULL);
+	    !format_of(l->in)->table || found->n < p->fields ?
+		NULL :
+		p->header_fields > 0 ?
+		"quote a field that has the separator in it; row names want a name" :
+		"quote a field that has the separator in it");
 	for (size_t k = 0; k <= p->fields && cursor_next(&c, &f); k++)
 		at = k == p->fields ? f.value.s : at;
 	set_column(r, line, at);
@@ -751,7 +765,7 @@ static bool comment_differs(const struct layout *l, const struct line *line,
 	int numbers = 0;
 	struct field f;
 
-	if (from == 0 || l->columns.n > 0 || !format_of(l->in)->header)
+	if (from == 0 || l->columns.n > 0 || c.members || l->in.format == FORMAT_OBJ)
 		return false;
 	for (int k = 0; k < from + n && cursor_next(&c, &f); k++) {
 		numbers += k >= from && is_number(l->in, f.value);
@@ -859,8 +873,7 @@ static void read_first_row(struct layout *l, struct span text, struct line *line
 	}
 	if (read_row(l, text, true, line, v, r))
 		line->kind = LINE_POINT;
-	if (line->kind != LINE_REFUSED && !has_header && l->in.format != FORMAT_JSON &&
-	    line->kind != LINE_LOST &&
+	if (line->kind != LINE_REFUSED && !has_header && line->kind != LINE_LOST &&
 	    comment_differs(l, line, line_cursor(l->in, text), r))
 		line->kind = LINE_BAD;
 }
