@@ -468,23 +468,40 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 	return true;
 }
 
-/* Points of a matrix, a plane or a ray are not found behind the camera. */
-static void watch_behind(const struct scene *s, enum space from, enum space to,
+/* Returns what may be wrong with a camera that has all points behind it, or NULL. */
+static const char *find_behind_hint(const struct camera *c)
+{
+	if (camera_is_by_gaze(c))
+		return NULL;
+	return c->way == CAMERA_ORIENTATION || c->way == CAMERA_TRANSLATION ?
+	    "the camera may have another program's axes (\"axes\"), or w first in its "
+	    "\"orientation\"" :
+	    "the camera may have another program's axes (\"axes\")";
+}
+
+/* Points of a matrix, a plane or a ray are not found behind the camera. Of a depth a
+ * point has no image if it is beyond that of infinity, as a distance may be. */
+static void watch_imageless(const struct scene *s, enum space from, enum space to,
     struct job *j)
 {
 	const bool flat = space_is_flat(from);
 
 	j->finds_behind = !flat && !j->rays && from <= SPACE_CLIP && to >= SPACE_NDC &&
 	    j->transform.divide && j->transform.front;
-	j->may_have_other_axes = s->has_camera && from <= SPACE_WORLD &&
-	    !camera_is_by_gaze(&s->camera);
+	j->behind_hint = s->has_camera && from <= SPACE_WORLD ?
+	    find_behind_hint(&s->camera) :
+	    NULL;
+	j->imageless_hint = from == SPACE_DEVICE && j->transform.in == 3 &&
+		!s->viewport.distance ?
+	    "z is a depth: of a distance say \"depth\": \"distance\" in \"viewport\"" :
+	    NULL;
 }
 
 bool operands_run_job(const struct options *o, struct document *d, enum space from,
     enum space to, struct job *j)
 {
 	prepare_job(j, o);
-	watch_behind(&d->scene, from, to, j);
+	watch_imageless(&d->scene, from, to, j);
 	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {
 		d->is_usage = true;
 		return document_refuse(d, "/points",

@@ -16,7 +16,7 @@ static struct {
 	bool bad_scene;   /* a scene was refused */
 	size_t imageless; /* points without image */
 	size_t behind;    /* those of them that are behind the camera, up to others */
-	bool may_have_other_axes; /* the camera of such a point (struct job) */
+	const char *behind_hint, *imageless_hint; /* of their job */
 	struct place first_imageless;
 } answer;
 
@@ -149,9 +149,7 @@ static void report_imageless(void)
 					      "are behind the camera and have" :
 			    n == 1 ? "has" :
 				     "have"),
-		    behind && answer.may_have_other_axes ?
-			"the camera may have another program's axes (\"axes\")" :
-			NULL);
+		    behind ? answer.behind_hint : answer.imageless_hint);
 }
 
 /* Says what is wrong at a place, and in which column if the refusal has one. */
@@ -223,7 +221,10 @@ void answer_chunk(struct job *j, struct chunk *c)
 	if (j->count_imageless) {
 		answer.imageless += c->imageless;
 		answer.behind += c->behind;
-		answer.may_have_other_axes |= c->behind > 0 && j->may_have_other_axes;
+		if (c->behind > 0 && j->behind_hint != NULL)
+			answer.behind_hint = j->behind_hint;
+		if (c->imageless > 0 && j->imageless_hint != NULL)
+			answer.imageless_hint = j->imageless_hint;
 	}
 	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
 		report_bad_lines(j, c);

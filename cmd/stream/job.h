@@ -14,9 +14,10 @@ struct job {
 	bool rays;            /* print rays instead of images */
 	bool keep_going;      /* after bad lines */
 	bool count_imageless; /* report points without image at the end */
-	/* A point whose w is not positive is behind the camera, whose axes may be those
-	 * of another program. */
-	bool finds_behind, may_have_other_axes;
+	bool finds_behind;    /* a point whose w is not positive is behind the camera */
+	/* what to look at if all points without image are behind the camera, and if some
+	 * are not; or NULL */
+	const char *behind_hint, *imageless_hint;
 	int threads; /* the most; 0: one for each processor */
 	enum precision precision;
 
