@@ -270,8 +270,8 @@ static bool check_not_utf16(struct document *d)
 	struct refusal foreign;
 
 	if (params.number > 1 ||
-	    !format_is_foreign(params.text.s + params.begin,
-		params.end - params.begin, true, &foreign))
+	    !format_is_foreign(params.text.s + params.begin, params.end - params.begin,
+		true, &foreign))
 		return true;
 	d->ends_run = true;
 	return document_refuse(d, NULL, foreign.what, foreign.remedy);

@@ -36,9 +36,9 @@ char *chunk_reserve(struct chunk *c, size_t n)
 bool chunk_complain(const struct job *j, struct chunk *c, const struct refusal *r)
 {
 	bool goes_on = j->keep_going && !c->refused;
-	struct refusal *to = &c->complaint[c->n_complaints < COMPLAINTS_MAX ?
-		c->n_complaints :
-		COMPLAINTS_MAX];
+	struct refusal *to =
+	    &c->complaint[c->n_complaints < COMPLAINTS_MAX ? c->n_complaints :
+							     COMPLAINTS_MAX];
 
 	*to = *r;
 	to->line = (long long)(c->n_lines + c->block_lines);
