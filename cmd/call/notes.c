@@ -59,6 +59,8 @@ const struct note_row note_rows[NOTES] = {
 	    "the intrinsics look like f, cx, cy, k of COLMAP",
 	    "fx, fy, cx, cy are wanted: give f twice, and undistort points "
 	    "first" },
+	[NOTE_PART] = { "/viewport/offset", "the part is outside of the picture",
+	    "\"full\" is the picture's size, which without it is the viewport's" },
 	[NOTE_NO_PROJECTION] = { "/projection",
 	    "there is none, so that points of view space are printed as ndc",
 	    "add one, or say --to view or --to world" },

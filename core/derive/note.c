@@ -244,6 +244,24 @@ static bool has_colmap_order(const struct projection *p)
 	    fabs(k[0][2] - half[1]) <= 0.1 * half[1];
 }
 
+/* Returns whether the part of a picture that the viewport shows is outside of it. The
+ * size of a picture of intrinsics need not be known. */
+static bool has_part_outside(const struct scene *s)
+{
+	const struct viewport *v = &s->viewport;
+	const double size[2] = { v->width, v->height };
+	double full[2];
+	bool outside = false;
+
+	if (!s->has_viewport ||
+	    (projection_has_intrinsics(&s->projection) && !v->has_full))
+		return false;
+	viewport_full(v, full);
+	for (int i = 0; i < 2; i++)
+		outside |= v->offset[i] >= full[i] || v->offset[i] <= -size[i];
+	return v->has_offset && outside;
+}
+
 bool note_judges_center(const struct scene *s)
 {
 	return s->projection.section.is_sized || s->viewport.has_full ||
@@ -269,7 +287,8 @@ unsigned note_of_members(const struct scene *s, const struct written *w)
 	    (unsigned)(!w->angle_unit && has_matrix_of_radians(s))
 	    << NOTE_MATRIX_RADIANS |
 	    (unsigned)(!w->scale && has_other_aspect(s)) << NOTE_ASPECT |
-	    (unsigned)has_colmap_order(&s->projection) << NOTE_COLMAP;
+	    (unsigned)has_colmap_order(&s->projection) << NOTE_COLMAP |
+	    (unsigned)has_part_outside(s) << NOTE_PART;
 }
 
 /* A transposed perspective matrix has the gaze, a unit vector, in its last row and the

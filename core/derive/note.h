@@ -21,6 +21,7 @@ enum note {
 	NOTE_MATRIX_RADIANS, /* a matrix of an angle whose degrees were radians */
 	NOTE_ASPECT,         /* the aspect is not that of the viewport */
 	NOTE_COLMAP,         /* the intrinsics are COLMAP's f, cx, cy, k */
+	NOTE_PART,           /* the viewport's part has nothing of the picture */
 	NOTE_NO_PROJECTION,  /* points are not projected, as nothing says how */
 	NOTES_PRINTED, /* the notes above are printed; those below tell of a picture */
 	NOTE_RESIDUAL =
