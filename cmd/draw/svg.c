@@ -85,6 +85,8 @@ static void put_escaped(struct span name)
 static const char *const classes[] = { "edge", "line", "dot" };
 enum { CLASS_DOT = 2, CLASSES };
 
+enum { TYPE_SIZE = 13 }; /* of names, in a picture of 640 units */
+
 /* Puts the path of a class; a segment goes on where the one before ended. */
 static void put_path(const struct picture *p, const struct frame *f, int class)
 {
@@ -106,12 +108,22 @@ static void put_path(const struct picture *p, const struct frame *f, int class)
 	}
 }
 
-/* Puts each name to the right of its dot or, in the right quarter, to the left. */
+/* Returns whether a name stands to the left of its dot: it has more room there, and
+ * would be cut off at the right, with 0.6 of the type's size for a byte. */
+static bool stands_left(const struct picture *p, const struct dot *dot)
+{
+	const double size = TYPE_SIZE / 640.0;
+	const double bytes = (double)(dot->name.end - dot->name.s);
+
+	return dot->at[0] > 0.5 * p->width &&
+	    dot->at[0] + size * (0.5 + 0.6 * bytes) > p->width;
+}
+
 static void put_names(const struct picture *p, const struct frame *f)
 {
 	for (size_t i = 0; i < p->dots; i++) {
 		const struct dot *dot = &p->dot[i];
-		const bool left = dot->at[0] > 0.75 * p->width;
+		const bool left = stands_left(p, dot);
 
 		if (dot->name.s == dot->name.end)
 			continue;
@@ -232,7 +244,7 @@ static void put_style(double size)
 	put_with(".edge{stroke:currentColor;stroke-width:", 0.8 * width);
 	put_with("}\n.line{stroke:#1769c4;stroke-width:", 1.5 * width);
 	put_with("}\n.dot{stroke:#d8342c;stroke-width:", 5 * width);
-	put_with("}\ntext{fill:currentColor;font:", 13 * width);
+	put_with("}\ntext{fill:currentColor;font:", TYPE_SIZE * width);
 	put("px sans-serif}\n");
 	if (photo) {
 		put_with(".halo *{stroke:#fff;stroke-opacity:.75}\n"
