@@ -192,6 +192,9 @@ bool value_refuse(const struct value *v, const char *what, const char *remedy)
 	struct place p = { 0 };
 
 	*write_pointer(v, where, where + sizeof where - 1) = '\0';
+	/* to find a place takes a look at all of the text before it */
+	if (refusals_have(faults, where, what, remedy))
+		return false;
 	if (faults->n < REFUSALS_MAX && v->item != NULL)
 		p = look_at_value(v);
 	return refuse_at(faults, where, what, remedy, p.line, p.column);

@@ -14,7 +14,7 @@ struct job {
 	bool rays;            /* print rays instead of images */
 	bool keep_going;      /* after bad lines */
 	bool count_imageless; /* report points without image at the end */
-	bool finds_behind;    /* a point whose w is not positive is behind the camera */
+	bool finds_behind;    /* points whose w is not positive: behind the camera */
 	/* what to look at if all points without image are behind the camera, and if some
 	 * are not; or NULL */
 	const char *behind_hint, *imageless_hint;

@@ -34,25 +34,39 @@ static bool are_equal(const struct refusal *a, const struct refusal *b)
 	    strcmp(a->remedy, b->remedy) == 0;
 }
 
+static bool has_equal(const struct refusals *faults, const struct refusal *r)
+{
+	for (size_t i = 0; i < faults->n && i < REFUSALS_MAX; i++)
+		if (are_equal(&faults->list[i], r))
+			return true;
+	return false;
+}
+
+bool refusals_have(const struct refusals *faults, const char *where, const char *what,
+    const char *remedy)
+{
+	struct refusal r;
+
+	refusal_set(&r, where, what, remedy);
+	return *r.where != '\0' && has_equal(faults, &r);
+}
+
 bool refuse_at(struct refusals *faults, const char *where, const char *what,
     const char *remedy, long long line, size_t column)
 {
+	struct refusal r;
+
 	if (faults == NULL)
 		return false;
-	const size_t n = faults->n++;
-
-	if (n >= REFUSALS_MAX)
+	if (faults->n >= REFUSALS_MAX) {
+		faults->n++;
 		return false;
-	struct refusal *const r = &faults->list[n];
-
-	refusal_set(r, where, what, remedy);
-	r->line = line;
-	r->column = column;
-	for (size_t i = 0; i < n; i++)
-		if (are_equal(&faults->list[i], r)) {
-			faults->n--;
-			break;
-		}
+	}
+	refusal_set(&r, where, what, remedy);
+	r.line = line;
+	r.column = column;
+	if (!has_equal(faults, &r))
+		faults->list[faults->n++] = r;
 	return false;
 }
 

@@ -43,3 +43,8 @@ void refusal_set(struct refusal *, const char *where, const char *what,
 bool refuse(struct refusals *, const char *where, const char *what, const char *remedy);
 bool refuse_at(struct refusals *, const char *where, const char *what,
     const char *remedy, long long line, size_t column);
+
+/* Returns whether the list has a refusal with these parts of the same pointer, which is
+ * not "". */
+bool refusals_have(const struct refusals *, const char *where, const char *what,
+    const char *remedy);
