@@ -15,8 +15,8 @@ struct job {
 	bool keep_going;      /* after bad lines */
 	bool count_imageless; /* report points without image at the end */
 	bool finds_behind;    /* points whose w is not positive: behind the camera */
-	/* what to look at if all points without image are behind the camera, and if some
-	 * are not; or NULL */
+	/* what to look at if all points without image are behind the camera, and if
+	 * some are not; or NULL */
 	const char *behind_hint, *imageless_hint;
 	int threads; /* the most; 0: one for each processor */
 	enum precision precision;

@@ -53,7 +53,7 @@ static struct span after_coordinates(const struct job *j, const struct line *lin
 	return trimmed(in, rest);
 }
 
-/* Returns what is before the coordinates of a line that is not JSON. */
+/* Returns what is before the coordinates of a line of text or of a table. */
 static struct span before_coordinates(const struct job *j, const struct line *line)
 {
 	const struct dialect in = j->layout.in;
@@ -76,8 +76,9 @@ static struct span before_coordinates(const struct job *j, const struct line *li
 static struct span rest_of(const struct job *j, const struct line *line)
 {
 	const struct span after = after_coordinates(j, line);
+	const enum format in = j->layout.in.format;
 
-	return after.s < after.end || j->layout.in.format == FORMAT_JSON ?
+	return after.s < after.end || in == FORMAT_JSON || in == FORMAT_OBJ ?
 	    after :
 	    before_coordinates(j, line);
 }

@@ -16,7 +16,8 @@ struct run_point {
 
 /* A run of n > 0 points. The name of a point is the text behind its last coordinate,
  * without the blanks and separators around it and, of JSON, without the bracket that
- * closes the line; or, where nothing is, and not of JSON, the text before the first. */
+ * closes the line; or, where nothing is, of text and tables the text before the
+ * first. */
 struct run {
 	const struct run_point *point;
 	size_t n;
