@@ -468,40 +468,33 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 	return true;
 }
 
-/* Returns what may be wrong with a camera that has all points behind it, or NULL. */
-static const char *find_behind_hint(const struct camera *c)
+/* Returns what a w that is not positive may come of. Points of a matrix, a plane or a
+ * ray are not found behind the camera. */
+static unsigned find_behind(const struct scene *s, enum space from, enum space to,
+    const struct job *j)
 {
-	if (camera_is_by_gaze(c))
-		return NULL;
-	return c->way == CAMERA_ORIENTATION || c->way == CAMERA_TRANSLATION ?
-	    "the camera may have another program's axes (\"axes\"), or w first in its "
-	    "\"orientation\"" :
-	    "the camera may have another program's axes (\"axes\")";
-}
+	const struct camera *c = &s->camera;
 
-/* Points of a matrix, a plane or a ray are not found behind the camera. Of a depth a
- * point has no image if it is beyond that of infinity, as a distance may be. */
-static void watch_imageless(const struct scene *s, enum space from, enum space to,
-    struct job *j)
-{
-	const bool flat = space_is_flat(from);
-
-	j->finds_behind = !flat && !j->rays && from <= SPACE_CLIP && to >= SPACE_NDC &&
-	    j->transform.divide && j->transform.front;
-	j->behind_hint = s->has_camera && from <= SPACE_WORLD ?
-	    find_behind_hint(&s->camera) :
-	    NULL;
-	j->imageless_hint = from == SPACE_DEVICE && j->transform.in == 3 &&
-		!s->viewport.distance ?
-	    "z is a depth: of a distance say \"depth\": \"distance\" in \"viewport\"" :
-	    NULL;
+	if (space_is_flat(from) || j->rays || !j->transform.divide ||
+	    !j->transform.front)
+		return 0;
+	if (from == SPACE_DEVICE && j->transform.in == 3 && !s->viewport.distance)
+		return BEHIND_DEPTH;
+	if (from > SPACE_CLIP || to < SPACE_NDC)
+		return 0;
+	if (!s->has_camera || from > SPACE_WORLD || camera_is_by_gaze(c))
+		return BEHIND_CAMERA;
+	return BEHIND_CAMERA | BEHIND_AXES |
+	    (c->way == CAMERA_ORIENTATION || c->way == CAMERA_TRANSLATION ?
+		    BEHIND_ORDER :
+		    0);
 }
 
 bool operands_run_job(const struct options *o, struct document *d, enum space from,
     enum space to, struct job *j)
 {
 	prepare_job(j, o);
-	watch_imageless(&d->scene, from, to, j);
+	j->behind = find_behind(&d->scene, from, to, j);
 	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {
 		d->is_usage = true;
 		return document_refuse(d, "/points",

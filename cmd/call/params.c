@@ -264,14 +264,16 @@ static bool check_not_points(const struct options *o, struct document *d)
 		input_first_char(o->params) == '{' ? "points.json" : params.name));
 }
 
-/* Refuses PARAMS that are JSON in UTF-16, as some shells write it, for all scenes. */
+/* Refuses PARAMS that are in UTF-16, as some shells write JSON, for all scenes. A later
+ * scene does not begin the file, which tells it. */
 static bool check_not_utf16(struct document *d)
 {
+	const char *const s = params.text.s + params.begin;
+	const size_t n = params.end - params.begin;
 	struct refusal foreign;
 
-	if (params.number > 1 ||
-	    !format_is_foreign(params.text.s + params.begin, params.end - params.begin,
-		true, &foreign))
+	if (params.number > 1 || strncmp(s, NPY_MAGIC, strlen(NPY_MAGIC)) == 0 ||
+	    !format_is_foreign(s, n, true, &foreign))
 		return true;
 	d->ends_run = true;
 	return document_refuse(d, NULL, foreign.what, foreign.remedy);
@@ -281,9 +283,10 @@ static bool check_not_utf16(struct document *d)
 static bool wants_device(const struct options *o)
 {
 	const bool back = o->ray || o->plane.n > 0;
+	const bool from = o->has_from ? o->from == SPACE_DEVICE : back;
+	const bool to = o->has_to && o->to == SPACE_DEVICE;
 
-	return (o->has_from ? o->from == SPACE_DEVICE : back) ||
-	    (o->has_to && o->to == SPACE_DEVICE);
+	return (from || to) && !(from && to);
 }
 
 /* Returns a hint for points of two numbers, which may be positions; or NULL. */

@@ -109,14 +109,17 @@ static void put_path(const struct picture *p, const struct frame *f, int class)
 }
 
 /* Returns whether a name stands to the left of its dot: it has more room there, and
- * would be cut off at the right, with 0.6 of the type's size for a byte. */
+ * would be cut off at the right, with 0.6 of the type's size for a character. If there
+ * are several pictures, the type may be larger. */
 static bool stands_left(const struct picture *p, const struct dot *dot)
 {
 	const double size = TYPE_SIZE / 640.0;
-	const double bytes = (double)(dot->name.end - dot->name.s);
+	int n = 0;
 
+	for (const char *s = dot->name.s; s < dot->name.end; s++)
+		n += (*s & 0xc0) != 0x80; /* no further byte of UTF-8 */
 	return dot->at[0] > 0.5 * p->width &&
-	    dot->at[0] + size * (0.5 + 0.6 * bytes) > p->width;
+	    dot->at[0] + size * (0.5 + 0.6 * n) > p->width;
 }
 
 static void put_names(const struct picture *p, const struct frame *f)

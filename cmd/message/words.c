@@ -166,11 +166,16 @@ static const struct remark remarks[] = {
 	{ WORD_MEMBER, "rotation", "orientation camera world quaternion",
 	    "a quaternion x, y, z, w is as a step {\"world\": [{\"quaternion\": "
 	    "[0,0,0,1]}]}, of view to world \"orientation\" of \"camera\"" },
-	{ WORD_MEMBER, "qvec qw quaternionwxyz orientationwxyz wxyz",
+	{ WORD_MEMBER, "qvec qw quaternionwxyz wxyz",
 	    "convention opencv camera matrix quaternion_wxyz translate",
 	    "of world to view, w first, it is {\"convention\": \"opencv\", \"camera\": "
 	    "{\"matrix\": [{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": "
 	    "[0,0,5]}]}}" },
+	{ WORD_MEMBER, "orientationwxyz",
+	    "convention opencv camera pose quaternion_wxyz translate",
+	    "of view to world, w first, it is {\"convention\": \"opencv\", \"camera\": "
+	    "{\"pose\": [{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": "
+	    "[0,0,-5]}]}}" },
 	{ WORD_MEMBER,
 	    "r t rotationmatrix extrinsic extrinsics rt w2c tcw world2cam worldtocam "
 	    "worldtocamera worldtocameramatrix viewmatrix modelviewmatrix "

@@ -195,7 +195,8 @@ static void set_device_origin(struct scene *s, const struct document_wants *w,
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_ROWS], unsigned seen)
 {
-	/* in place of a viewport whose lack is told: nothing that follows from it is */
+	/* stands for a viewport whose lack is told, so that no other message follows
+	 * from it */
 	static const struct viewport assumed = { .width = 1, .height = 1 };
 	const bool told = ((w->needed | d->present) & SCENE_VIEWPORT) != 0;
 	struct scene *s = &d->scene;
@@ -240,14 +241,10 @@ static void read_first(struct document *d, const struct document_wants *w,
 	const size_t faults = source->faults->n;
 
 	read_members(d, m, seen & SCENE_CONVENTION);
-	/* a wrong convention would be one; an object without members is none */
 	source->is_convention_wrong = source->faults->n != faults;
-	source->has_convention = w->convention != NULL || source->is_convention_wrong;
-	for (const struct member *row = convention_members; row->name != NULL; row++)
-		source->has_convention |= convention_gives(&m[SCENE_ROW_CONVENTION],
-		    row->name);
-	d->written.convention = source->has_convention ||
-	    (seen & SCENE_CONVENTION) != 0;
+	/* an object without members is d3d */
+	source->has_convention = w->convention != NULL || (seen & SCENE_CONVENTION) != 0;
+	d->written.convention = source->has_convention;
 	if (w->convention != NULL &&
 	    memcmp(w->convention, &d->scene.convention, sizeof d->scene.convention) !=
 		0)

@@ -15,8 +15,8 @@ static struct {
 	size_t bad_lines;
 	bool bad_scene;   /* a scene was refused */
 	size_t imageless; /* points without image */
-	size_t behind;    /* those of them that are behind the camera, up to others */
-	const char *behind_hint, *imageless_hint; /* of their job */
+	size_t behind;    /* those of them whose w is not positive, up to others */
+	unsigned of;      /* what they may come of, as bits of enum behind */
 	struct place first_imageless;
 } answer;
 
@@ -135,10 +135,25 @@ static struct place line_place(const struct chunk *c, size_t line)
 	return p;
 }
 
+/* Returns what to look at if all points without image come of these, or NULL. */
+static const char *behind_remedy(unsigned of)
+{
+	if (of == BEHIND_DEPTH)
+		return "z is a depth: of a distance say \"depth\": \"distance\" in "
+		       "\"viewport\"";
+	if ((of & BEHIND_DEPTH) != 0 || (of & BEHIND_AXES) == 0)
+		return NULL;
+	return (of & BEHIND_ORDER) != 0 ?
+	    "the camera may have another program's axes (\"axes\"), or w first in its "
+	    "\"orientation\"" :
+	    "the camera may have another program's axes (\"axes\")";
+}
+
 static void report_imageless(void)
 {
 	const size_t n = answer.imageless;
-	const bool behind = answer.behind == n;
+	const unsigned of = answer.behind == n ? answer.of : 0;
+	const bool behind = (of & BEHIND_CAMERA) != 0 && (of & BEHIND_DEPTH) == 0;
 	struct place *p = &answer.first_imageless;
 
 	p->before_place = n == 1 ? ": " : ", the first in ";
@@ -149,7 +164,7 @@ static void report_imageless(void)
 					      "are behind the camera and have" :
 			    n == 1 ? "has" :
 				     "have"),
-		    behind ? answer.behind_hint : answer.imageless_hint);
+		    behind_remedy(of));
 }
 
 /* Says what is wrong at a place, and in which column if the refusal has one. */
@@ -221,10 +236,7 @@ void answer_chunk(struct job *j, struct chunk *c)
 	if (j->count_imageless) {
 		answer.imageless += c->imageless;
 		answer.behind += c->behind;
-		if (c->behind > 0 && j->behind_hint != NULL)
-			answer.behind_hint = j->behind_hint;
-		if (c->imageless > 0 && j->imageless_hint != NULL)
-			answer.imageless_hint = j->imageless_hint;
+		answer.of |= c->behind > 0 ? j->behind : 0;
 	}
 	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
 		report_bad_lines(j, c);

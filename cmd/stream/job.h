@@ -7,6 +7,15 @@
 #include "../../core/derive/ray.h"
 #include "chunk.h"
 
+/* A point whose w is not positive has no image, as bits. */
+enum behind {
+	BEHIND_CAMERA = 1,
+	BEHIND_AXES = 2,  /* the camera's axes may be those of another program */
+	BEHIND_ORDER = 4, /* its quaternion may begin with w */
+	BEHIND_DEPTH =
+	    8, /* z, a depth, is beyond that of infinity: a distance, maybe */
+};
+
 struct job {
 	const char *space;    /* the name of the space of images, for --append */
 	const char *from;     /* the name of the space of points, or NULL */
@@ -14,11 +23,8 @@ struct job {
 	bool rays;            /* print rays instead of images */
 	bool keep_going;      /* after bad lines */
 	bool count_imageless; /* report points without image at the end */
-	bool finds_behind;    /* points whose w is not positive: behind the camera */
-	/* what to look at if all points without image are behind the camera, and if
-	 * some are not; or NULL */
-	const char *behind_hint, *imageless_hint;
-	int threads; /* the most; 0: one for each processor */
+	unsigned behind;      /* what a w that is not positive may come of; or 0 */
+	int threads;          /* the most; 0: one for each processor */
 	enum precision precision;
 
 	/* Functions of a command that does not print a line for each point, or NULL.

@@ -63,6 +63,7 @@ static struct span before_coordinates(const struct job *j, const struct line *li
 	for (int k = 0; k < j->layout.reads; k++)
 		to = line->at[k].from < to ? line->at[k].from : to;
 	rest.end = rest.s + to;
+	rest.s = skip_bom(rest.s, rest.end);
 	rest = trimmed(in, rest);
 	/* a quote of csv that opens the coordinate, and the separator */
 	if (in.format == FORMAT_CSV && rest.s < rest.end && rest.end[-1] == '"')

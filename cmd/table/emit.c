@@ -41,7 +41,7 @@ static struct emit emit_of(const struct layout *l)
 	const bool same = same_dialect(l->in, l->out);
 	const bool adds = o->append || o->flags || l->reads < l->writes;
 	const bool in_place = same && (o->append || l->reads <= l->writes) &&
-	    !(l->plan.in_space && l->in.format == FORMAT_JSON);
+	    !(l->plan.in_space != 0 && l->in.format == FORMAT_JSON);
 
 	return (struct emit){ .l = l,
 		.same = same,
@@ -195,12 +195,14 @@ static int coordinate_of(const struct splice *w, const struct field *f)
  * unless it is one of the space that is read. */
 static void replace_field(struct splice *w, const struct field *f, int k)
 {
-	if (w->members && w->l->plan.in_space) {
+	const bool in_space = w->l->plan.in_space >> k & 1;
+
+	if (w->members && in_space) {
 		copy_to(w, f->name.s);
 		put_output_name(w, k);
 		w->done = f->name.end;
 	}
-	if (w->n.v == NULL && !w->l->plan.in_space)
+	if (w->n.v == NULL && !in_space)
 		return;
 	copy_to(w, f->value.s);
 	put_value(w, k);

@@ -158,44 +158,75 @@ const char *format_read(struct dialect d, const char *s, const char *end, double
 	return after;
 }
 
-/* Copies a field with each byte of `from` replaced by `to`, or left out if `to` is 0,
- * and without those of `drop`. Returns whether the copy is a number. */
-static bool becomes_number(struct span f, const char *from, char to, const char *drop,
-    char out[64])
+/* Copies a field with each byte of `from` replaced by `to`, or left out if `to` is 0.
+ * Returns whether the copy is a number. */
+static bool becomes_number(struct span f, const char *from, char to, char out[64])
 {
 	size_t n = 0;
 	double v;
 
-	for (const char *s = f.s; s < f.end && n < 60; s++) {
-		const bool changes = strchr(from, *s) != NULL;
-
-		if (strchr(drop, *s) == NULL && (!changes || to != '\0'))
-			out[n++] = changes ? to : *s;
-	}
+	for (const char *s = f.s; s < f.end && n < 60; s++)
+		if (strchr(from, *s) == NULL)
+			out[n++] = *s;
+		else if (to != '\0')
+			out[n++] = to;
 	out[n] = '\0';
 	return n > 0 && number_read(out, out + n, &v) == out + n && isfinite(v);
 }
 
-/* Returns what to write in place of a number with commas: the last of comma and point
- * is the decimal one, but of a comma alone before three digits nobody knows. */
+/* Returns the end of the digits at s, up to `end`. */
+static const char *digits_end(const char *s, const char *end)
+{
+	while (s < end && isdigit((unsigned char)*s))
+		s++;
+	return s;
+}
+
+/* Copies a number whose whole part has groups of three digits, parted by `group`, and
+ * which may have a fraction behind `mark`, as C writes it. Returns whether it is so. */
+static bool read_grouped(struct span f, char group, char mark, char out[64])
+{
+	const char *s = f.s + (f.s < f.end && strchr("+-", *f.s) != NULL);
+	const char *next = digits_end(s, f.end);
+	const char separator[] = { group, '\0' };
+
+	if (next == s || next - s > 3 || *s == '0' || next == f.end || *next != group)
+		return false;
+	while (next < f.end && *next == group) {
+		s = next + 1;
+		next = digits_end(s, f.end);
+		if (next - s != 3)
+			return false;
+	}
+	const struct span whole = { f.s, next }, part = { next + 1, f.end };
+	const bool has_part = next < f.end && *next == mark && part.s < part.end &&
+	    digits_end(part.s, part.end) == part.end;
+
+	if (!becomes_number(whole, separator, '\0', out) || (next < f.end && !has_part))
+		return false;
+	if (has_part)
+		sprintf(out + strlen(out), ".%.*s", (int)span_size(part), part.s);
+	return true;
+}
+
+/* Returns what to write in place of a number with commas. Of a comma alone before three
+ * digits nobody knows whether it is the decimal one. */
 static const char *comma_remedy(struct dialect d, struct span f)
 {
 	const char *const comma = memchr(f.s, ',', span_size(f));
-	const char *const point = memchr(f.s, '.', span_size(f));
-	const bool decimal = point == NULL || point < comma;
+	const char *const csv = d.format == FORMAT_TEXT ? "; of csv say -i csv" : "";
+	const bool decimal = comma > f.s && isdigit((unsigned char)comma[-1]) &&
+	    comma + 1 < f.end && isdigit((unsigned char)comma[1]) &&
+	    memchr(f.s, '.', span_size(f)) == NULL;
 	char number[64], whole[64];
 
-	if (comma == f.s || !isdigit((unsigned char)comma[-1]) ||
-	    !becomes_number(f, ",", decimal ? '.' : '\0', decimal ? "." : "", number))
-		return "";
-	if (point == NULL && f.end - comma == 4 &&
-	    becomes_number(f, ",", '\0', "", whole))
-		return text("write %s, or of thousands %s", number, whole);
-	return point != NULL ?
-	    text("write %s", number) :
-	    d.format == FORMAT_TEXT ?
-	    text("write %s with a decimal point; of csv say -i csv", number) :
-	    text("write %s with a decimal point", number);
+	if (decimal && becomes_number(f, ",", '.', number))
+		return read_grouped(f, ',', '.', whole) ?
+		    text("write %s, or of thousands %s%s", number, whole, csv) :
+		    text("write %s with a decimal point%s", number, csv);
+	if (read_grouped(f, ',', '.', whole) || read_grouped(f, '.', ',', whole))
+		return text("write %s%s", whole, csv);
+	return d.format == FORMAT_TEXT ? "of csv say -i csv" : "";
 }
 
 const char *format_number_remedy(struct dialect d, struct span f)
@@ -205,10 +236,10 @@ const char *format_number_remedy(struct dialect d, struct span f)
 
 	if (size == 0 || size > 40 || memchr(f.s, '\0', size) != NULL)
 		return "";
-	if (becomes_number(f, "dD", 'e', "", number))
+	if (becomes_number(f, "dD", 'e', number))
 		return text("write e for %c: %s",
 		    memchr(f.s, 'd', size) != NULL ? 'd' : 'D', number);
-	if (becomes_number(f, "_'", '\0', "", number))
+	if (becomes_number(f, "_'", '\0', number))
 		return text("write %s", number);
 	if (memchr(f.s, ',', size) != NULL)
 		return comma_remedy(d, f);

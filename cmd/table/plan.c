@@ -123,19 +123,20 @@ static void name_in_space(const struct layout *l, int i, char name[2 * NAME_ROOM
 	snprintf(name, 2 * NAME_ROOM, "%s_%s", l->from, coordinate_name(i));
 }
 
-/* Returns whether the names of the coordinates that were found are those of the space
- * that is read. */
-static bool are_in_space(const struct layout *l, struct cursor c,
+/* Returns which of the coordinates that were found have names of the space that is
+ * read. */
+static unsigned find_in_space(const struct layout *l, struct cursor c,
     const struct sought *found)
 {
 	char name[2 * NAME_ROOM];
+	unsigned in_space = 0;
 
 	for (int i = 0; i < l->reads && l->from != NULL; i++) {
 		name_in_space(l, i, name);
-		if (!is_named(&c, &found->field[i], name, false))
-			return false;
+		if (is_named(&c, &found->field[i], name, false))
+			in_space |= 1u << i;
 	}
-	return l->from != NULL;
+	return in_space;
 }
 
 /* Sets the names that --columns gives; else those of the space that is read if the line
@@ -165,7 +166,11 @@ void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
 {
 	const struct output *o = &l->output;
 
-	if (k < COORDINATES_MAX && l->plan.in_space && !o->append && o->space != NULL &&
+	const unsigned all = (1u << l->reads) - 1;
+	const bool in_space = k < l->reads ? l->plan.in_space >> k & 1 :
+					     l->plan.in_space == all;
+
+	if (k < COORDINATES_MAX && in_space && !o->append && o->space != NULL &&
 	    (k < 3 || l->writes <= 4))
 		snprintf(name, 2 * NAME_ROOM, "%s_%s", o->space, o->name[k]);
 	else
@@ -177,7 +182,7 @@ void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
 static void find_clash(const struct layout *l, struct cursor c, struct sought *found)
 {
 	const struct output *o = &l->output;
-	const bool changes = l->plan.in_space && !o->append;
+	const bool changes = l->plan.in_space != 0 && !o->append;
 	char name[2 * NAME_ROOM];
 	struct field f;
 
@@ -209,7 +214,7 @@ static void find_undivided(const struct layout *l, struct cursor c,
 	char name[2 * NAME_ROOM];
 	struct field f;
 
-	if (!l->plan.in_space || l->columns.n > 0 || strcmp(l->from, "clip") == 0)
+	if (l->plan.in_space == 0 || l->columns.n > 0 || strcmp(l->from, "clip") == 0)
 		return;
 	snprintf(name, sizeof name, "%s_w", l->from);
 	while (found->clash == NULL && cursor_next(&c, &f))
@@ -321,26 +326,31 @@ static void list_fields(struct cursor c, char all[512])
 		strcpy(all + n, ", ...");
 }
 
-/* Returns whether a line begins with a word that lines of OBJ begin with. */
-static bool is_obj(struct cursor c)
+static bool is_text(struct span f, const char *s)
 {
-	static const char *const words[] = { "v", "o", "g", "mtllib" };
-	struct field f;
-
-	if (c.members || !cursor_next(&c, &f))
-		return false;
-	for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-		if (span_size(f.value) == strlen(words[i]) &&
-		    memcmp(f.value.s, words[i], strlen(words[i])) == 0)
-			return true;
-	return false;
+	return span_size(f) == strlen(s) && memcmp(f.s, s, strlen(s)) == 0;
 }
 
-static bool begins_with_number(const struct layout *l, struct cursor c)
+/* Returns whether a line of text is one of OBJ: v and a number, or mtllib. */
+static bool is_obj(const struct layout *l, struct cursor c)
 {
 	struct field f;
 
-	return !c.members && cursor_next(&c, &f) && is_number(l->in, f.value);
+	if (!format_of(l->in)->blanks || !cursor_next(&c, &f))
+		return false;
+	return is_text(f.value, "mtllib") ||
+	    (is_text(f.value, "v") && cursor_next(&c, &f) && is_number(l->in, f.value));
+}
+
+/* Returns whether a line has numbers alone. */
+static bool has_numbers(const struct layout *l, struct cursor c)
+{
+	struct field f;
+	bool numbers = !c.members;
+
+	while (numbers && cursor_next(&c, &f))
+		numbers = is_number(l->in, f.value);
+	return numbers;
 }
 
 /* Says that the line has no field of coordinate i, or several, and which it has. */
@@ -355,7 +365,7 @@ static void refuse_name(const struct layout *l, const struct line *line,
 	const char *remedy = "--columns chooses the coordinates";
 	const char *other = c.members                   ? NULL :
 	    c.s < c.end && (*c.s == '{' || *c.s == '[') ? "of JSON say -i json" :
-	    is_obj(c)                                   ? "of OBJ say -i obj" :
+	    is_obj(l, c)                                   ? "of OBJ say -i obj" :
 	    found->n == 1 || l->in.format == FORMAT_TEXT ?
 			other_separator(l, (struct span){ c.s, c.end }) :
 			NULL;
@@ -370,9 +380,9 @@ static void refuse_name(const struct layout *l, const struct line *line,
 		set_column(r, line, c.members ? first->name.s : first->value.s);
 		return;
 	}
-	if (l->columns.n > 0 && l->header == HEADER_MAYBE && begins_with_number(l, c)) {
+	if (l->columns.n > 0 && l->header == HEADER_MAYBE && has_numbers(l, c)) {
 		refusal_set(r, NULL, text("is no header, which would have '%s'", name),
-		    "--columns 2,3,4 counts columns");
+		    "--columns counts columns, too, from 1");
 		return;
 	}
 	list_fields(c, all);
@@ -476,13 +486,18 @@ static bool has_whole_names(const struct layout *l, struct line *line, struct cu
 {
 	struct field f;
 
-	while (format_of(l->in)->blanks && cursor_next(&c, &f)) {
+	const char *remedy = other_separator(l, (struct span){ c.s, c.end });
+
+	while (format_of(l->in)->blanks && (l->columns.n == 0 || layout_has_names(l)) &&
+	    cursor_next(&c, &f)) {
 		const struct span name = f.value;
 
 		if (*name.s != '"' || (span_size(name) > 1 && name.end[-1] == '"'))
 			continue;
 		refusal_set(r, NULL, text("the header's %s is not closed", shown(name)),
-		    "blanks part the names of text: rename it, or write csv");
+		    remedy != NULL ?
+			remedy :
+			"blanks part the names of text: rename it, or write csv");
 		set_column(r, line, name.s);
 		return false;
 	}
@@ -519,7 +534,7 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 				line->at[i] = line_part(line, f.value);
 				found.field[i] = f;
 			}
-	p->in_space = are_in_space(l, c, &found);
+	p->in_space = find_in_space(l, c, &found);
 	find_undivided(l, c, &found);
 	find_clash(l, c, &found);
 	if (found.clash != NULL) {
@@ -553,14 +568,15 @@ static bool has_its_fields(const struct layout *l, const struct line *line,
 
 	if (p->fields == 0 || found->n == p->fields || one_more)
 		return true;
+	const bool row_names = p->header_fields > 0 && found->n == p->fields + 1;
+	const bool parted = format_of(l->in)->table && found->n > p->fields;
+
 	refusal_set(r, NULL,
 	    text("has %zu field%s and the %s %zu", found->n, found->n == 1 ? "" : "s",
 		p->header_fields > 0 ? "header" : "first row", p->fields),
-	    !format_of(l->in)->table || found->n < p->fields ?
-		NULL :
-		p->header_fields > 0 ?
-		"quote a field that has the separator in it; row names want a name" :
-		"quote a field that has the separator in it");
+	    text("%s%s%s", parted ? "quote a field that has the separator in it" : "",
+		parted && row_names ? "; " : "",
+		row_names ? "row names want a name in the header" : ""));
 	for (size_t k = 0; k <= p->fields && cursor_next(&c, &f); k++)
 		at = k == p->fields ? f.value.s : at;
 	set_column(r, line, at);
@@ -606,7 +622,7 @@ static void find_object_fields(struct layout *l, struct cursor c, bool first,
 	}
 	find_names(c, names, l->reads, found, index);
 	if (first && finds_all(found, l->reads)) {
-		p->in_space = are_in_space(l, c, found);
+		p->in_space = find_in_space(l, c, found);
 		for (int i = 0; i < l->reads && l->columns.n == 0; i++) {
 			const char *name = names->name[i];
 			const struct span lower = { name, name + strlen(name) };
@@ -986,7 +1002,7 @@ static void plan_members(const struct layout *l, struct walk *w)
 	size_t n = 0;
 
 	w->arrays = l->columns.n == 0 || !layout_has_names(l);
-	if (l->plan.in_space || (l->columns.n > 0 && !layout_has_names(l)))
+	if (l->plan.in_space != 0 || (l->columns.n > 0 && !layout_has_names(l)))
 		return; /* the names change, or are no names */
 	for (int i = 0; i < l->reads; i++) {
 		w->name[i] = l->columns.n > 0 ? l->columns.name[i] : l->plan.member[i];

@@ -42,7 +42,7 @@ struct plan {
 	bool is_list;         /* the lines are elements of a list of JSON */
 	bool drops_bom;       /* another source comes before */
 	int field[4];         /* the index, from 0, of each coordinate's field */
-	bool in_space;        /* the names of the coordinates are S_x, S_y ... */
+	unsigned in_space;    /* coordinates named S_x, S_y ..., as bits 1 << i */
 	size_t header_fields; /* fields of the header; 0: no header */
 	size_t fields;        /* that each row has; 0: any number */
 	/* The names of the coordinates in an object, if the first row tells them. */

@@ -259,7 +259,7 @@ static bool has_part_outside(const struct scene *s)
 	viewport_full(v, full);
 	for (int i = 0; i < 2; i++)
 		outside |= v->offset[i] >= full[i] || v->offset[i] <= -size[i];
-	return v->has_offset && outside;
+	return outside;
 }
 
 bool note_judges_center(const struct scene *s)

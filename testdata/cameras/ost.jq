@@ -3,7 +3,8 @@
 # usage: jq -Rs -f ost.jq camera_info.yaml
 def after(name): "\n" + . | split("\n" + name + ":")[1] // error("no " + name);
 def number: match("[0-9]+").string | tonumber;
-if after("distortion_model") | test("^ *plumb_bob\\s") then {
+if "\n" + . | test("\nbinning_[xy]: *([2-9]|1[0-9])") then error("binning")
+elif after("distortion_model") | test("^ *plumb_bob\\s") then {
   convention: "opencv",
   viewport: {width: after("image_width") | number,
     height: after("image_height") | number},

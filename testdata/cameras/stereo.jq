@@ -4,7 +4,8 @@
 # usage: jq -s -f stereo.jq left.json right.json
 map(.p // .P) as [$l, $r] |
 if any(.[] | .binning_x, .binning_y; (. // 0) > 1) then error("binning")
-elif any(.[] | .roi.x_offset, .roi.y_offset; (. // 0) != 0) then error("roi")
+elif any(.[]; [.roi // {} | .x_offset, .y_offset, .width, .height | . // 0] as $roi |
+  $roi != [0,0,0,0] and $roi != [0,0,.width,.height]) then error("roi")
 elif any(.[]; .distortion_model != "plumb_bob") then error("distortion_model")
 elif $l[2] != $r[2] then error("cx of the cameras differ")
 elif $l[0:3] + $l[4:] != $r[0:3] + $r[4:] or $l[3] != 0 or $r[3] >= 0
