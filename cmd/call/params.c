@@ -178,17 +178,19 @@ static bool is_row(const char *s)
 	return *s != '[' && *s != '{' && begins_point(s);
 }
 
-/* Returns whether the object at s is a point: it has x and y, and nothing that is in
- * brackets, as all objects of a scene but a device are. */
+/* Returns whether the object at s is a point: it has x and y, or names that end in _x
+ * and _y, as --append writes them, and nothing that is in brackets, as all objects of a
+ * scene but a device are. */
 static bool is_point(const char *s)
 {
 	const char *const end = s + 1 + strcspn(s + 1, "[]{}");
-	const char *name = *end == '}' ? s : end;
+	const char *quote = *end == '}' ? s : end;
 	bool has[2] = { false };
 
-	for (; (name = memchr(name, '"', (size_t)(end - name))) != NULL; name++)
-		for (int i = 0; i < 2; i++)
-			has[i] |= strncasecmp(name, i == 0 ? "\"x\"" : "\"y\"", 3) == 0;
+	for (; (quote = memchr(quote, '"', (size_t)(end - quote))) != NULL; quote++)
+		for (int i = 0; i < 2 && quote > s + 1; i++)
+			has[i] |= strchr("\"_", quote[-2]) != NULL &&
+			    tolower((unsigned char)quote[-1]) == "xy"[i];
 	return has[0] && has[1];
 }
 

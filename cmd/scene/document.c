@@ -53,22 +53,22 @@ static bool find_scene_members(struct json_source *source, const struct value *r
 	return true;
 }
 
-/* Refuses a document that lacks a member, or is 2D where the command is not. `seen` are
- * the members of the document, with those that unknown ones may mean. */
+/* Refuses a document that lacks a member, or is 2D where the command is not. It has the
+ * members `seen`, and unknown ones may mean others. */
 static void check_members(const struct value *root, const struct document_wants *w,
-    unsigned seen)
+    unsigned seen, unsigned meant)
 {
-	const unsigned missing = w->needed & ~seen;
+	const unsigned missing = w->needed & ~(seen | meant);
 	const unsigned flat = seen & (SCENE_WINDOW | SCENE_DEVICE);
 	const struct member *row =
 	    &scene_members[missing != 0 ? __builtin_ctz(missing) : 0];
 
 	if (w->flat_members == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
-	    (seen & SCENE_SPATIAL) == 0 && (flat & ~w->used) != 0)
+	    ((seen | meant) & SCENE_SPATIAL) == 0 && (flat & ~w->used) != 0)
 		value_refuse(VALUE_NAMED(root, scene_members[__builtin_ctz(flat)].name),
 		    "is of two dimensions", "so are w2n, n2w, n2d, d2n, w2d and d2w");
 	else if (missing != 0 && (w->used & SCENE_SPATIAL) == 0 &&
-	    (seen & SCENE_SPATIAL) != 0)
+	    ((seen | meant) & SCENE_SPATIAL) != 0)
 		value_refuse(VALUE_NAMED(root, row->name), "missing",
 		    "of a scene of three dimensions 'project', its --from and --to, "
 		    "--ray and --plane do this");
@@ -243,7 +243,8 @@ static void read_first(struct document *d, const struct document_wants *w,
 	read_members(d, m, seen & SCENE_CONVENTION);
 	source->is_convention_wrong = source->faults->n != faults;
 	/* an object without members is d3d */
-	source->has_convention = w->convention != NULL || (seen & SCENE_CONVENTION) != 0;
+	source->has_convention = w->convention != NULL ||
+	    (seen & SCENE_CONVENTION) != 0;
 	d->written.convention = source->has_convention;
 	if (w->convention != NULL &&
 	    memcmp(w->convention, &d->scene.convention, sizeof d->scene.convention) !=
@@ -296,7 +297,7 @@ bool document_read(struct document *d, const char *name, char *begin, size_t siz
 	}
 	for (int i = 0; i < SCENE_ROWS; i++)
 		m[i].unused = (w.used >> i & 1) == 0;
-	check_members(&root, &w, seen | meant);
+	check_members(&root, &w, seen, meant);
 	read_first(d, &w, m, seen);
 	read_members(d, m, seen & ~(unsigned)(FIRST | SCENE_POINTS));
 	d->present = seen | meant;

@@ -19,15 +19,19 @@ struct lines {
 	const struct run *run;
 	bool single; /* the numbers are floats */
 
-	bool any;                /* a part was printed before */
-	bool begins;             /* the next row begins a part */
-	size_t n;                /* rows */
+	bool any;    /* a part was printed before */
+	bool begins; /* the next row that is put begins a part */
+	/* The rows with which a part begins are held while they are alike: a part of one
+	 * point is not printed. */
+	size_t held;
+	double held_image[4];
+	size_t n;                /* rows that are put */
 	bool parted[LINES_ROWS]; /* a blank line stands above the row */
 	double image[4][LINES_ROWS];
 
-	/* of a polygon that is cut: its part's vertices, and the first's image */
-	size_t vertices;
-	double first[4];
+	double first
+	    [4]; /* of a polygon that is cut: the image of its part's first vertex */
+	bool has_first;
 };
 
 static char *write_row(const struct lines *l, size_t row,
@@ -67,7 +71,7 @@ static void print_rows(void *data)
 	l->n = 0;
 }
 
-static void add_row(struct lines *l, const double image[4])
+static void put_row(struct lines *l, const double image[4])
 {
 	if (l->n == LINES_ROWS)
 		print_rows(l);
@@ -76,6 +80,39 @@ static void add_row(struct lines *l, const double image[4])
 	l->parted[l->n++] = l->begins && l->any;
 	l->any = true;
 	l->begins = false;
+}
+
+static void begin_part(struct lines *l)
+{
+	l->begins = true;
+	l->held = 0;
+}
+
+static void put_held(struct lines *l)
+{
+	for (; l->held > 0; l->held--)
+		put_row(l, l->held_image);
+}
+
+static bool is_held(const struct lines *l, const double image[4])
+{
+	for (int k = 0; k < l->clipper.out; k++)
+		if (image[k] != l->held_image[k])
+			return false;
+	return true;
+}
+
+/* Adds a row to the part. */
+static void add_row(struct lines *l, const double image[4])
+{
+	if (l->begins && l->held == 0)
+		memcpy(l->held_image, image, sizeof l->held_image);
+	if (l->begins && is_held(l, image)) {
+		l->held++;
+		return;
+	}
+	put_held(l);
+	put_row(l, image);
 }
 
 /* Returns point i of the run as a vertex. Neighbours have one each, so that segments
@@ -121,7 +158,6 @@ static void take_polyline(struct lines *l)
 	double image[2][4];
 
 	l->end[0].index = l->end[1].index = SIZE_MAX;
-	l->begins = true;
 	if (l->run->n == 1 && p[0].outside == 0)
 		add_row(l, p[0].image);
 	for (size_t i = 0; i + 1 < l->run->n; i++) {
@@ -130,7 +166,7 @@ static void take_polyline(struct lines *l)
 			continue;
 		}
 		if (!goes_on) {
-			l->begins = true;
+			begin_part(l);
 			add_row(l, image[0]);
 		}
 		add_row(l, image[1]);
@@ -138,7 +174,7 @@ static void take_polyline(struct lines *l)
 	}
 }
 
-/* Takes a vertex of the part of the polygon, which is printed from the second on. */
+/* Takes a vertex of the part of the polygon. */
 static void take_vertex(void *data, struct clip_vertex *v)
 {
 	struct lines *l = data;
@@ -148,13 +184,10 @@ static void take_vertex(void *data, struct clip_vertex *v)
 		clip_image(&l->clipper, v, l->single, image);
 	else
 		memcpy(image, l->run->point[v->index].image, sizeof image);
-	if (l->vertices == 0)
+	if (!l->has_first)
 		memcpy(l->first, image, sizeof image);
-	if (l->vertices == 1)
-		add_row(l, l->first);
-	if (l->vertices > 0)
-		add_row(l, image);
-	l->vertices++;
+	l->has_first = true;
+	add_row(l, image);
 }
 
 static void take_polygon(struct lines *l)
@@ -166,7 +199,6 @@ static void take_polygon(struct lines *l)
 		some |= p[i].outside;
 		all &= p[i].outside;
 	}
-	l->begins = true;
 	if (all != 0)
 		return;
 	if (some == 0) {
@@ -174,12 +206,12 @@ static void take_polygon(struct lines *l)
 			add_row(l, p[i].image);
 		return;
 	}
-	l->vertices = 0;
+	l->has_first = false;
 	clip_ring_begin(&l->ring, &l->clipper, take_vertex, l);
 	for (size_t i = 0; i + 1 < l->run->n; i++)
 		clip_ring_add(&l->ring, p[i].in, i, p[i].outside);
 	clip_ring_end(&l->ring);
-	if (l->vertices > 1)
+	if (l->has_first)
 		add_row(l, l->first);
 }
 
@@ -200,10 +232,14 @@ static void take_run(void *data, const struct run *run)
 
 	l->run = run;
 	l->single = l->job->precision == PRECISION_SINGLE;
+	begin_part(l);
 	if (is_closed(l))
 		take_polygon(l);
 	else
 		take_polyline(l);
+	/* all points of the run are one, and visible */
+	if (l->held == run->n)
+		put_held(l);
 }
 
 bool lines_prepare(const struct scene *s, enum space from, enum space to, struct job *j,

@@ -245,6 +245,8 @@ static bool begin_plan(struct point_source *s, struct layout *l, struct span byt
 		l->in = dialect_of(format_of_line(line), ',');
 		l->plan.is_list &= l->in.format == FORMAT_JSON;
 	}
+	if (l->plan.is_list)
+		plan_comments(l, (struct span){ skip_bom(bytes.s, f->at), f->at });
 	s->has_bom = skip_bom(bytes.s, bytes.end) > bytes.s;
 	s->list = (struct list){ .line = 1 };
 	for (const char *c = bytes.s; c < f->at; c++)

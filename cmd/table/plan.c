@@ -20,7 +20,8 @@ struct sought {
 	bool ends_empty;   /* the last field is empty */
 	const char *clash; /* a name that the output adds, but the line has; or NULL */
 	const char *clash_at;
-	bool undivided; /* the clash is with S_w, which tells that S_x is x times w */
+	bool undivided;   /* the clash is with S_w, which tells that S_x is x times w */
+	const char *late; /* S_x of an object behind a row without names; or NULL */
 };
 
 /* Sets the column of what is wrong, which is at s. A byte order mark does not count. */
@@ -296,7 +297,8 @@ static const char *other_separator(const struct layout *l, struct span f)
 
 	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
 		if (memchr(f.s, *rows[k][0], span_size(f)) != NULL &&
-		    !(format_of(l->in)->blanks && is_blank(*rows[k][0])))
+		    !(format_of(l->in)->blanks && is_blank(*rows[k][0])) &&
+		    !(format_of(l->in)->table && l->in.separator == *rows[k][0]))
 			return text("if %s parts its fields, say %s",
 			    *rows[k][0] == '\t'    ? "a tab" :
 				*rows[k][0] == ' ' ? "a blank" :
@@ -365,10 +367,10 @@ static void refuse_name(const struct layout *l, const struct line *line,
 	const char *remedy = "--columns chooses the coordinates";
 	const char *other = c.members                   ? NULL :
 	    c.s < c.end && (*c.s == '{' || *c.s == '[') ? "of JSON say -i json" :
-	    is_obj(l, c)                                   ? "of OBJ say -i obj" :
+	    is_obj(l, c)                                ? "of OBJ say -i obj" :
 	    found->n == 1 || l->in.format == FORMAT_TEXT ?
-			other_separator(l, (struct span){ c.s, c.end }) :
-			NULL;
+			   other_separator(l, (struct span){ c.s, c.end }) :
+			   NULL;
 	char all[512];
 
 	name = shown((struct span){ name, name + strlen(name) });
@@ -603,15 +605,16 @@ static void find_fields(const struct layout *l, struct cursor c, struct sought *
 	}
 }
 
-/* Finds the coordinates of an object. The first row decides their names; if it has not
- * all, they are the names by default. */
+/* Finds the coordinates of an object. The first row decides their names; if it is an
+ * array or has not all of them, each object does, but not by names of the space, which
+ * the output would change. */
 static void find_object_fields(struct layout *l, struct cursor c, bool first,
     struct sought *found, struct names *names)
 {
 	struct plan *p = &l->plan;
 	int index[4];
 
-	if (first) {
+	if (first || !p->has_members) {
 		choose_names(l, c, names);
 	} else {
 		*names = (struct names){ 0 };
@@ -621,7 +624,10 @@ static void find_object_fields(struct layout *l, struct cursor c, bool first,
 		}
 	}
 	find_names(c, names, l->reads, found, index);
+	if (!first && !p->has_members && l->columns.n == 0 && !names->either_case)
+		found->late = names->name[0];
 	if (first && finds_all(found, l->reads)) {
+		p->has_members = true;
 		p->in_space = find_in_space(l, c, found);
 		for (int i = 0; i < l->reads && l->columns.n == 0; i++) {
 			const char *name = names->name[i];
@@ -770,6 +776,19 @@ static void read_comment(struct layout *l, const char *s, const char *end)
 		p->comment_field = at;
 }
 
+void plan_comments(struct layout *l, struct span text)
+{
+	const char *end;
+
+	for (const char *s = text.s; s < text.end; s = end + (end < text.end)) {
+		end = memchr(s, '\n', (size_t)(text.end - s));
+		end = end != NULL ? end : text.end;
+		s = skip_blanks(l->in, s, end);
+		if (s < end && *s == '#')
+			read_comment(l, s, end);
+	}
+}
+
 /* Returns whether a comment above the first row names other fields as the coordinates,
  * which are numbers there; if so, says it. */
 static bool comment_differs(const struct layout *l, const struct line *line,
@@ -795,6 +814,14 @@ static bool comment_differs(const struct layout *l, const struct line *line,
 	    "say by --columns where the coordinates are");
 	set_column(r, line, at);
 	return true;
+}
+
+static void refuse_late(const struct line *line, const struct sought *found,
+    struct refusal *r)
+{
+	refusal_set(r, NULL, text("has '%s', and the first row no names", found->late),
+	    "--columns names the members");
+	set_column(r, line, found->field[0].name.s);
 }
 
 /* Reads a row, the first of the source or a later one. */
@@ -845,6 +872,10 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 			line->kind = l->output.append ? LINE_BAD : LINE_LOST;
 			return false;
 		}
+	}
+	if (c.members && found.late != NULL) {
+		refuse_late(line, &found, r);
+		return false;
 	}
 	if (c.members && found.clash != NULL) {
 		refuse_clash(line, &found, "", r);
@@ -1002,6 +1033,8 @@ static void plan_members(const struct layout *l, struct walk *w)
 	size_t n = 0;
 
 	w->arrays = l->columns.n == 0 || !layout_has_names(l);
+	if (l->columns.n == 0 && !l->plan.has_members)
+		return; /* each object has its own */
 	if (l->plan.in_space != 0 || (l->columns.n > 0 && !layout_has_names(l)))
 		return; /* the names change, or are no names */
 	for (int i = 0; i < l->reads; i++) {

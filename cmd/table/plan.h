@@ -89,6 +89,9 @@ void plan_begin(struct layout *);
 void plan_line(struct layout *, struct span text, enum next_part *first, struct line *,
     double v[4], struct refusal *);
 
+/* Reads the comments above a list, as plan_line does those above other rows. */
+void plan_comments(struct layout *, struct span text);
+
 /* Law 8: the sources of a scene whose lines are printed have one header, or none (.s is
  * NULL). Returns LINE_HEADER if it is to be printed, LINE_SILENT if it was before,
  * LINE_POINT if there is none, and LINE_REFUSED if it is another; then says so. */
