@@ -277,8 +277,7 @@ const struct option_row option_rows[] = {
 	    "join points, and print the parts inside the view volume or window",
 	    FLAG(lines), .points_only = true },
 	{ "names", 0, COMMAND_DRAW,
-	    "write what follows the coordinates of a point, or precedes them, beside "
-	    "it",
+	    "write the rest of a point's line beside its dot",
 	    FLAG(names), .points_only = true },
 	{ "background", 0, COMMAND_DRAW,
 	    "put this PNG or JPEG file behind the picture, stretched to the viewport",

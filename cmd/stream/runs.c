@@ -32,66 +32,69 @@ static bool ends_run(const struct job *j, const struct line *line)
 		    text.end);
 }
 
-/* Returns what follows the coordinates of a line. */
-static struct span after_coordinates(const struct job *j, const struct line *line)
+/* Returns a piece of a line that stands beside a coordinate, without the blanks and
+ * separators around it, the coordinate's quotes of csv and, behind the last of JSON, the
+ * bracket that closes the line. */
+static struct span bare_piece(struct dialect in, struct span piece, bool behind,
+    bool before)
 {
-	const struct dialect in = j->layout.in;
-	struct span rest = line_text(line);
-	uint32_t from = 0;
+	const bool quotes = in.format == FORMAT_CSV, table = !format_of(in)->blanks;
+
+	piece = trimmed(in, piece);
+	if (behind && quotes && piece.s < piece.end && *piece.s == '"')
+		piece.s = skip_blanks(in, piece.s + 1, piece.end);
+	if (behind && table && piece.s < piece.end && *piece.s == in.separator)
+		piece.s++;
+	if (before && quotes && piece.s < piece.end && piece.end[-1] == '"')
+		piece = trimmed(in, (struct span){ piece.s, piece.end - 1 });
+	if (before && table && piece.s < piece.end && piece.end[-1] == in.separator)
+		piece.end--;
+	if (!before && in.format == FORMAT_JSON)
+		piece.end -= piece.end > piece.s;
+	return trimmed(in, piece);
+}
+
+/* Returns the first coordinate of a line that begins at `from` or behind it, or NULL. */
+static const struct part *next_coordinate(const struct job *j, const struct line *line,
+    uint32_t from)
+{
+	const struct part *next = NULL;
 
 	for (int k = 0; k < j->layout.reads; k++)
-		from = line->at[k].to > from ? line->at[k].to : from;
-	rest.s += from;
-	rest = trimmed(in, rest);
-	/* a quote of csv that closes the coordinate, and the separator */
-	if (in.format == FORMAT_CSV && rest.s < rest.end && *rest.s == '"')
-		rest.s = skip_blanks(in, rest.s + 1, rest.end);
-	if (!format_of(in)->blanks && rest.s < rest.end && *rest.s == in.separator)
-		rest.s++;
-	if (in.format == FORMAT_JSON)
-		rest.end -= rest.end > rest.s;
-	return trimmed(in, rest);
+		if (line->at[k].from >= from &&
+		    (next == NULL || line->at[k].from < next->from))
+			next = &line->at[k];
+	return next;
 }
 
-/* Returns what is before the coordinates of a line of text or of a table. */
-static struct span before_coordinates(const struct job *j, const struct line *line)
-{
-	const struct dialect in = j->layout.in;
-	struct span rest = line_text(line);
-	uint32_t to = line->size;
-
-	for (int k = 0; k < j->layout.reads; k++)
-		to = line->at[k].from < to ? line->at[k].from : to;
-	rest.end = rest.s + to;
-	rest.s = skip_bom(rest.s, rest.end);
-	rest = trimmed(in, rest);
-	/* a quote of csv that opens the coordinate, and the separator */
-	if (in.format == FORMAT_CSV && rest.s < rest.end && rest.end[-1] == '"')
-		rest = trimmed(in, (struct span){ rest.s, rest.end - 1 });
-	if (!format_of(in)->blanks && rest.s < rest.end && rest.end[-1] == in.separator)
-		rest.end--;
-	return trimmed(in, rest);
-}
-
-/* Returns the rest of a line, as struct run describes it. */
-static struct span rest_of(const struct job *j, const struct line *line)
-{
-	const struct span after = after_coordinates(j, line);
-	const enum format in = j->layout.in.format;
-
-	return after.s < after.end || in == FORMAT_JSON || in == FORMAT_OBJ ?
-	    after :
-	    before_coordinates(j, line);
-}
-
+/* Adds the name of a point, as struct run describes it. */
 static void add_name(const struct job *j, const struct line *line, char *names,
     struct block_head *head, struct run_point *p)
 {
-	const struct span rest = rest_of(j, line);
+	const struct dialect in = j->layout.in;
+	const struct span text = line_text(line);
+	const bool has_first = in.format != FORMAT_JSON && in.format != FORMAT_OBJ;
+	char *const name = names + head->names, *at = name;
+	struct span piece = { skip_bom(text.s, text.end), NULL };
 
+	for (bool behind = false, before = true; before; behind = true) {
+		const struct part *c = next_coordinate(j, line,
+		    (uint32_t)(piece.s - text.s));
+
+		before = c != NULL;
+		piece.end = before ? text.s + c->from : text.end;
+		const struct span bare = bare_piece(in, piece, behind, before);
+
+		if (bare.s < bare.end && (!before || has_first)) {
+			if (at > name)
+				*at++ = ' ';
+			memcpy(at, bare.s, span_size(bare));
+			at += span_size(bare);
+		}
+		piece.s = before ? text.s + c->to : text.end;
+	}
 	p->name = head->names;
-	p->name_size = (uint32_t)(rest.end - rest.s);
-	memcpy(names + head->names, rest.s, p->name_size);
+	p->name_size = (uint32_t)(at - name);
 	head->names += p->name_size;
 }
 

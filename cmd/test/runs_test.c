@@ -43,7 +43,7 @@ static const struct {
 	    "0(a b) 1(\"c, d\") |2() |" },
 	{ FORMAT_CSV, "\"0\",\"0\",\"0\",a\n1,0,0,b\n", "0(a) 1(b) |" },
 	{ FORMAT_CSV, "n,x,y,z,m\na,0,0,0,\n\"b c\",\"1\",0,0,\nd,2,0,0,e\n",
-	    "0(a) 1(\"b c\") 2(e) |" },
+	    "0(a) 1(\"b c\") 2(d e) |" },
 	{ FORMAT_TEXT, "n x y z\nA 0 0 0\n B  1 0 0\n", "0(A) 1(B) |" },
 	{ FORMAT_TSV, "0\t0\t0\ta b\n\n1\t0\t0\tc\n", "0(a b) |1(c) |" },
 	{ FORMAT_JSON,
