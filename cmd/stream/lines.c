@@ -21,8 +21,8 @@ struct lines {
 
 	bool any;    /* a part was printed before */
 	bool begins; /* the next row that is put begins a part */
-	/* The rows with which a part begins are held while they are alike: a part of one
-	 * point is not printed. */
+	/* The rows with which a part begins are held while they are alike: a part of
+	 * one point is not printed. */
 	size_t held;
 	double held_image[4];
 	size_t n;                /* rows that are put */

@@ -33,8 +33,8 @@ static bool ends_run(const struct job *j, const struct line *line)
 }
 
 /* Returns a piece of a line that stands beside a coordinate, without the blanks and
- * separators around it, the coordinate's quotes of csv and, behind the last of JSON, the
- * bracket that closes the line. */
+ * separators around it, the coordinate's quotes of csv and, behind the last of JSON,
+ * the bracket that closes the line. */
 static struct span bare_piece(struct dialect in, struct span piece, bool behind,
     bool before)
 {
@@ -54,17 +54,17 @@ static struct span bare_piece(struct dialect in, struct span piece, bool behind,
 	return trimmed(in, piece);
 }
 
-/* Returns the first coordinate of a line that begins at `from` or behind it, or NULL. */
-static const struct part *next_coordinate(const struct job *j, const struct line *line,
-    uint32_t from)
+/* Copies the places of the coordinates in the order of the line. */
+static void sort_coordinates(const struct job *j, const struct line *line,
+    struct part sorted[4])
 {
-	const struct part *next = NULL;
+	for (int n = 0; n < j->layout.reads; n++) {
+		int k = n;
 
-	for (int k = 0; k < j->layout.reads; k++)
-		if (line->at[k].from >= from &&
-		    (next == NULL || line->at[k].from < next->from))
-			next = &line->at[k];
-	return next;
+		for (; k > 0 && sorted[k - 1].from > line->at[n].from; k--)
+			sorted[k] = sorted[k - 1];
+		sorted[k] = line->at[n];
+	}
 }
 
 /* Adds the name of a point, as struct run describes it. */
@@ -73,25 +73,26 @@ static void add_name(const struct job *j, const struct line *line, char *names,
 {
 	const struct dialect in = j->layout.in;
 	const struct span text = line_text(line);
-	const bool has_first = in.format != FORMAT_JSON && in.format != FORMAT_OBJ;
+	const int n = j->layout.reads;
+	const bool begins = in.format != FORMAT_JSON && in.format != FORMAT_OBJ;
 	char *const name = names + head->names, *at = name;
-	struct span piece = { skip_bom(text.s, text.end), NULL };
+	const char *from = skip_bom(text.s, text.end);
+	struct part part[4];
 
-	for (bool behind = false, before = true; before; behind = true) {
-		const struct part *c = next_coordinate(j, line,
-		    (uint32_t)(piece.s - text.s));
+	sort_coordinates(j, line, part);
+	for (int k = 0; k <= n; k++) {
+		const struct span piece = bare_piece(in,
+		    (struct span){ from, k < n ? text.s + part[k].from : text.end },
+		    k > 0, k < n);
 
-		before = c != NULL;
-		piece.end = before ? text.s + c->from : text.end;
-		const struct span bare = bare_piece(in, piece, behind, before);
-
-		if (bare.s < bare.end && (!before || has_first)) {
-			if (at > name)
-				*at++ = ' ';
-			memcpy(at, bare.s, span_size(bare));
-			at += span_size(bare);
-		}
-		piece.s = before ? text.s + c->to : text.end;
+		if (k < n)
+			from = text.s + part[k].to;
+		if (piece.s == piece.end || (k < n && !begins))
+			continue;
+		if (at > name)
+			*at++ = ' ';
+		memcpy(at, piece.s, span_size(piece));
+		at += span_size(piece);
 	}
 	p->name = head->names;
 	p->name_size = (uint32_t)(at - name);

@@ -14,9 +14,9 @@ struct run_point {
 	size_t name;            /* its first byte, in run.names */
 };
 
-/* A run of n > 0 points. The name of a point is the rest of its line: what stands before,
- * between and behind the coordinates, without the blanks and separators around it, with
- * blanks between; of JSON and OBJ what stands behind the last. */
+/* A run of n > 0 points. The name of a point is the rest of its line: what stands
+ * before, between and behind the coordinates, without the blanks and separators around
+ * it, with blanks between; of JSON and OBJ what stands behind the last. */
 struct run {
 	const struct run_point *point;
 	size_t n;
