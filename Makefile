@@ -266,7 +266,8 @@ oracle: $(BUILD)/core/test/oracle_test $(BUILD)/core/test/integers_test ## rando
 digits: $(BUILD)/cmd/test/texts_test ## compare the digits of vector/ with number_write
 	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
-compiled_tests: $(TRUTH) $(addsuffix .o,$(TESTS)) $(call objects,core/study)
+compiled_tests: $(TRUTH) $(addsuffix .o,$(TESTS)) $(call objects,core/study) \
+    $(addsuffix .o,$(BENCHES))
 # The longest come first, so that the processors end together, and tests that start many
 # processes, which some systems start one after another, beside tests that compute.
 LONGEST = $(patsubst %,%_test.t,core/proof/proof $(addprefix cmd/test/, \

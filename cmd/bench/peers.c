@@ -119,7 +119,7 @@ static bool fill(const struct scene *s, const struct view *v, bool floats, size_
 {
 	struct transform t;
 
-	if (transform_of_scene(s, SPACE_DEVICE, SPACE_WORLD, false, &t) != NULL)
+	if (!transform_of_scene(s, SPACE_DEVICE, SPACE_WORLD, false, &t, NULL))
 		return false;
 	for (size_t i = 0; i < n; i++) {
 		double w = sample_between(v->near, fmin(v->far, 100)), p[4],
@@ -161,8 +161,7 @@ static bool measure_errors(int distance, double far_away)
 		int mark = real_mark();
 
 		if (!fill(&s, &v, distance == ORDINARY, POINTS) ||
-		    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t) !=
-			NULL)
+		    !transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t, NULL))
 			return false;
 		truth_scene(&s, SPACE_WORLD, SPACE_DEVICE, &truth);
 		for (struct entry *e = entries; e < entries + n_entries; e++) {
@@ -193,7 +192,7 @@ static bool measure_times(void)
 	struct transform t;
 
 	if (!fill(&s, &bench_view, true, POINTS_BLOCK) ||
-	    transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t) != NULL)
+	    !transform_of_scene(&s, SPACE_WORLD, SPACE_DEVICE, false, &t, NULL))
 		return false;
 	for (int run = 0; run < RUNS; run++)
 		for (struct entry *e = entries; e < entries + n_entries; e++) {
