@@ -111,6 +111,7 @@ my @kinds = (
 	['--digits 6', '-d 6', '--digits 6', sub { "@_" }],
 	['--digits 17', 'lines', '--digits 17', sub { "@_" }],
 	['--flags', 'lines', '--flags', sub { "@_" }],
+	['--lines, all one run', 'lines', '--lines', sub { "@_" }],
 	['trace', 'lines', 'trace', sub { "@_" }],
 	['far object, view', 'lines', '--to view', \&far, 'far.json'],
 	['far object, ndc', 'lines', '--to ndc', \&far, 'far.json'],
@@ -152,9 +153,6 @@ my @kinds = (
 	    sub { sprintf '{"id":1e5,"x":%s,"y":%s,"z":%s}', @_ }],
 	['objects, a nested member', @object,
 	    sub { sprintf '{"id":{"a":[1,2]},"x":%s,"y":%s,"z":%s}', @_ }],
-	['objects by pointers', 'objects',
-	    '-i json --columns /p/x,/p/y,/p/z',
-	    sub { sprintf '{"id":7,"p":{"x":%s,"y":%s,"z":%s}}', @_ }],
 );
 
 # Makes the inputs of the kinds: a few lines, repeated many times.
@@ -580,12 +578,14 @@ sub draw {
 }
 
 spew('scene.json', '{
+  "convention": "d3d",
   "camera":     {"eye": [1, 2, -5], "at": [0.125, 0.25, 0.375]},
   "projection": {"type": "persp", "fovy": 60, "near": 1, "far": 10},
   "viewport":   {"width": 640, "height": 480}
 }
 ');
 spew('far.json', '{
+  "convention": "d3d",
   "camera":     {"eye": [210000, 30000, 700000], "at": [0, 0, 0]},
   "projection": {"type": "persp", "fovy": 2, "near": 6e5, "far": 9e5},
   "viewport":   {"width": 640, "height": 480}
