@@ -178,9 +178,25 @@ static bool is_row(const char *s)
 	return *s != '[' && *s != '{' && begins_point(s);
 }
 
-/* Returns whether the object at s is a point: it has x and y, or names that end in _x
- * and _y, as --append writes them, and nothing that is in brackets, as all objects of a
- * scene but a device are. */
+/* Returns whether a name, from its opening quote on, is that of a coordinate: c, or
+ * S_c, as --append writes it. */
+static bool is_coordinate(const char *quote, char c)
+{
+	static const char *const spaces[] = { "", "model_", "world_", "view_", "clip_",
+		"ndc_", "device_", "window_" };
+
+	for (size_t i = 0; i < sizeof spaces / sizeof *spaces; i++) {
+		const char *const s = quote + 1 + strlen(spaces[i]);
+
+		if (strncmp(quote + 1, spaces[i], strlen(spaces[i])) == 0 &&
+		    tolower((unsigned char)*s) == c && s[1] == '"')
+			return true;
+	}
+	return false;
+}
+
+/* Returns whether the object at s is a point: it has x and y, and nothing that is in
+ * brackets, as all objects of a scene but a device are. */
 static bool is_point(const char *s)
 {
 	const char *const end = s + 1 + strcspn(s + 1, "[]{}");
@@ -188,9 +204,8 @@ static bool is_point(const char *s)
 	bool has[2] = { false };
 
 	for (; (quote = memchr(quote, '"', (size_t)(end - quote))) != NULL; quote++)
-		for (int i = 0; i < 2 && quote > s + 1; i++)
-			has[i] |= strchr("\"_", quote[-2]) != NULL &&
-			    tolower((unsigned char)quote[-1]) == "xy"[i];
+		for (int i = 0; i < 2; i++)
+			has[i] |= is_coordinate(quote, "xy"[i]);
 	return has[0] && has[1];
 }
 
@@ -266,16 +281,15 @@ static bool check_not_points(const struct options *o, struct document *d)
 		input_first_char(o->params) == '{' ? "points.json" : params.name));
 }
 
-/* Refuses PARAMS that are in UTF-16, as some shells write JSON, for all scenes. A later
- * scene does not begin the file, which tells it. */
-static bool check_not_utf16(struct document *d)
+/* Refuses PARAMS in UTF-16, as some shells write JSON, and files of NumPy, for all
+ * scenes. A later scene does not begin the file, which tells it. */
+static bool check_not_foreign(struct document *d)
 {
 	const char *const s = params.text.s + params.begin;
 	const size_t n = params.end - params.begin;
 	struct refusal foreign;
 
-	if (params.number > 1 || strncmp(s, NPY_MAGIC, strlen(NPY_MAGIC)) == 0 ||
-	    !format_is_foreign(s, n, true, &foreign))
+	if (params.number > 1 || !format_is_foreign(s, n, true, &foreign))
 		return true;
 	d->ends_run = true;
 	return document_refuse(d, NULL, foreign.what, foreign.remedy);
@@ -322,7 +336,7 @@ bool params_read_document(const struct options *o, struct document *d,
 		    params.text.s + params.end, &params.line, &params.column);
 	*d = (struct document){ .source = wants.source };
 	d->source.name = params.name;
-	if (!check_not_points(o, d) || !check_not_utf16(d))
+	if (!check_not_points(o, d) || !check_not_foreign(d))
 		return false;
 	wants.source.two_numbers_hint = find_two_numbers_hint(o);
 	if (o->plane.n > 0)

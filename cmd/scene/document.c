@@ -58,7 +58,8 @@ static bool find_scene_members(struct json_source *source, const struct value *r
 static void check_members(const struct value *root, const struct document_wants *w,
     unsigned seen, unsigned meant)
 {
-	const unsigned missing = w->needed & ~(seen | meant);
+	const bool may_be_flat = (meant & w->flat_members) != 0;
+	const unsigned missing = may_be_flat ? 0 : w->needed & ~(seen | meant);
 	const unsigned flat = seen & (SCENE_WINDOW | SCENE_DEVICE);
 	const struct member *row =
 	    &scene_members[missing != 0 ? __builtin_ctz(missing) : 0];

@@ -370,8 +370,10 @@ static bool can_add_in_place(const struct layout *l, const struct line *line)
 	if (l->output.append)
 		return !is_blank(end[-1]) &&
 		    !is_blank(end[-1 - (l->out.format == FORMAT_JSON)]);
-	return l->out.format != FORMAT_CSV || last->to == line->size ||
-	    line->s[last->to] != '"';
+	const char next = last->to < line->size ? line->s[last->to] : '\r';
+
+	/* blanks may stand before a quote */
+	return l->out.format != FORMAT_CSV || next == l->out.separator || next == '\r';
 }
 
 /* Adds all values at the line's end (append), or replaces the coordinates, in the order

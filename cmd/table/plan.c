@@ -178,27 +178,35 @@ void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
 		strcpy(name, o->name[k]);
 }
 
-/* Finds a name of the output that a field of the line has, too. Names of coordinates
- * that stay are no new ones, and those that change are not there. */
+/* Returns whether the field is a coordinate whose name the output changes. */
+static bool is_renamed(const struct layout *l, const struct sought *found,
+    const struct field *f)
+{
+	for (int i = 0; i < l->reads; i++)
+		if (f->whole.s == found->field[i].whole.s)
+			return !l->output.append && l->plan.in_space >> i & 1;
+	return false;
+}
+
+/* Finds a name that the output adds, or changes a name to, and that a field of the line
+ * has, too. Names that change are not there. */
 static void find_clash(const struct layout *l, struct cursor c, struct sought *found)
 {
 	const struct output *o = &l->output;
-	const bool changes = l->plan.in_space != 0 && !o->append;
 	char name[2 * NAME_ROOM];
 	struct field f;
 
-	if (!o->append && !o->flags && l->writes <= l->reads && !changes)
-		return; /* nothing is added */
+	if (!o->append && !o->flags && l->writes <= l->reads && l->plan.in_space == 0)
+		return;
 	while (found->clash == NULL && cursor_next(&c, &f)) {
-		bool coordinate = false;
+		if (is_renamed(l, found, &f))
+			continue;
+		for (int k = 0; k <= COORDINATES_MAX; k++) {
+			const bool stays = k < l->reads && !o->append &&
+			    !(l->plan.in_space >> k & 1);
 
-		for (int i = 0; i < l->reads; i++)
-			coordinate |= f.whole.s == found->field[i].whole.s;
-		for (int k = o->append || changes ? 0 : l->reads; k <= COORDINATES_MAX;
-		     k++) {
 			plan_name(l, k, name);
-			if (*name == '\0' || (coordinate && changes) ||
-			    !is_named(&c, &f, name, false))
+			if (stays || *name == '\0' || !is_named(&c, &f, name, false))
 				continue;
 			found->clash = text("%s", name);
 			found->clash_at = c.members ? f.name.s : f.value.s;
@@ -490,8 +498,7 @@ static bool has_whole_names(const struct layout *l, struct line *line, struct cu
 
 	const char *remedy = other_separator(l, (struct span){ c.s, c.end });
 
-	while (format_of(l->in)->blanks && (l->columns.n == 0 || layout_has_names(l)) &&
-	    cursor_next(&c, &f)) {
+	while (format_of(l->in)->blanks && cursor_next(&c, &f)) {
 		const struct span name = f.value;
 
 		if (*name.s != '"' || (span_size(name) > 1 && name.end[-1] == '"'))
@@ -820,7 +827,7 @@ static void refuse_late(const struct line *line, const struct sought *found,
     struct refusal *r)
 {
 	refusal_set(r, NULL, text("has '%s', and the first row no names", found->late),
-	    "--columns names the members");
+	    "put an object first, which tells the names");
 	set_column(r, line, found->field[0].name.s);
 }
 

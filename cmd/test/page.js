@@ -106,6 +106,18 @@ async function readme() {
 	}
 }
 
+// Presses keys in an empty field: those of a text, and another.
+async function press(id, text, last) {
+	await inPage(`$("${id}").focus(), $("${id}").value = ""`);
+	for (const key of [...text, last]) {
+		const code = { Enter: 13 }[key], sent = code ? '\r' : key;
+		await ask('Input.dispatchKeyEvent', { type: 'keyDown', key, text: sent,
+			windowsVirtualKeyCode: code });
+		await ask('Input.dispatchKeyEvent', { type: 'keyUp', key });
+	}
+	await sleep(1000);
+}
+
 // Types into a field, as a reader does, and waits until the page has answered.
 function type(id, text) {
 	return inPage(`$('${id}').value = ${JSON.stringify(text)}; compute()`);
@@ -179,7 +191,8 @@ async function longCall() {
 	await sleep(200);
 	check('is stopped', await inPage('$("status").textContent + $("stop").hidden'),
 		'stoppedtrue');
-	await type('call', 'help pick');
+	await press('call', 'help pick', 'Enter');
+	check('keys type', await inPage('$("call").value'), 'help pick');
 	check('and the next one runs', await read('status'), 'exit status 0');
 	check('help', (await read('out')).slice(0, 20), 'usage: projcalc pick');
 }

@@ -12,7 +12,7 @@ function part(id) {
 const compiled = part('wasm').arrayBuffer().then(b => WebAssembly.compile(b));
 const script = URL.createObjectURL(new Blob([$('worker').textContent]));
 const SHOWN_MAX = 200000, ROWS_MAX = 1000; // more would make the page slow
-const STOP_AFTER = 2000; // ms
+const BUSY_AFTER = 300, STOP_AFTER = 2000; // ms
 
 // The worker, and the function that ends the promise of the call that it runs.
 let worker = null, finish = null;
@@ -132,7 +132,8 @@ async function faultsOf([name, ...rest], input, files) {
 let turn = 0;
 
 async function compute() {
-	const now = ++turn, call = words($('call').value), points = $('points').value;
+	const now = ++turn, points = $('points').value;
+	const call = words($('call').value.replace(/^\s*projcalc\s/, ''));
 	const files = { 'scene.json': $('scene').value }, begun = Date.now();
 	const input = /^\s*\[/.test(points) ? '' : points;
 	if (call.length > 0 && !/^(help|-.*)$/.test(call[0])) {
@@ -140,12 +141,14 @@ async function compute() {
 			call.push('scene.json');
 		if (input !== points)
 			call.push(points);
+		else if (points.trim() !== '' && files['scene.json'].trim() !== '')
+			call.push('-');
 	}
 	const timer = setTimeout(() => {
 		$('status').textContent = 'running …';
 		$('out').className = 'old';
 		$('stop').hidden = false;
-	}, STOP_AFTER);
+	}, BUSY_AFTER);
 	const said = await run(call, input, files);
 	clearTimeout(timer);
 	if (now !== turn)
@@ -193,7 +196,8 @@ for (const id of ['scene', 'points'])
 		`translate(${-target.scrollLeft}px, ${-target.scrollTop}px)`;
 $('examples').onchange = ({ target }) => choose(target.value);
 $('stop').onclick = end;
-document.onkeydown = e => e.key === 'Escape' && end();
+document.onkeydown = e => void (e.key === 'Escape' && end());
+document.forms[0].onsubmit = () => void compute() || false;
 $('as-text').onclick = ({ target }) => {
 	target.ariaPressed = target.ariaPressed !== 'true';
 	show();
