@@ -195,6 +195,11 @@ async function longCall() {
 	check('keys type', await inPage('$("call").value'), 'help pick');
 	check('and the next one runs', await read('status'), 'exit status 0');
 	check('help', (await read('out')).slice(0, 20), 'usage: projcalc pick');
+	await type('scene', '{"window":{"left":0,"right":10,"bottom":0,"top":10},' +
+		'"device":{"width":100,"height":100}}');
+	await type('points', '1 2\n3 4\n');
+	await type('call', 'projcalc w2d');
+	check('points of two dimensions', await inPage('last.out'), '10 20\n30 40\n');
 }
 
 async function reader() {
