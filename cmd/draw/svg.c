@@ -85,7 +85,8 @@ static void put_escaped(struct span name)
 static const char *const classes[] = { "edge", "line", "dot" };
 enum { CLASS_DOT = 2, CLASSES };
 
-enum { TYPE_SIZE = 13 }; /* of names, in a picture of 640 units */
+/* The size of names, in a picture of 640 units. */
+static const double type_size = 13;
 
 /* Puts the path of a class; a segment goes on where the one before ended. */
 static void put_path(const struct picture *p, const struct frame *f, int class)
@@ -113,7 +114,7 @@ static void put_path(const struct picture *p, const struct frame *f, int class)
  * are several pictures, the type may be larger. */
 static bool stands_left(const struct picture *p, const struct dot *dot)
 {
-	const double size = TYPE_SIZE / 640.0;
+	const double size = type_size / 640;
 	int n = 0;
 
 	for (const char *s = dot->name.s; s < dot->name.end; s++)
@@ -247,7 +248,7 @@ static void put_style(double size)
 	put_with(".edge{stroke:currentColor;stroke-width:", 0.8 * width);
 	put_with("}\n.line{stroke:#1769c4;stroke-width:", 1.5 * width);
 	put_with("}\n.dot{stroke:#d8342c;stroke-width:", 5 * width);
-	put_with("}\ntext{fill:currentColor;font:", TYPE_SIZE * width);
+	put_with("}\ntext{fill:currentColor;font:", type_size * width);
 	put("px sans-serif}\n");
 	if (photo) {
 		put_with(".halo *{stroke:#fff;stroke-opacity:.75}\n"

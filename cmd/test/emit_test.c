@@ -144,7 +144,9 @@ static double time_of(const struct layout *l, const struct emit_block *b, char *
 
 	for (int i = 0; i < TIMES; i++)
 		emit_lines(l, b, out);
-	return 1e9 * (double)(clock() - begin) / CLOCKS_PER_SEC / TIMES / LINES;
+	const double calls = (double)TIMES * LINES;
+
+	return 1e9 * (double)(clock() - begin) / CLOCKS_PER_SEC / calls;
 }
 
 /* Prints how long lines of three numbers take both ways. */
