@@ -144,7 +144,7 @@ static double time_of(const struct layout *l, const struct emit_block *b, char *
 
 	for (int i = 0; i < TIMES; i++)
 		emit_lines(l, b, out);
-	const double calls = (double)TIMES * LINES;
+	const double calls = (double)(TIMES * LINES);
 
 	return 1e9 * (double)(clock() - begin) / CLOCKS_PER_SEC / calls;
 }
