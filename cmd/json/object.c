@@ -425,7 +425,8 @@ static void read_of_any_variant(const struct reading *r, const struct value *m)
 		if (is_right)
 			return;
 	}
-	first->type->read(m, first, field);
+	if (first != NULL)
+		first->type->read(m, first, field);
 }
 
 static void read_each(struct reading *r, void *base)
