@@ -12,8 +12,7 @@ enum behind {
 	BEHIND_CAMERA = 1,
 	BEHIND_AXES = 2,  /* the camera's axes may be those of another program */
 	BEHIND_ORDER = 4, /* its quaternion may begin with w */
-	BEHIND_DEPTH =
-	    8, /* z, a depth, is beyond that of infinity: a distance, maybe */
+	BEHIND_DEPTH = 8, /* z, a depth beyond that of infinity, may be a distance */
 };
 
 struct job {

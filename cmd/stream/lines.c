@@ -29,8 +29,8 @@ struct lines {
 	bool parted[LINES_ROWS]; /* a blank line stands above the row */
 	double image[4][LINES_ROWS];
 
-	double first
-	    [4]; /* of a polygon that is cut: the image of its part's first vertex */
+	/* of a polygon that is cut: the image of its part's first vertex */
+	double first[4];
 	bool has_first;
 };
 
@@ -71,7 +71,7 @@ static void print_rows(void *data)
 	l->n = 0;
 }
 
-static void put_row(struct lines *l, const double image[4])
+static void keep_row(struct lines *l, const double image[4])
 {
 	if (l->n == LINES_ROWS)
 		print_rows(l);
@@ -91,7 +91,7 @@ static void begin_part(struct lines *l)
 static void put_held(struct lines *l)
 {
 	for (; l->held > 0; l->held--)
-		put_row(l, l->held_image);
+		keep_row(l, l->held_image);
 }
 
 static bool is_held(const struct lines *l, const double image[4])
@@ -112,7 +112,7 @@ static void add_row(struct lines *l, const double image[4])
 		return;
 	}
 	put_held(l);
-	put_row(l, image);
+	keep_row(l, image);
 }
 
 /* Returns point i of the run as a vertex. Neighbours have one each, so that segments
@@ -237,7 +237,7 @@ static void take_run(void *data, const struct run *run)
 		take_polygon(l);
 	else
 		take_polyline(l);
-	/* all points of the run are one, and visible */
+	/* all points of the run are visible, and have one image */
 	if (l->held == run->n)
 		put_held(l);
 }

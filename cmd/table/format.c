@@ -175,7 +175,7 @@ static bool becomes_number(struct span f, const char *from, char to, char out[64
 }
 
 /* Returns the end of the digits at s, up to `end`. */
-static const char *digits_end(const char *s, const char *end)
+static const char *skip_digits(const char *s, const char *end)
 {
 	while (s < end && isdigit((unsigned char)*s))
 		s++;
@@ -187,20 +187,20 @@ static const char *digits_end(const char *s, const char *end)
 static bool read_grouped(struct span f, char group, char mark, char out[64])
 {
 	const char *s = f.s + (f.s < f.end && strchr("+-", *f.s) != NULL);
-	const char *next = digits_end(s, f.end);
+	const char *next = skip_digits(s, f.end);
 	const char separator[] = { group, '\0' };
 
 	if (next == s || next - s > 3 || *s == '0' || next == f.end || *next != group)
 		return false;
 	while (next < f.end && *next == group) {
 		s = next + 1;
-		next = digits_end(s, f.end);
+		next = skip_digits(s, f.end);
 		if (next - s != 3)
 			return false;
 	}
 	const struct span whole = { f.s, next }, part = { next + 1, f.end };
 	const bool has_part = next < f.end && *next == mark && part.s < part.end &&
-	    digits_end(part.s, part.end) == part.end;
+	    skip_digits(part.s, part.end) == part.end;
 
 	if (!becomes_number(whole, separator, '\0', out) || (next < f.end && !has_part))
 		return false;

@@ -336,7 +336,7 @@ static void list_fields(struct cursor c, char all[512])
 		strcpy(all + n, ", ...");
 }
 
-static bool is_text(struct span f, const char *s)
+static bool equals_text(struct span f, const char *s)
 {
 	return span_size(f) == strlen(s) && memcmp(f.s, s, strlen(s)) == 0;
 }
@@ -348,8 +348,9 @@ static bool is_obj(const struct layout *l, struct cursor c)
 
 	if (!format_of(l->in)->blanks || !cursor_next(&c, &f))
 		return false;
-	return is_text(f.value, "mtllib") ||
-	    (is_text(f.value, "v") && cursor_next(&c, &f) && is_number(l->in, f.value));
+	return equals_text(f.value, "mtllib") ||
+	    (equals_text(f.value, "v") && cursor_next(&c, &f) &&
+		is_number(l->in, f.value));
 }
 
 /* Returns whether a line has numbers alone. */

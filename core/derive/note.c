@@ -253,7 +253,7 @@ static bool has_part_outside(const struct scene *s)
 	double full[2];
 	bool outside = false;
 
-	if (!s->has_viewport ||
+	if (!s->has_viewport || !v->has_offset ||
 	    (projection_has_intrinsics(&s->projection) && !v->has_full))
 		return false;
 	viewport_full(v, full);
