@@ -33,8 +33,9 @@ my $room = abs_path("$build/mutants");
 my ($tree, $tmp) = map { "$room/$_" } qw(tree tmp);
 srand($seed || 1);
 
-# A make that is started here must not take part in `make mutants`.
-delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
+# A make that is started here must not take part in `make mutants`, and SEED chooses
+# mutants, not the tests' samples.
+delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SEED)};
 
 sub slurp {
 	open my $file, '<:raw', $_[0] or die "$_[0]: $!\n";

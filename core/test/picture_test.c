@@ -183,6 +183,10 @@ static void check_edges(const struct scene *s, const struct truth *back,
 	/* the camera of r->scene turns a P that slants */
 	if (projection_is_tilted(&s->projection) || k[1][0] != 0)
 		return;
+	/* a shear within the tolerance is not in r->scene */
+	if (s->projection.type == PROJECTION_MATRIX && p->type == PROJECTION_ORTHO &&
+	    (s->projection.matrix[2][0] != 0 || s->projection.matrix[2][1] != 0))
+		return;
 	for (int side = 0; side < 4; side++) {
 		struct sized h[4], n, d, eye[2];
 
@@ -547,7 +551,7 @@ static void floats_are_taken_apart(void **state)
 	int n = 0, ranges = 0;
 
 	(void)state;
-	SAMPLES(k, 1500) {
+	SAMPLES(k, 4000) {
 		struct projection *p = &s.projection;
 
 		sample_scene(&s, 0);

@@ -105,6 +105,9 @@ static void check_fov(const struct scene *s, const struct taxonomy *t,
 		normalise(b, 3);
 		real angle = dot(a, b, 3);
 
+		/* of parallel planes, rounded */
+		if (mpfr_cmpabs(angle, real_of(1)) > 0)
+			angle = real_of(mpfr_sgn(angle));
 		mpfr_acos(angle, angle, MPFR_RNDN);
 		mpfr_mul_ui(angle, angle, 180, MPFR_RNDN);
 		mpfr_const_pi(a[0], MPFR_RNDN);

@@ -201,12 +201,16 @@ static void compare_element(const struct map *m, int i, int j, const struct trut
 	}
 	if (truth_sign(exact, NULL) == 0)
 		w->false_nonzeros += sum_sign(got) != 0;
-	else if (truth_verdict(pair.hi, exact, one, false) == NEAREST)
-		keep_largest(&w->pair_error,
-		    u2_error(pair, exact.value,
-			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)),
-		    m, i, j);
 	mpfr_mul_2si(bound, bound, got.error - EX_RANGE, MPFR_RNDN);
+	if (truth_sign(exact, NULL) != 0 &&
+	    truth_verdict(pair.hi, exact, one, false) == NEAREST) {
+		double size = mpfr_get_d(magnitude(exact.value), MPFR_RNDN);
+
+		keep_largest(&w->pair_error,
+		    u2_error(pair, exact.value, size) -
+			0x1p106 * mpfr_get_d(bound, MPFR_RNDN) / size,
+		    m, i, j);
+	}
 	/* The truth has rounding errors, too: its sine of 180 degrees and its
 	 * difference of equal roots are not 0. */
 	real rounding = real_of(1);
