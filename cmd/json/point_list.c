@@ -78,7 +78,7 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 			return refuse_byte(v->source, p, "a point");
 		if (*p == '{')
 			value_refuse(v, "is an object",
-			    "-i json reads lines of them, as jq -c '.[]' makes");
+			    "here a point is an array; objects are read from a file or -");
 		else
 			refuse_type_at(v, p, "an array of coordinates");
 		return true;

@@ -126,10 +126,12 @@ static const struct remark remarks[] = {
 	    "its cameras look backward along z with y up, as those of \"webgpu\"" },
 	{ WORD_VALUE, "colmap ros ros2 opensfm", "opencv",
 	    "its cameras look along z with y down, as those of \"opencv\"" },
-	{ WORD_VALUE, "lh lefthanded", "convention handedness left",
-	    "it is {\"convention\": {\"handedness\": \"left\"}}" },
-	{ WORD_VALUE, "rh righthanded", "convention handedness right",
-	    "it is {\"convention\": {\"handedness\": \"right\"}}" },
+	{ WORD_VALUE, "lh lefthanded d3dlh", "d3d convention handedness left",
+	    "it is {\"convention\": {\"handedness\": \"left\"}}, with the rest as "
+	    "\"d3d\" has it" },
+	{ WORD_VALUE, "rh righthanded d3drh", "d3d convention handedness right",
+	    "it is {\"convention\": {\"handedness\": \"right\"}}, with the rest as "
+	    "\"d3d\" has it" },
 	{ WORD_VALUE, "contain letterbox cover crop", "grow shrink",
 	    "\"grow\" contains the window, \"shrink\" covers the device" },
 	{ CALL | WORD_MEMBER, "transpose columnmajor rowmajor columnvectors rowvectors",
@@ -177,7 +179,11 @@ static const struct remark remarks[] = {
 	    "{\"pose\": [{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": "
 	    "[0,0,-5]}]}}" },
 	{ WORD_MEMBER,
-	    "r t rotationmatrix extrinsic extrinsics rt w2c tcw world2cam worldtocam "
+	    "r t rotationmatrix", "convention opencv camera rotation translation",
+	    "of world to view it is as in {\"convention\": \"opencv\", \"camera\": "
+	    "{\"rotation\": [[1,0,0],[0,1,0],[0,0,1]], \"translation\": [0,0,5]}}" },
+	{ WORD_MEMBER,
+	    "extrinsic extrinsics rt w2c tcw world2cam worldtocam "
 	    "worldtocamera worldtocameramatrix viewmatrix modelviewmatrix "
 	    "matrixworldinverse",
 	    "matrix camera convention opencv",
@@ -272,8 +278,11 @@ static const struct remark remarks[] = {
 	    "[[1,0,0,0],[0,1,0,0],[0,0,1,0]]}]}" },
 
 	/* of rectangles */
+	{ WORD_MEMBER, "size", "viewport width height projection",
+	    "a picture's is {\"viewport\": {\"width\": 640, \"height\": 480}}, an "
+	    "ortho's \"width\" and \"height\" of \"projection\"" },
 	{ WORD_MEMBER,
-	    "size imagesize resolution imageresolution windowsize screen image",
+	    "imagesize resolution imageresolution windowsize screen image",
 	    "viewport width height",
 	    "the picture's size is {\"viewport\": {\"width\": 640, \"height\": 480}}" },
 	{ WORD_MEMBER, "w h imagewidth imageheight pixelwidth pixelheight",

@@ -96,6 +96,6 @@ bool convention_require(const struct value *object, const char *name,
 	if (object->unused || object->source->has_convention)
 		return true;
 	return value_refuse(VALUE_NAMED(object, name), "needs a \"convention\"",
-	    text("opencv has x right, y down, z forward, webgpu right, up, backward%s",
+	    text("that of its numbers: opencv has x right, y down, z forward, webgpu right, up, backward%s",
 		or_else));
 }
