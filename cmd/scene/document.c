@@ -442,7 +442,12 @@ void document_print(const struct document *d, bool compact)
 	struct printer p = { .at = text, .compact = compact };
 	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
 
-	put_document(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
+	if (d->flat)
+		unprinted |= SCENE_SPATIAL;
+	/* a device counts from another corner if a convention is named */
+	if (d->flat && !d->source.has_convention)
+		unprinted |= SCENE_CONVENTION;
+	put_document(&p, d, ~unprinted);
 	put_text(&p, "\n");
 	output_write(text, (size_t)(p.at - text));
 }
