@@ -3,46 +3,42 @@
 
 #include <math.h>
 
-/* Returns whether the 3x3 part of a matrix for row vectors is no rotation by far: an
- * element of R times its transpose, with the rows of column vectors, is off by more
- * than 1e-2, or the determinant is negative. A slip is as large; the rounding of four
- * digits is not. */
-static bool is_no_rotation(const double m[4][4])
+bool note_is_rotation(const double r[3][3], double tolerance, bool mirrored)
 {
 	double det = 0;
 
 	for (int i = 0; i < 9; i++) {
-		const int a = i / 3, b = i % 3;
+		const double *a = r[i / 3], *b = r[i % 3];
 
-		if (!(fabs(m[0][a] * m[0][b] + m[1][a] * m[1][b] + m[2][a] * m[2][b] -
-			  (a == b)) <= 1e-2))
-			return true;
+		if (!(fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] -
+			  (i / 3 == i % 3)) <= tolerance))
+			return false;
 	}
 	for (int j = 0, k = 1, n = 2; j < 3; j++, k = n, n = (n + 1) % 3)
-		det += m[0][j] * (m[1][k] * m[2][n] - m[1][n] * m[2][k]);
-	return det < 0;
+		det += r[0][j] * (r[1][k] * r[2][n] - r[1][n] * r[2][k]);
+	return mirrored ? det < 0 : det > 0;
 }
 
+/* A slip is as large as 1e-2; the rounding of four digits is not. */
 bool note_is_no_rotation(const struct camera *c)
 {
-	double m[4][4];
-	struct map r;
+	const struct steps *s = &c->steps;
+	double r[3][3];
+	struct map m;
 
 	if (!camera_gives_3x3(c) || c->orthonormalize)
 		return false;
-	if (!camera_is_by_steps(c)) {
-		for (int i = 0; i < 9; i++)
-			m[i / 3][i % 3] = c->rotation[i % 3][i / 3];
-		return is_no_rotation(m);
-	}
-	if (c->steps.step == NULL)
-		return is_no_rotation(c->steps.matrix);
-	if (!steps_map(&c->steps, "", false, false, &r, NULL))
+	if (!camera_is_by_steps(c))
+		return !note_is_rotation(c->rotation, 1e-2, false);
+	if (s->step != NULL && !steps_map(s, "", false, false, &m, NULL))
 		return false;
-	for (int i = 0; i < 16; i++)
-		m[i / 4][i % 4] = map_element_nearest(&r, i / 4, i % 4, false);
+	for (int i = 0; i < 9; i++)
+		r[i / 3][i % 3] = s->step == NULL ?
+		    s->matrix[i % 3][i / 3] :
+		    map_element_nearest(&m, i % 3, i / 3, false);
 	/* the flag is set by a product that no image needs */
-	return !ex_has_overflowed() && is_no_rotation(m);
+	return !(s->step != NULL && ex_has_overflowed()) &&
+	    !note_is_rotation(r, 1e-2, false);
 }
 
 /* Returns half a unit of the last digit of the shortest decimal of a size from 1e-6 to
@@ -281,14 +277,13 @@ bool note_has_central_intrinsics(const struct projection_section *c)
 
 unsigned note_of_members(const struct scene *s, const struct written *w)
 {
-	return (unsigned)(s->has_camera && note_is_no_rotation(&s->camera))
-	    << NOTE_ROTATION |
-	    (unsigned)(!w->angle_unit && has_radians(s)) << NOTE_RADIANS |
-	    (unsigned)(!w->angle_unit && has_matrix_of_radians(s))
-	    << NOTE_MATRIX_RADIANS |
-	    (unsigned)(!w->scale && has_other_aspect(s)) << NOTE_ASPECT |
-	    (unsigned)has_colmap_order(&s->projection) << NOTE_COLMAP |
-	    (unsigned)has_part_outside(s) << NOTE_PART;
+	return note_if(s->has_camera && note_is_no_rotation(&s->camera),
+		   NOTE_ROTATION) |
+	    note_if(!w->angle_unit && has_radians(s), NOTE_RADIANS) |
+	    note_if(!w->angle_unit && has_matrix_of_radians(s), NOTE_MATRIX_RADIANS) |
+	    note_if(!w->scale && has_other_aspect(s), NOTE_ASPECT) |
+	    note_if(has_colmap_order(&s->projection), NOTE_COLMAP) |
+	    note_if(has_part_outside(s), NOTE_PART);
 }
 
 /* A transposed perspective matrix has the gaze, a unit vector, in its last row and the

@@ -37,6 +37,11 @@ enum note {
 	NOTES,
 };
 
+static inline unsigned note_if(bool applies, enum note note)
+{
+	return (unsigned)applies << note;
+}
+
 /* What a document or the command line writes itself, so that it is no guess. */
 struct written {
 	bool convention, angle_unit, scale;
@@ -64,6 +69,10 @@ bool note_principal_point_is_inside(double coordinate, double viewport_size);
 /* Returns whether the principal point of intrinsics, as given, is inside of the picture
  * that they are for. */
 bool note_has_central_intrinsics(const struct projection_section *);
+
+/* Returns whether R R' is the identity within a tolerance above 2^-40, and det R > 0
+ * (if mirrored, < 0). R' is the transpose of R. */
+bool note_is_rotation(const double r[3][3], double tolerance, bool mirrored);
 
 /* Returns whether the camera is given by numbers, before axes and in either direction,
  * that are no rotation by far, which NOTE_ROTATION tells. */

@@ -50,26 +50,15 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 	}
 }
 
-/* Returns whether R R' is the identity within 2^-20, and det R > 0 (if mirrored, < 0).
- * R is the upper 3x3 of the map, in doubles, whose errors of 2^-50 the bound does not
- * notice, and R' its transpose. Only a matrix or a pose can be
- * anything but a rotation. */
+/* Returns whether the 3x3 part is a rotation (if mirrored, the mirror image of one) but
+ * for errors, which are below 2^-50 in doubles. Only a matrix or a pose need not be. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
-	double r[3][3], det = 0;
+	double r[3][3];
 
 	for (int i = 0; i < 9; i++)
 		r[i / 3][i % 3] = map_element_nearest(m, i / 3, i % 3, false);
-	for (int i = 0; i < 9; i++) {
-		const double *a = r[i / 3], *b = r[i % 3];
-
-		if (!(fabs(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] -
-			  (i / 3 == i % 3)) <= 0x1p-20))
-			return false;
-	}
-	for (int j = 0, k = 1, n = 2; j < 3; j++, k = n, n = (n + 1) % 3)
-		det += r[0][j] * (r[1][k] * r[2][n] - r[1][n] * r[2][k]);
-	return mirrored ? det < 0 : det > 0;
+	return note_is_rotation(r, 0x1p-20, mirrored);
 }
 
 /* Sets the camera. The eye of a perspective is the point where its projectors meet. */
@@ -208,8 +197,8 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	p->section.way = SECTION_INTRINSICS;
 	p->section.width = s->viewport.width;
 	p->section.height = s->viewport.height;
-	p->near = swap ? r->far : r->near;
-	p->far = swap ? r->near : r->far;
+	p->near = open ? 0 : swap ? r->far : r->near;
+	p->far = open ? HUGE_VAL : swap ? r->near : r->far;
 	p->reverse_z = r->reverse_z != swap;
 	if (sheared)
 		set_shear(u, given,
@@ -217,10 +206,6 @@ static void set_projection(const struct lens *l, const struct upright *u,
 			projection_is_sheared(given) ? given->unit :
 						       ANGLE_DEGREES,
 		    p);
-	if (open) {
-		p->near = 0;
-		p->far = HUGE_VAL;
-	}
 	for (int i = 0; i < 9; i++)
 		p->section.intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
 	/* if l->mirrors, X of K and x of r->scene's view space are opposite */
@@ -258,118 +243,70 @@ static bool is_off_center(const struct scene *s, const struct picture *r)
 	return false;
 }
 
-/* What the notes on a picture are decided by. */
-struct facts {
-	const struct lens *l;
-	const struct upright *u;
-	const struct picture *r;
-	/* the matrix, as it was read, makes no second scene and looks transposed */
-	bool transposed;
-	bool mirrored, looks_away;
-	/* A document gives a volume an eye beyond far only on purpose, and without a
-	 * camera its z are those of a text of either handedness. */
-	bool reverse, free;
-	bool behind; /* all corners of the view volume are */
-};
-
-static struct facts facts_of(const struct lens *l, const struct upright *u,
-    const struct picture *r, bool transposed)
+/* A document gives a volume an eye beyond far only on purpose, and without a camera its
+ * z are those of a text of either handedness. */
+static bool is_reverse_volume(const struct lens *l, const struct picture *r)
 {
-	const bool volume = projection_family(&l->scene.projection) == FAMILY_VOLUME;
-	struct facts f = { .l = l, .u = u, .r = r, .transposed = transposed };
-
-	f.mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0) !=
-	    l->mirrors;
-	f.looks_away = u->uses_view_axes && u->turned &&
-	    (f.mirrored || l->scene.has_camera);
-	f.reverse = volume && r->taxonomy.taxon == TAXON_REVERSE;
-	f.free = volume && !l->scene.has_camera;
-	/* a corner is nan if it is at infinity or behind the eye, or without planes */
-	f.behind = !projection_is_open(&l->scene.projection);
-	for (int i = 0; i < 8; i++)
-		f.behind &= isnan(r->taxonomy.corner[i][0]);
-	return f;
+	return projection_family(&l->scene.projection) == FAMILY_VOLUME &&
+	    r->taxonomy.taxon == TAXON_REVERSE;
 }
 
-static unsigned note_if(bool applies, enum note note)
+static bool is_free_volume(const struct scene *s)
 {
-	return (unsigned)applies << note;
+	return projection_family(&s->projection) == FAMILY_VOLUME && !s->has_camera;
 }
 
 /* Returns the note, if any, on which way the picture is seen: the first that explains
  * it. A perspective matrix that is negated as a whole seems to mirror. */
-static unsigned note_of_sides(const struct facts *f)
+static unsigned note_of_sides(const struct lens *l, const struct upright *u,
+    const struct picture *r)
 {
-	if (f->transposed)
-		return 1u << NOTE_TRANSPOSED;
-	if (f->reverse)
+	const bool mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) <
+				  0) != l->mirrors;
+	const bool looks_away = u->uses_view_axes && u->turned &&
+	    (mirrored || l->scene.has_camera);
+	bool behind = !projection_is_open(&l->scene.projection);
+
+	/* a corner is nan if it is at infinity or behind the eye, or without planes */
+	for (int i = 0; i < 8; i++)
+		behind &= isnan(r->taxonomy.corner[i][0]);
+	if (is_reverse_volume(l, r))
 		return 0;
-	if (f->mirrored && f->behind && !f->l->parallel)
+	if (mirrored && behind && !l->parallel)
 		return 1u << NOTE_MINUS_W;
-	if (f->mirrored && f->looks_away)
-		return note_if(!f->free, NOTE_OTHER_HANDED);
-	return note_if(f->mirrored, NOTE_MIRRORED) |
-	    note_if(f->looks_away, NOTE_LOOKS_AWAY);
+	if (mirrored && looks_away)
+		return note_if(!is_free_volume(&l->scene), NOTE_OTHER_HANDED);
+	return note_if(mirrored, NOTE_MIRRORED) | note_if(looks_away, NOTE_LOOKS_AWAY);
 }
 
-static unsigned note_of_depths(const struct facts *f)
+/* Returns the notes on anything else. */
+static unsigned note_of_numbers(const struct lens *l, const struct upright *u,
+    const struct picture *r)
 {
-	const bool matrix = projection_is_given_matrix(&f->l->scene.projection);
-	const bool parallel = f->l->parallel;
-
-	return note_if(f->r->near > f->r->far && !f->reverse && !f->free,
-		   NOTE_NEAR_BEYOND) |
-	    note_if(matrix && f->u->uses_view_axes && parallel && f->r->reverse_z,
-		NOTE_DEPTH_FALLS) |
-	    note_if(parallel && sum_sign(f->u->clip_w[1]) < 0, NOTE_MINUS_W) |
-	    note_if(f->u->tilted, NOTE_TILTED);
-}
-
-static unsigned note_of_angle(const struct facts *f)
-{
-	const struct projection *p = &f->l->scene.projection;
-
-	return note_if(projection_family(p) == FAMILY_PERSP &&
-		p->unit == ANGLE_DEGREES &&
-		fmin(f->r->taxonomy.fov[0], f->r->taxonomy.fov[1]) < 3.2 &&
-		(p->section.way <= SECTION_VIEW_ANGLE ||
-		    p->section.way == SECTION_ANGLES),
-	    NOTE_RADIANS);
-}
-
-static unsigned note_of_intrinsics(const struct facts *f)
-{
-	const struct scene *s = &f->l->scene;
+	const struct scene *s = &l->scene;
 	const struct projection *p = &s->projection;
-	const bool by_intrinsics = sum_sign(f->u->clip_xy[0][1]) != 0;
+	const bool by_angle = p->section.way <= SECTION_VIEW_ANGLE ||
+	    p->section.way == SECTION_ANGLES;
 
-	return note_if(projection_has_intrinsics(p) && is_off_center(s, f->r),
-		   NOTE_OFF_CENTER) |
-	    note_if(by_intrinsics && !may_have_intrinsics(f->l, f->u),
-		NOTE_NO_INTRINSICS);
-}
-
-static unsigned note_of_camera(const struct facts *f)
-{
-	const struct scene *s = &f->l->scene;
-
-	return note_if(s->has_camera && camera_gives_3x3(&s->camera) &&
-		!is_rotation(&f->l->to_view, f->l->mirrors),
-	    NOTE_NO_ROTATION);
-}
-
-/* Returns the notes: a list of decisions, each of which sees the same facts. */
-static unsigned notes_of(const struct lens *l, const struct upright *u,
-    const struct picture *r, bool transposed)
-{
-	static unsigned (*const decisions[])(const struct facts *) = { note_of_sides,
-		note_of_depths, note_of_angle, note_of_intrinsics, note_of_camera };
-	const struct facts f = facts_of(l, u, r, transposed);
-	unsigned notes = 0;
-
-	for (size_t i = 0; i < sizeof decisions / sizeof *decisions; i++)
-		notes |= decisions[i](&f);
-	return notes;
+	return note_if(r->near > r->far && !is_reverse_volume(l, r) &&
+		       !is_free_volume(s),
+		   NOTE_NEAR_BEYOND) |
+	    note_if(projection_is_given_matrix(p) && u->uses_view_axes && l->parallel &&
+		    r->reverse_z,
+		NOTE_DEPTH_FALLS) |
+	    note_if(l->parallel && sum_sign(u->clip_w[1]) < 0, NOTE_MINUS_W) |
+	    note_if(u->tilted, NOTE_TILTED) |
+	    note_if(projection_family(p) == FAMILY_PERSP && by_angle &&
+		    p->unit == ANGLE_DEGREES &&
+		    fmin(r->taxonomy.fov[0], r->taxonomy.fov[1]) < 3.2,
+		NOTE_RADIANS) |
+	    note_if(projection_has_intrinsics(p) && is_off_center(s, r),
+		NOTE_OFF_CENTER) |
+	    note_if(sum_sign(u->clip_xy[0][1]) != 0 && !may_have_intrinsics(l, u),
+		NOTE_NO_INTRINSICS) |
+	    note_if(s->has_camera && camera_gives_3x3(&s->camera) &&
+		    !is_rotation(&l->to_view, l->mirrors),
+		NOTE_NO_ROTATION);
 }
 
 /* Returns half a unit of the last digit of an element of a matrix: of a float, of a
@@ -466,7 +403,9 @@ static void set_parameters(const struct scene *s, const struct lens *l,
 	set_near_edges(l, u, r);
 	if (s->has_viewport && !l->parallel)
 		set_intrinsics(l, u, r->intrinsics);
-	r->notes = notes_of(l, u, r, false);
+	const unsigned numbers = note_of_numbers(l, u, r);
+
+	r->notes = numbers | note_of_sides(l, u, r);
 	r->scene = *s;
 	r->scene.answer = NULL;
 	r->scene.viewport.has_full = r->scene.viewport.has_offset = false;
@@ -479,37 +418,38 @@ static void set_parameters(const struct scene *s, const struct lens *l,
 		r->notes |= r->has_scene ? note_of_digits(l, u, r) :
 					   1u << NOTE_OUT_OF_RANGE;
 	}
-	if (r->has_scene || !projection_is_given_matrix(&s->projection) ||
-	    !note_seems_transposed(s->projection.matrix))
-		return;
-	const unsigned null = r->notes >> NOTES_WITH_SCENE << NOTES_WITH_SCENE;
+	/* the matrix, as it was read, makes no second scene and looks transposed: that
+	 * explains which way the picture is seen */
+	if (!r->has_scene && projection_is_given_matrix(&s->projection) &&
+	    note_seems_transposed(s->projection.matrix)) {
+		const unsigned null = numbers >> NOTES_WITH_SCENE != 0 ? 0 : r->notes;
 
-	r->notes = notes_of(l, u, r, true);
-	r->notes |= r->notes >> NOTES_WITH_SCENE == 0 ? null : 0;
-}
-
-/* Sets all members of the picture but rigid and error_bound. */
-static bool describe(const struct scene *s, struct lens *l, struct upright *u,
-    struct picture *p, struct refusals *faults)
-{
-	if (!lens_of(s, l, faults))
-		return false;
-	upright_of(l, u);
-	/* a double whose bits are all 1 is nan */
-	memset(p, 0xff, offsetof(struct picture, notes));
-	taxonomy_of(l, &p->taxonomy);
-	set_parameters(s, l, u, p);
-	return true;
+		r->notes = numbers | 1u << NOTE_TRANSPOSED |
+		    null >> NOTES_WITH_SCENE << NOTES_WITH_SCENE;
+	}
 }
 
 /* static: too large for a stack of 256 KB. Only one thread describes pictures. */
 static struct lens lens;
 static struct upright upright;
 
+/* Sets all members of the picture but rigid and error_bound. */
+static bool describe(const struct scene *s, struct picture *p, struct refusals *faults)
+{
+	if (!lens_of(s, &lens, faults))
+		return false;
+	upright_of(&lens, &upright);
+	/* a double whose bits are all 1 is nan */
+	memset(p, 0xff, offsetof(struct picture, notes));
+	taxonomy_of(&lens, &p->taxonomy);
+	set_parameters(s, &lens, &upright, p);
+	return true;
+}
+
 unsigned picture_notes(const struct scene *s)
 {
 	struct picture p;
-	const bool described = describe(s, &lens, &upright, &p, NULL);
+	const bool described = describe(s, &p, NULL);
 	const bool wide = ex_has_overflowed(); /* by a product that no image needs */
 
 	return described && !wide ?
@@ -520,8 +460,7 @@ unsigned picture_notes(const struct scene *s)
 void picture_axes(const struct scene *s, double gaze[3], double up[3])
 {
 	static struct picture p;
-	const bool described = describe(s, &lens, &upright, &p, NULL) &&
-	    !ex_has_overflowed();
+	const bool described = describe(s, &p, NULL) && !ex_has_overflowed();
 
 	for (int k = 0; k < 3; k++) {
 		gaze[k] = described ? p.taxonomy.gaze[k] : (double)NAN;
@@ -531,7 +470,7 @@ void picture_axes(const struct scene *s, double gaze[3], double up[3])
 
 bool picture_of(const struct scene *s, struct picture *p, struct refusals *faults)
 {
-	if (!describe(s, &lens, &upright, p, faults))
+	if (!describe(s, p, faults))
 		return false;
 	rigid_of(&lens, &upright, &p->rigid);
 	return error_bound_of(&lens, p->error_bound, faults);
