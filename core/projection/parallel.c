@@ -57,25 +57,15 @@ static void shear(const struct projection *p, struct scaled_matrix *f)
 		f->t[k] = sum_sub(f->t[k], sum_scale(f->z[k], s->plane));
 }
 
-bool ortho_map(const struct projection *p, const struct convention *c, bool inverse,
+bool parallel_map(const struct projection *p, const struct convention *c, bool inverse,
     struct map *r, struct refusals *faults)
 {
 	struct scaled_matrix f;
 
 	(void)c, (void)faults;
 	ortho_matrix(p, &f);
-	scaled_map(&f, inverse, r);
-	return true;
-}
-
-bool oblique_map(const struct projection *p, const struct convention *c, bool inverse,
-    struct map *r, struct refusals *faults)
-{
-	struct scaled_matrix f;
-
-	(void)c, (void)faults;
-	ortho_matrix(p, &f);
-	shear(p, &f);
+	if (projection_is_sheared(p))
+		shear(p, &f);
 	scaled_map(&f, inverse, r);
 	return true;
 }

@@ -15,7 +15,5 @@ struct projection_shear {
 };
 
 bool parallel_check(const struct projection *, struct refusals *);
-bool ortho_map(const struct projection *, const struct convention *, bool inverse,
-    struct map *, struct refusals *);
-bool oblique_map(const struct projection *, const struct convention *, bool inverse,
+bool parallel_map(const struct projection *, const struct convention *, bool inverse,
     struct map *, struct refusals *);
