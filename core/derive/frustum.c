@@ -82,33 +82,16 @@ bool frustum_planes(const struct scene *s, enum space from, struct map *sides,
 	return true;
 }
 
-/* Makes the transforms to the planes, whose maps have been made. */
-static bool set_transforms(const struct scene *s, enum space from, bool homogeneous,
-    struct frustum *f, struct refusals *faults)
-{
-	const bool by_distance = from == SPACE_DEVICE && s->viewport.distance;
-	struct transform *const t[] = { &f->sides, &f->ends };
-
-	for (int i = 0; i < (space_is_flat(from) ? 1 : 2); i++)
-		if (by_distance) {
-			if (!distance_by_view(s, from, SPACE_CLIP, t[i], faults))
-				return false;
-		} else if (from > SPACE_VIEW) {
-			transform_init(t[i], from, SPACE_CLIP, homogeneous);
-		} else if (!transform_by_view(s, from, SPACE_CLIP, homogeneous, t[i],
-			       faults)) {
-			return false;
-		}
-	return true;
-}
-
 /* From view space or a space before it, the planes are staged by way of view space. */
 bool frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f, struct refusals *faults)
 {
+	const bool flat = space_is_flat(from), staged = from <= SPACE_VIEW;
 	const bool by_distance = from == SPACE_DEVICE && s->viewport.distance;
+	struct transform *const t[] = { &f->sides, &f->ends };
+	bool good = true;
 
-	if (from <= SPACE_VIEW) {
+	if (staged) {
 		if (!scene_map_factor(s, from, SPACE_VIEW, &f->sides.map, faults) ||
 		    !frustum_planes(s, SPACE_VIEW, &f->sides.from_view,
 			&f->ends.from_view, faults))
@@ -118,10 +101,15 @@ bool frustum_of(const struct scene *s, enum space from, bool homogeneous,
 		       &f->ends.map, faults)) {
 		return false;
 	}
-	if (!set_transforms(s, from, homogeneous, f, faults))
-		return false;
-	return !ex_has_overflowed() ||
-	    scene_refuse_too_wide(s, space_is_flat(from), faults);
+	for (int i = 0; i < (flat ? 1 : 2) && good; i++)
+		if (staged)
+			good = transform_by_view(s, from, SPACE_CLIP, homogeneous, t[i],
+			    faults);
+		else if (by_distance)
+			good = distance_by_view(s, from, SPACE_CLIP, t[i], faults);
+		else
+			transform_init(t[i], from, SPACE_CLIP, homogeneous);
+	return good && (!ex_has_overflowed() || scene_refuse_too_wide(s, flat, faults));
 }
 
 unsigned frustum_outside(const struct frustum *f, const double in[4])

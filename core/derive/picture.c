@@ -261,8 +261,8 @@ static bool is_free_volume(const struct scene *s)
 static unsigned note_of_sides(const struct lens *l, const struct upright *u,
     const struct picture *r)
 {
-	const bool mirrored = (sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) <
-				  0) != l->mirrors;
+	const int sides = sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]);
+	const bool mirrored = (sides < 0) != l->mirrors;
 	const bool looks_away = u->uses_view_axes && u->turned &&
 	    (mirrored || l->scene.has_camera);
 	bool behind = !projection_is_open(&l->scene.projection);
