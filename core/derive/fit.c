@@ -459,13 +459,6 @@ static bool prepare_projection(struct projection *p, struct refusals *faults)
 	return true;
 }
 
-/* Gives valid numbers to those members that fit is going to find. */
-static bool fit_prepare(struct scene *s, struct refusals *faults)
-{
-	return prepare_projection(&s->projection, faults) &&
-	    make_gaze_camera(s, faults);
-}
-
 void fit_check(const struct scene *given, const struct bounds *b,
     struct refusals *faults)
 {
@@ -501,24 +494,6 @@ static bool eye_to_middle(struct scene *s, const struct hull *h,
 	return true;
 }
 
-/* Fits a scene that fit_prepare has prepared, as its family does. */
-static bool fit_family(struct scene *s, bool has_eye, bool is_points,
-    const struct projection_section *given, const struct hull *h,
-    struct refusals *faults)
-{
-	switch (projection_family(&s->projection)) {
-	case FAMILY_PERSP:
-		return fit_persp(s, !has_eye && is_points, h, faults);
-	case FAMILY_PARALLEL:
-		return fit_parallel(s, has_eye, given, h, faults);
-	case FAMILY_VOLUME:
-		return fit_volume(s, h, faults);
-	case FAMILY_FIXED: /* refused by fit_prepare */
-		break;
-	}
-	return true;
-}
-
 /* Makes the viewport that of the full picture, which is fitted. */
 static void show_all(struct viewport *v)
 {
@@ -535,12 +510,27 @@ bool fit_scene(struct scene *s, bool has_eye, const struct bounds *b,
 {
 	const struct projection_section given = s->projection.section;
 	const struct viewport part = s->viewport;
+	bool fits = false;
 	struct hull h;
 
 	show_all(&s->viewport);
-	if (!hull_of(b, 3, &h, faults) || !fit_prepare(s, faults) ||
-	    (!has_eye && !eye_to_middle(s, &h, faults)) ||
-	    !fit_family(s, has_eye, b->n > 0, &given, &h, faults))
+	if (!hull_of(b, 3, &h, faults) || !prepare_projection(&s->projection, faults) ||
+	    !make_gaze_camera(s, faults) || (!has_eye && !eye_to_middle(s, &h, faults)))
+		return false;
+	switch (projection_family(&s->projection)) {
+	case FAMILY_PERSP:
+		fits = fit_persp(s, !has_eye && b->n > 0, &h, faults);
+		break;
+	case FAMILY_PARALLEL:
+		fits = fit_parallel(s, has_eye, &given, &h, faults);
+		break;
+	case FAMILY_VOLUME:
+		fits = fit_volume(s, &h, faults);
+		break;
+	case FAMILY_FIXED: /* prepare_projection has refused it */
+		break;
+	}
+	if (!fits)
 		return false;
 	if (ex_has_overflowed())
 		return scene_refuse_too_wide(s, false, faults);
@@ -561,7 +551,7 @@ bool fit_directions(const struct scene *given, bool has_eye, struct directions *
 	struct map xy, depth, sides, ends, world;
 
 	show_all(&s.viewport);
-	if (!fit_prepare(&s, faults))
+	if (!prepare_projection(&s.projection, faults) || !make_gaze_camera(&s, faults))
 		return false;
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;

@@ -114,7 +114,7 @@ bool fit_maps(const struct scene *s, struct map *xy, struct map *depth,
 		    xy->m[i][1]);
 		depth->m[i][2] = sum_negated_if(convention_looks_back(&s->convention),
 		    depth->m[i][2]);
-		/* fit_prepare has refused a tilted P */
+		/* fit has refused a tilted P */
 		if (i >= 3 && projection_has_intrinsics(p))
 			depth->m[i][2] = sum_add(depth->m[i][2],
 			    sum_scale(depth->divisor, p->section.intrinsics[2][3]));
