@@ -19,38 +19,6 @@ static void tangents(const double angle[2], enum angle_unit unit, struct sum *sc
 	*edge_sum = sum_add(left, right);
 }
 
-/* Sets the sizes of ways that give one number and an aspect; f->s[0] is twice the
- * distance. */
-static void sizes_by_aspect(const struct projection *p, struct scaled_matrix *f)
-{
-	const struct projection_section *s = &p->section;
-	const bool wide = p->aspect[0] >= p->aspect[1];
-
-	switch (s->way) {
-	case SECTION_FOVY:
-	case SECTION_FOVX:
-	case SECTION_VIEW_ANGLE:
-		scaled_set_sizes(p->aspect,
-		    s->way == SECTION_FOVY || (s->way == SECTION_VIEW_ANGLE && wide),
-		    trig_cot(s->angle / 2, p->unit), 1, f);
-		break;
-	case SECTION_FIELD:
-		scaled_set_sizes(p->aspect, !wide, sum_one, s->field, f);
-		break;
-	case SECTION_WIDTH:
-		scaled_set_sizes(p->aspect, 0, f->s[0], s->width, f);
-		break;
-	case SECTION_HEIGHT:
-		scaled_set_sizes(p->aspect, 1, f->s[0], s->height, f);
-		break;
-	case SECTION_SIZE:
-	case SECTION_EDGES:
-	case SECTION_ANGLES:
-	case SECTION_INTRINSICS: /* section_sizes reads both numbers */
-		break;
-	}
-}
-
 bool section_check(const struct projection *p, struct refusals *faults)
 {
 	const struct projection_section *s = &p->section;
@@ -72,21 +40,46 @@ void section_sizes(const struct projection *p, double d, struct scaled_matrix *f
     struct sum sums[2])
 {
 	const struct projection_section *s = &p->section;
-	const double size[2] = { s->width, s->height };
+	const double size[2] = { s->width, s->height }, *edges = s->edges;
+	const bool wide = p->aspect[0] >= p->aspect[1];
 
 	for (int k = 0; k < 2; k++) {
 		sum_set(&sums[k], 0);
 		sum_set(&f->s[k], 2 * d);
 		sum_set(&f->d[k], size[k]);
-		if (s->way == SECTION_ANGLES)
+	}
+	switch (s->way) {
+	case SECTION_FOVY:
+	case SECTION_FOVX:
+	case SECTION_VIEW_ANGLE:
+		scaled_set_sizes(p->aspect,
+		    s->way == SECTION_FOVY || (s->way == SECTION_VIEW_ANGLE && wide),
+		    trig_cot(s->angle / 2, p->unit), 1, f);
+		break;
+	case SECTION_FIELD:
+		scaled_set_sizes(p->aspect, !wide, sum_one, s->field, f);
+		break;
+	case SECTION_SIZE:
+		break;
+	case SECTION_WIDTH:
+	case SECTION_HEIGHT:
+		scaled_set_sizes(p->aspect, s->way == SECTION_HEIGHT, f->s[0],
+		    size[s->way == SECTION_HEIGHT], f);
+		break;
+	case SECTION_EDGES:
+		for (int k = 0; k < 2; k++) {
+			f->d[k] = sum_difference(edges[2 * k + 1], edges[2 * k]);
+			sums[k] = sum_difference(edges[2 * k], -edges[2 * k + 1]);
+		}
+		break;
+	case SECTION_ANGLES:
+		for (int k = 0; k < 2; k++)
 			tangents(s->angles + 2 * k, p->unit, &f->s[k], &f->d[k],
 			    &sums[k]);
-		if (s->way == SECTION_INTRINSICS) /* edges from 0 to the size */
+		break;
+	case SECTION_INTRINSICS: /* edges from 0 to the size */
+		for (int k = 0; k < 2; k++)
 			sum_copy(&sums[k], &f->d[k]);
-		if (s->way != SECTION_EDGES)
-			continue;
-		f->d[k] = sum_difference(s->edges[2 * k + 1], s->edges[2 * k]);
-		sums[k] = sum_difference(s->edges[2 * k], -s->edges[2 * k + 1]);
+		break;
 	}
-	sizes_by_aspect(p, f);
 }
