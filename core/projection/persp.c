@@ -61,12 +61,6 @@ bool persp_check(const struct projection *p, struct refusals *faults)
 	return is_right;
 }
 
-static bool refuse_singular(struct refusals *faults)
-{
-	return refuse(faults, "/projection/intrinsics",
-	    "the left three columns of P are singular", "it can't be inverted");
-}
-
 /* Puts the affine map of P before r or, if inverse, its inverse after r. The map leads
  * from view space (d3d) to the canonical space of u w, v w, w (section.h). In both, y
  * is upward: if device y points down, y is -Y in view space and -v w in the other. */
@@ -84,7 +78,8 @@ static bool prepend_intrinsics(const struct projection *p, const struct conventi
 	}
 	map_of_doubles(m, &canonical);
 	if (inverse && !map_invert(&canonical))
-		return refuse_singular(faults);
+		return refuse(faults, "/projection/intrinsics",
+		    "the left three columns of P are singular", "it can't be inverted");
 	map_multiply(r, &canonical, !inverse);
 	map_set_origin(r, NULL);
 	return true;
@@ -103,15 +98,14 @@ bool persp_map(const struct projection *p, const struct convention *c, bool inve
 
 bool persp_check_map(const struct projection *p, bool inverse, struct refusals *faults)
 {
-	struct sum row[3][3], cross[3];
+	static const struct convention any;
+	struct map r;
 
-	for (int i = 0; i < 9; i++) {
-		const double e = p->section.intrinsics[i / 3][i % 3];
-
-		if (!inverse || p->section.way != SECTION_INTRINSICS || isnan(e))
+	if (!inverse || p->section.way != SECTION_INTRINSICS)
+		return true;
+	for (int i = 0; i < 9; i++)
+		if (isnan(p->section.intrinsics[i / 3][i % 3]))
 			return true;
-		sum_set(&row[i / 3][i % 3], e);
-	}
-	vec3_cross(row[0], row[1], cross);
-	return sum_sign(vec3_dot(cross, row[2])) != 0 || refuse_singular(faults);
+	map_identity(&r);
+	return prepend_intrinsics(p, &any, true, &r, faults);
 }
