@@ -8,8 +8,7 @@ static const struct projection_row rows[PROJECTION_TYPES] = {
 	[PROJECTION_NONE] = { .family = FAMILY_FIXED,
 	    .map = none_map,
 	    .frame = FRAME_SCENE,
-	    .is_reversed = none_is_reversed,
-	    .is_none = true },
+	    .is_reversed = none_is_reversed },
 	[PROJECTION_PERSP] = { .family = FAMILY_PERSP,
 	    .map = persp_map,
 	    .check = persp_check,
@@ -34,15 +33,13 @@ static const struct projection_row rows[PROJECTION_TYPES] = {
 	    .check = matrix_check,
 	    .check_map = matrix_check_map,
 	    .frame = FRAME_SCENE,
-	    .is_reversed = matrix_is_reversed,
-	    .is_given_matrix = true },
+	    .is_reversed = matrix_is_reversed },
 };
 
 enum projection_type projection_type_of(enum projection_family family, bool sheared)
 {
-	for (unsigned type = 0; type < PROJECTION_TYPES; type++)
-		if (rows[type].family == family && rows[type].is_sheared == sheared &&
-		    !rows[type].is_none)
+	for (unsigned type = PROJECTION_NONE + 1; type < PROJECTION_TYPES; type++)
+		if (rows[type].family == family && rows[type].is_sheared == sheared)
 			return (enum projection_type)type;
 	return PROJECTION_NONE;
 }
@@ -59,19 +56,9 @@ enum projection_family projection_family(const struct projection *p)
 	return rows[p->type].family;
 }
 
-bool projection_is_none(const struct projection *p)
-{
-	return rows[p->type].is_none;
-}
-
 bool projection_is_sheared(const struct projection *p)
 {
 	return rows[p->type].is_sheared;
-}
-
-bool projection_is_given_matrix(const struct projection *p)
-{
-	return rows[p->type].is_given_matrix;
 }
 
 bool projection_check(const struct projection *p, bool inverse, struct refusals *faults)

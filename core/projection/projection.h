@@ -47,14 +47,20 @@ void projection_set_defaults(struct projection *, enum projection_type);
 enum projection_family projection_family(const struct projection *);
 
 /* Returns whether a scene has no projection, whose map is then the identity. */
-bool projection_is_none(const struct projection *);
+static inline bool projection_is_none(const struct projection *p)
+{
+	return p->type == PROJECTION_NONE;
+}
 
 /* Returns whether the member `shear` holds. */
 bool projection_is_sheared(const struct projection *);
 
 /* Returns whether the projection is a given matrix, of any kind: it may contain a
  * camera, and says neither which plane is near nor where the gaze is. */
-bool projection_is_given_matrix(const struct projection *);
+static inline bool projection_is_given_matrix(const struct projection *p)
+{
+	return p->type == PROJECTION_MATRIX;
+}
 
 /* Returns the share of the greatest of the three numbers that multiply x, y and z for a
  * clip coordinate up to which another of them, and directions, may be rounding errors:

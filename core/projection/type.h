@@ -8,12 +8,13 @@
 #include "convention.h"
 
 enum projection_type {
-	PROJECTION_NONE, /* the identity */
+	PROJECTION_NONE, /* the identity: the document has no projection */
 	PROJECTION_PERSP,
 	PROJECTION_ORTHO,
 	PROJECTION_OBLIQUE,
 	PROJECTION_VOLUME,
-	PROJECTION_MATRIX, /* stays the last */
+	/* stays the last; `matrix` is of any kind, and may contain a camera */
+	PROJECTION_MATRIX,
 };
 
 enum { PROJECTION_TYPES = PROJECTION_MATRIX + 1 };
@@ -58,7 +59,5 @@ struct projection_row {
 	 * reverse_z. */
 	bool (*is_reversed)(const struct projection *, const struct convention *);
 
-	bool is_none;         /* the document has no projection */
-	bool is_sheared;      /* `shear` holds */
-	bool is_given_matrix; /* `matrix` is of any kind, and may contain a camera */
+	bool is_sheared; /* `shear` holds */
 };
