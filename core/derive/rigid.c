@@ -7,35 +7,9 @@
 #include "note.h"
 
 /* Rows of the rotation from world to view space, and where it is. */
-struct frame {
+struct placement {
 	struct sum row[3][3], eye[3], translation[3];
 };
-
-/* Finds the frame of the camera that a projection's matrix contains. The axes of view
- * space are X, Y and D of *u, or the opposite of Y and D. The eye of a parallel
- * projection is the origin of view space. */
-static void find_split_frame(const struct lens *l, const struct upright *u,
-    struct frame *f)
-{
-	const struct convention *c = scene_answer_convention(&l->scene);
-	const bool minus[3] = { false, c->view_y_down, convention_looks_back(c) };
-	const struct sum *const divisor = &l->to_world.divisor;
-
-	for (int k = 0; k < 3; k++) {
-		for (int i = 0; i < 3; i++)
-			f->row[k][i] = sum_snap_zero(sum_negated_if(minus[k],
-			    vec3_dot(l->to_view.m[i], u->axis[k])));
-		const struct sum length = vec3_length(f->row[k]);
-
-		for (int i = 0; i < 3; i++)
-			f->row[k][i] = sum_quotient(f->row[k][i], length);
-		f->eye[k] = l->parallel ?
-		    sum_quotient(l->to_world.m[3][k], *divisor) :
-		    sum_quotient(l->world_eye[k], l->world_eye[3]);
-	}
-	for (int k = 0; k < 3; k++)
-		f->translation[k] = sum_neg(vec3_dot(f->row[k], f->eye));
-}
 
 /* Sets c to -(a v), of rows or, if `transposed`, of columns. */
 static void set_opposite(const struct sum a[3][3], const struct sum v[3],
@@ -48,9 +22,30 @@ static void set_opposite(const struct sum a[3][3], const struct sum v[3],
 	}
 }
 
-/* Finds the frame of the rotation nearest to the camera's 3x3 part. A pose is a map
- * from view to world space, and keeps its eye; others keep their translation. */
-static bool find_nearest_frame(const struct lens *l, struct frame *f)
+/* Finds the camera that a projection's matrix contains. The axes of view space are X, Y
+ * and D of *u, or the opposite of Y and D. The eye of a parallel projection is the
+ * origin of view space. */
+static void find_split_placement(const struct lens *l, const struct upright *u,
+    struct placement *f)
+{
+	const struct convention *c = scene_answer_convention(&l->scene);
+	const bool minus[3] = { false, c->view_y_down, convention_looks_back(c) };
+
+	for (int k = 0; k < 3; k++) {
+		for (int i = 0; i < 3; i++)
+			f->row[k][i] = sum_snap_zero(sum_negated_if(minus[k],
+			    vec3_dot(l->to_view.m[i], u->axis[k])));
+		vec3_normalise(f->row[k]);
+		f->eye[k] = l->parallel ?
+		    map_element(&l->to_world, 3, k) :
+		    sum_quotient(l->world_eye[k], l->world_eye[3]);
+	}
+	set_opposite(f->row, f->eye, false, f->translation);
+}
+
+/* Finds the rotation nearest to the camera's 3x3 part. A pose is a map from view to
+ * world space, and keeps its eye; others keep their translation. */
+static bool find_nearest_placement(const struct lens *l, struct placement *f)
 {
 	struct scene s = l->scene;
 	const bool is_pose = s.camera.way == CAMERA_POSE;
@@ -76,14 +71,14 @@ static bool find_nearest_frame(const struct lens *l, struct frame *f)
 	return true;
 }
 
-/* Finds the frame of the scene's camera. X is negated if the answer has the other
- * handedness. Returns false if no rotation is the nearest. */
-static bool find_frame(const struct lens *l, struct frame *f)
+/* Finds the scene's camera. X is negated if the answer has the other handedness. Returns
+ * false if no rotation is the nearest. */
+static bool find_placement(const struct lens *l, struct placement *f)
 {
 	const struct scene *s = &l->scene;
 
 	if (s->has_camera && camera_gives_3x3(&s->camera)) {
-		if (!find_nearest_frame(l, f))
+		if (!find_nearest_placement(l, f))
 			return false;
 	} else {
 		for (int i = 0; i < 9; i++)
@@ -125,13 +120,13 @@ void rigid_of(const struct lens *l, const struct upright *u, struct rigid *r)
 	    (projection_is_given_matrix(&s->projection) ||
 		projection_has_intrinsics(&s->projection));
 	struct sum to_world[3][3], q[4];
-	struct frame f;
+	struct placement f;
 
 	r->exists = !(s->has_camera && note_is_no_rotation(&s->camera));
 	if (r->exists && split)
-		find_split_frame(l, u, &f);
+		find_split_placement(l, u, &f);
 	else if (r->exists)
-		r->exists = find_frame(l, &f);
+		r->exists = find_placement(l, &f);
 	if (!r->exists)
 		return;
 	for (int k = 0; k < 3; k++) {

@@ -25,14 +25,6 @@ static bool set_view_axes(const struct lens *l, struct upright *u)
 	return upright && sum_sign(g[0][0]) != 0 && sum_sign(g[1][1]) != 0;
 }
 
-static void normalise(struct sum v[3])
-{
-	struct sum length = vec3_length(v);
-
-	for (int i = 0; i < 3; i++)
-		v[i] = sum_quotient(v[i], length);
-}
-
 /* Returns whether element j of a gradient in the picture's axes is a rounding error: at
  * most l->tolerance of the greatest element. It then adds to u->residual. */
 static bool neglect(const struct lens *l, const struct sum gradient[3], int j,
@@ -68,8 +60,8 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 		    n[i]);
 		u->axis[1][i] = sum_minor(g[1][i], nn, n[i], yn);
 	}
-	normalise(u->axis[2]);
-	normalise(u->axis[1]);
+	vec3_normalise(u->axis[2]);
+	vec3_normalise(u->axis[1]);
 	vec3_cross(u->axis[1], u->axis[2], u->axis[0]);
 	for (int i = 0; i < 3; i++)
 		u->axis[0][i] = sum_negated_if(negates_x, u->axis[0][i]);

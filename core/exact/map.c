@@ -35,6 +35,14 @@ struct sum vec3_length(const struct sum a[3])
 	return r;
 }
 
+void vec3_normalise(struct sum a[3])
+{
+	struct sum length = vec3_length(a);
+
+	for (int i = 0; i < 3; i++)
+		a[i] = sum_quotient(a[i], length);
+}
+
 bool vec3_is_zero(const struct sum a[3])
 {
 	return sum_sign(a[0]) == 0 && sum_sign(a[1]) == 0 && sum_sign(a[2]) == 0;

@@ -11,6 +11,7 @@
 struct sum vec3_dot(const struct sum a[3], const struct sum b[3]);
 void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3]);
 struct sum vec3_length(const struct sum a[3]);
+void vec3_normalise(struct sum a[3]);
 bool vec3_is_zero(const struct sum a[3]);
 
 /* The image of a point p is (p, 1) times the first four rows of m, over the divisor.
