@@ -141,10 +141,14 @@ static double direction_of(struct sum x, struct sum y, enum angle_unit unit)
  * clip_xy[1][1]. An angle that was given in this unit is found again, as the error of
  * the elements is far below a bit of it. But a direction in radians beyond a half turn
  * is kept as it was given, as it can't be reduced without rounding. */
-static void set_shear(const struct upright *u, const struct projection *given,
-    enum angle_unit unit, struct projection *p)
+static void set_shear(const struct upright *u, const struct scene *s,
+    struct projection *p)
 {
+	const struct projection *given = &s->projection;
 	const struct projection_shear *was = &given->shear;
+	const enum angle_unit unit = s->has_world ? s->world.unit :
+	    projection_is_sheared(given)          ? given->unit :
+						    ANGLE_DEGREES;
 	bool minus = sum_sign(u->clip_xy[0][0]) * sum_sign(u->clip_xy[1][1]) < 0;
 	struct sum x = sum_negated_if(minus,
 	    sum_mul(u->clip_xy[0][2], u->clip_xy[1][1]));
@@ -201,11 +205,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	p->far = open ? HUGE_VAL : swap ? r->near : r->far;
 	p->reverse_z = r->reverse_z != swap;
 	if (sheared)
-		set_shear(u, given,
-		    s->has_world                     ? s->world.unit :
-			projection_is_sheared(given) ? given->unit :
-						       ANGLE_DEGREES,
-		    p);
+		set_shear(u, s, p);
 	for (int i = 0; i < 9; i++)
 		p->section.intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
 	/* if l->mirrors, X of K and x of r->scene's view space are opposite */

@@ -85,9 +85,10 @@ static bool axes_of_gaze(const struct camera *c, const struct convention *conven
 }
 
 /* The conjugate of the orientation turns from world to view space, as the rvec does. */
-static bool axes_of_rotation(const struct camera *c, bool by_rvec, struct axes *a,
+static bool axes_of_rotation(const struct camera *c, struct axes *a,
     struct refusals *faults)
 {
+	const bool by_rvec = c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION;
 	struct sum q[4];
 
 	sum_set(&a->divisor, 1);
@@ -239,10 +240,10 @@ static bool orthonormalize(const char *pointer, struct map *r, bool inverts,
 
 /* Computes a map of a matrix or of steps or, if `inverts`, its inverse. If `regular`, a
  * singular matrix is refused in both directions. */
-static bool map_of_steps(const struct camera *c, const struct steps *s,
-    const char *pointer, bool inverts, bool regular, struct map *r,
-    struct refusals *faults)
+static bool map_of_steps(const struct camera *c, const struct steps *s, bool inverts,
+    bool regular, struct map *r, struct refusals *faults)
 {
+	const char *const pointer = camera_3x3_pointer(c);
 	const bool whole = !c->orthonormalize;
 
 	return steps_map(s, pointer, whole && inverts, whole && regular, r, faults) &&
@@ -254,7 +255,7 @@ static bool map_of_steps(const struct camera *c, const struct steps *s,
 static bool camera_rotation_map(const struct camera *c, bool inverse, struct map *r,
     struct refusals *faults)
 {
-	const bool is_translation = c->way == CAMERA_ROTATION_TRANSLATION;
+	const bool is_translation = !camera_has_eye(c);
 	struct steps s = { .matrix = { { 0 }, { 0 }, { 0 }, { 0, 0, 0, 1 } } };
 	struct sum minus[3];
 
@@ -262,7 +263,7 @@ static bool camera_rotation_map(const struct camera *c, bool inverse, struct map
 		s.matrix[i / 3][i % 3] = c->rotation[i % 3][i / 3];
 	for (int k = 0; k < 3 && is_translation; k++)
 		s.matrix[3][k] = c->eye[k];
-	if (!map_of_steps(c, &s, camera_3x3_pointer(c), inverse, true, r, faults))
+	if (!map_of_steps(c, &s, inverse, true, r, faults))
 		return false;
 	if (is_translation)
 		return true;
@@ -283,21 +284,18 @@ static bool camera_rotation_map(const struct camera *c, bool inverse, struct map
 static bool own_map(const struct camera *c, const struct convention *convention,
     bool inverse, struct map *r, struct refusals *faults)
 {
-	bool is_translation = c->way == CAMERA_TRANSLATION ||
-	    c->way == CAMERA_RVEC_TRANSLATION;
-	bool by_rvec = c->way == CAMERA_RVEC || c->way == CAMERA_RVEC_TRANSLATION;
+	const bool is_pose = c->way == CAMERA_POSE;
 	struct axes axes;
 
 	if (camera_is_by_steps(c))
-		return map_of_steps(c, &c->steps, camera_3x3_pointer(c),
-		    inverse != (c->way == CAMERA_POSE), c->way == CAMERA_POSE, r,
+		return map_of_steps(c, &c->steps, inverse != is_pose, is_pose, r,
 		    faults);
 	if (camera_gives_3x3(c))
 		return camera_rotation_map(c, inverse, r, faults);
 	if (!(camera_is_by_gaze(c) ? axes_of_gaze(c, convention, &axes, faults) :
-				     axes_of_rotation(c, by_rvec, &axes, faults)))
+				     axes_of_rotation(c, &axes, faults)))
 		return false;
-	map_of_axes(&axes, c->eye, is_translation, inverse, r);
+	map_of_axes(&axes, c->eye, !camera_has_eye(c), inverse, r);
 	return true;
 }
 
