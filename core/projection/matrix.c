@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "matrix.h"
+#include "projection.h"
 
 #include <math.h>
-
-#include "projection.h"
 
 /* Returns whether a matrix that is not affine has the last row, but not the last
  * column, 0 0 1 0 or 0 0 -1 0, as transposed perspective matrices have. */
@@ -19,7 +17,7 @@ static bool is_transposed(const double m[4][4])
 	return row && !column && !affine;
 }
 
-bool matrix_check(const struct projection *p, struct refusals *faults)
+static bool matrix_check(const struct projection *p, struct refusals *faults)
 {
 	return !is_transposed(p->matrix) ||
 	    refuse(faults, "/projection/matrix", "is transposed",
@@ -27,20 +25,21 @@ bool matrix_check(const struct projection *p, struct refusals *faults)
 		"last column in d3d and by the last row in other conventions");
 }
 
-bool matrix_check_map(const struct projection *p, bool inverse, struct refusals *faults)
-{
-	struct map r;
-
-	return isnan(p->matrix[0][0]) || matrix_map(p, NULL, inverse, &r, faults);
-}
-
-bool matrix_map(const struct projection *p, const struct convention *c, bool inverse,
-    struct map *r, struct refusals *faults)
+static bool matrix_map(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r, struct refusals *faults)
 {
 	(void)c;
 	map_of_doubles(p->matrix, r);
 	return !inverse || map_invert(r) ||
 	    refuse(faults, "/projection/matrix", "singular", "it can't be inverted");
+}
+
+static bool matrix_check_map(const struct projection *p, bool inverse,
+    struct refusals *faults)
+{
+	struct map r;
+
+	return isnan(p->matrix[0][0]) || matrix_map(p, NULL, inverse, &r, faults);
 }
 
 /* Returns whether a parallel projection's matrix contains a turned camera. It does if
@@ -61,7 +60,7 @@ static bool contains_camera(const struct projection *p, const struct convention 
  * matrix that contains a turned or mirrored camera is never reversed. On the z axis of
  * ndc, 1/w is z m[2][3] + m[3][3], where m is the inverse matrix. 1/w is larger at the
  * near plane than at the far plane. */
-bool matrix_is_reversed(const struct projection *p, const struct convention *c)
+static bool matrix_is_reversed(const struct projection *p, const struct convention *c)
 {
 	struct map back;
 
@@ -76,8 +75,8 @@ bool matrix_is_reversed(const struct projection *p, const struct convention *c)
 	return grows != 0 ? grows > 0 : along_z == (convention_looks_back(c) ? 1 : -1);
 }
 
-bool none_map(const struct projection *p, const struct convention *c, bool inverse,
-    struct map *r, struct refusals *faults)
+static bool none_map(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r, struct refusals *faults)
 {
 	(void)p, (void)c, (void)inverse, (void)faults;
 	map_identity(r);
@@ -85,8 +84,20 @@ bool none_map(const struct projection *p, const struct convention *c, bool inver
 }
 
 /* Near is the plane that the convention's gaze meets first. */
-bool none_is_reversed(const struct projection *p, const struct convention *c)
+static bool none_is_reversed(const struct projection *p, const struct convention *c)
 {
 	(void)p;
 	return convention_looks_back(c);
 }
+
+const struct projection_row projection_row_none = { .family = FAMILY_FIXED,
+	.map = none_map,
+	.frame = FRAME_SCENE,
+	.is_reversed = none_is_reversed };
+
+const struct projection_row projection_row_matrix = { .family = FAMILY_FIXED,
+	.map = matrix_map,
+	.check = matrix_check,
+	.check_map = matrix_check_map,
+	.frame = FRAME_SCENE,
+	.is_reversed = matrix_is_reversed };

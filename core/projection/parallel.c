@@ -24,7 +24,7 @@ static void ortho_matrix(const struct projection *p, struct scaled_matrix *f)
 	sum_set(&f->t[3], 1);
 }
 
-bool parallel_check(const struct projection *p, struct refusals *faults)
+static bool parallel_check(const struct projection *p, struct refusals *faults)
 {
 	const bool is_right = section_check(p, faults);
 
@@ -57,8 +57,8 @@ static void shear(const struct projection *p, struct scaled_matrix *f)
 		f->t[k] = sum_sub(f->t[k], sum_scale(f->z[k], s->plane));
 }
 
-bool parallel_map(const struct projection *p, const struct convention *c, bool inverse,
-    struct map *r, struct refusals *faults)
+static bool parallel_map(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r, struct refusals *faults)
 {
 	struct scaled_matrix f;
 
@@ -69,3 +69,14 @@ bool parallel_map(const struct projection *p, const struct convention *c, bool i
 	scaled_map(&f, inverse, r);
 	return true;
 }
+
+const struct projection_row projection_row_ortho = { .family = FAMILY_PARALLEL,
+	.map = parallel_map,
+	.check = parallel_check,
+	.frame = FRAME_D3D };
+
+const struct projection_row projection_row_oblique = { .family = FAMILY_PARALLEL,
+	.map = parallel_map,
+	.check = parallel_check,
+	.frame = FRAME_D3D,
+	.is_sheared = true };

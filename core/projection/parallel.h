@@ -13,7 +13,3 @@ struct projection_shear {
 	enum angle_unit direction_unit;
 	double plane; /* points at this distance along the gaze stay put */
 };
-
-bool parallel_check(const struct projection *, struct refusals *);
-bool parallel_map(const struct projection *, const struct convention *, bool inverse,
-    struct map *, struct refusals *);

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "persp.h"
+#include "projection.h"
 
 #include <math.h>
-
-#include "projection.h"
 
 /* Sets z[2] / d[2] = f/(f-n) and t[2] / d[2] = -nf/(f-n) for near n and far f, or their
  * limits for an infinite f. reverse_z exchanges n and f. Without planes, where near is
@@ -50,7 +48,7 @@ static void persp_matrix(const struct projection *p, const struct convention *c,
 	sum_set(&f->z[3], 1);
 }
 
-bool persp_check(const struct projection *p, struct refusals *faults)
+static bool persp_check(const struct projection *p, struct refusals *faults)
 {
 	const bool is_right = section_check(p, faults);
 
@@ -85,8 +83,8 @@ static bool prepend_intrinsics(const struct projection *p, const struct conventi
 	return true;
 }
 
-bool persp_map(const struct projection *p, const struct convention *c, bool inverse,
-    struct map *r, struct refusals *faults)
+static bool persp_map(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r, struct refusals *faults)
 {
 	struct scaled_matrix f;
 
@@ -96,7 +94,8 @@ bool persp_map(const struct projection *p, const struct convention *c, bool inve
 	    prepend_intrinsics(p, c, inverse, r, faults);
 }
 
-bool persp_check_map(const struct projection *p, bool inverse, struct refusals *faults)
+static bool persp_check_map(const struct projection *p, bool inverse,
+    struct refusals *faults)
 {
 	static const struct convention any;
 	struct map r;
@@ -109,3 +108,9 @@ bool persp_check_map(const struct projection *p, bool inverse, struct refusals *
 	map_identity(&r);
 	return prepend_intrinsics(p, &any, true, &r, faults);
 }
+
+const struct projection_row projection_row_persp = { .family = FAMILY_PERSP,
+	.map = persp_map,
+	.check = persp_check,
+	.check_map = persp_check_map,
+	.frame = FRAME_D3D };

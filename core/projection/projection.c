@@ -1,45 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 #include "projection.h"
 
-#include "matrix.h"
-#include "persp.h"
-
-static const struct projection_row rows[PROJECTION_TYPES] = {
-	[PROJECTION_NONE] = { .family = FAMILY_FIXED,
-	    .map = none_map,
-	    .frame = FRAME_SCENE,
-	    .is_reversed = none_is_reversed },
-	[PROJECTION_PERSP] = { .family = FAMILY_PERSP,
-	    .map = persp_map,
-	    .check = persp_check,
-	    .check_map = persp_check_map,
-	    .frame = FRAME_D3D },
-	[PROJECTION_ORTHO] = { .family = FAMILY_PARALLEL,
-	    .map = parallel_map,
-	    .check = parallel_check,
-	    .frame = FRAME_D3D },
-	[PROJECTION_OBLIQUE] = { .family = FAMILY_PARALLEL,
-	    .map = parallel_map,
-	    .check = parallel_check,
-	    .frame = FRAME_D3D,
-	    .is_sheared = true },
-	[PROJECTION_VOLUME] = { .family = FAMILY_VOLUME,
-	    .map = volume_map,
-	    .check = volume_check,
-	    .check_map = volume_check_map,
-	    .frame = FRAME_VIEW },
-	[PROJECTION_MATRIX] = { .family = FAMILY_FIXED,
-	    .map = matrix_map,
-	    .check = matrix_check,
-	    .check_map = matrix_check_map,
-	    .frame = FRAME_SCENE,
-	    .is_reversed = matrix_is_reversed },
+static const struct projection_row *const rows[PROJECTION_TYPES] = {
+	[PROJECTION_NONE] = &projection_row_none,
+	[PROJECTION_PERSP] = &projection_row_persp,
+	[PROJECTION_ORTHO] = &projection_row_ortho,
+	[PROJECTION_OBLIQUE] = &projection_row_oblique,
+	[PROJECTION_VOLUME] = &projection_row_volume,
+	[PROJECTION_MATRIX] = &projection_row_matrix,
 };
 
 enum projection_type projection_type_of(enum projection_family family, bool sheared)
 {
 	for (unsigned type = PROJECTION_NONE + 1; type < PROJECTION_TYPES; type++)
-		if (rows[type].family == family && rows[type].is_sheared == sheared)
+		if (rows[type]->family == family && rows[type]->is_sheared == sheared)
 			return (enum projection_type)type;
 	return PROJECTION_NONE;
 }
@@ -53,17 +27,17 @@ void projection_set_defaults(struct projection *p, enum projection_type type)
 
 enum projection_family projection_family(const struct projection *p)
 {
-	return rows[p->type].family;
+	return rows[p->type]->family;
 }
 
 bool projection_is_sheared(const struct projection *p)
 {
-	return rows[p->type].is_sheared;
+	return rows[p->type]->is_sheared;
 }
 
 bool projection_check(const struct projection *p, bool inverse, struct refusals *faults)
 {
-	const struct projection_row *row = &rows[p->type];
+	const struct projection_row *row = rows[p->type];
 
 	return (row->check == NULL || row->check(p, faults)) &&
 	    (row->check_map == NULL || row->check_map(p, inverse, faults));
@@ -72,7 +46,7 @@ bool projection_check(const struct projection *p, bool inverse, struct refusals 
 bool projection_map(const struct projection *p, const struct convention *c,
     bool inverse, struct map *r, struct refusals *faults)
 {
-	const struct projection_row *row = &rows[p->type];
+	const struct projection_row *row = rows[p->type];
 	struct convention given = { .right_handed = false };
 
 	if ((row->check != NULL && !row->check(p, faults)) ||
@@ -91,7 +65,7 @@ bool projection_map(const struct projection *p, const struct convention *c,
 
 bool projection_is_reversed(const struct projection *p, const struct convention *c)
 {
-	const struct projection_row *row = &rows[p->type];
+	const struct projection_row *row = rows[p->type];
 
 	return row->is_reversed != NULL ? row->is_reversed(p, c) : p->reverse_z;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Projections, which map view to clip space. Each type has a row in projection.c, and a
- * file that computes its map. */
+/* Projections, which map view to clip space. Each type has a row, in the file that
+ * computes its map. */
 #pragma once
 
 #include "parallel.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a type of projection knows of itself: a row of the table in projection.c. Only
+/* What a type of projection knows of itself: a row, at the end of its file. Only
  * core/projection and the tables of members (cmd/scene) name types. All else asks for
  * the family of a projection, or for one of the properties in projection.h. */
 #pragma once
@@ -61,3 +61,7 @@ struct projection_row {
 
 	bool is_sheared; /* `shear` holds */
 };
+
+extern const struct projection_row projection_row_none, projection_row_persp,
+    projection_row_ortho, projection_row_oblique, projection_row_volume,
+    projection_row_matrix;

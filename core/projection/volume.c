@@ -93,7 +93,7 @@ static bool knows_eye(const struct projection *p)
 	return !isnan(all);
 }
 
-bool volume_check(const struct projection *p, struct refusals *faults)
+static bool volume_check(const struct projection *p, struct refusals *faults)
 {
 	const struct projection_volume *v = &p->volume;
 	bool is_right = true;
@@ -161,8 +161,8 @@ static bool volume_matrix(const struct projection *p, struct scaled_matrix *f,
 	return true;
 }
 
-bool volume_map(const struct projection *p, const struct convention *c, bool inverse,
-    struct map *r, struct refusals *faults)
+static bool volume_map(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r, struct refusals *faults)
 {
 	struct scaled_matrix f;
 
@@ -173,7 +173,8 @@ bool volume_map(const struct projection *p, const struct convention *c, bool inv
 	return true;
 }
 
-bool volume_check_map(const struct projection *p, bool inverse, struct refusals *faults)
+static bool volume_check_map(const struct projection *p, bool inverse,
+    struct refusals *faults)
 {
 	struct scaled_matrix f;
 	struct projection known = *p;
@@ -187,3 +188,9 @@ bool volume_check_map(const struct projection *p, bool inverse, struct refusals 
 	known.volume.eye[0] = known.volume.eye[1] = 0;
 	return !knows_eye(p) || volume_matrix(&known, &f, faults);
 }
+
+const struct projection_row projection_row_volume = { .family = FAMILY_VOLUME,
+	.map = volume_map,
+	.check = volume_check,
+	.check_map = volume_check_map,
+	.frame = FRAME_VIEW };

@@ -16,11 +16,6 @@ struct projection_volume {
 	double tan_skew[2];                       /* x/z, y/z of the axis */
 };
 
-bool volume_check(const struct projection *, struct refusals *);
-bool volume_check_map(const struct projection *, bool inverse, struct refusals *);
-bool volume_map(const struct projection *, const struct convention *, bool inverse,
-    struct map *, struct refusals *);
-
 /* Computes 1/z of a volume's eye in view space. The denominator is exact. */
 void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
