@@ -40,38 +40,30 @@ struct product {
 	struct refusals *faults;
 };
 
-/* Writes the pointer of a step of the list that begins at `s`, such as
- * /camera/pose/4/inverse/0. Without room for it, the pointer ends at a list around the
- * step. */
-static void point_to_step(const char *pointer, const struct step *s,
-    const struct step *step, size_t room, char *where)
+/* Refuses the step that is appended. Its pointer is such as /camera/pose/4/inverse/0;
+ * without room for it, the pointer ends at a list around the step. */
+static bool refuse_step(const struct product *p, const char *what, const char *remedy)
 {
-	size_t n = strlen(pointer), most = strlen("/63/inverse");
+	char where[sizeof(((struct refusal *)0)->where)];
+	size_t n = strlen(p->pointer), most = strlen("/63/inverse");
+	const struct step *s = p->list->step;
 
-	memcpy(where, pointer, n);
-	while (step != NULL && n + most < room) {
+	memcpy(where, p->pointer, n);
+	while (p->at != NULL && n + most < sizeof where) {
 		int i = 0;
 
-		for (; step > s + s->inner; s += 1 + s->inner)
+		for (; p->at > s + s->inner; s += 1 + s->inner)
 			i++;
 		where[n++] = '/';
 		if (i > 9)
 			where[n++] = (char)('0' + i / 10);
 		where[n++] = (char)('0' + i % 10);
-		if (step == s++)
+		if (p->at == s++)
 			break;
 		memcpy(where + n, "/inverse", strlen("/inverse"));
 		n += strlen("/inverse");
 	}
 	where[n] = '\0';
-}
-
-/* Refuses the step that is appended. */
-static bool refuse_step(const struct product *p, const char *what, const char *remedy)
-{
-	char where[sizeof(((struct refusal *)0)->where)];
-
-	point_to_step(p->pointer, p->list->step, p->at, sizeof where, where);
 	return refuse(p->faults, where, what, remedy);
 }
 
