@@ -28,7 +28,7 @@ void directions_add(struct directions *all, const struct map *m, int j, bool min
 /* Returns an upper bound of the error of distance_along, if no |p[i]| is above
  * largest[i]. Each term is rounded by u = 2^-53 four times: the element of m, the
  * product, and two sums, together 4 u times the sum of the terms' magnitudes. The bound
- * of 8 u also covers the sums in add_point and add_block; 2^-1000 covers underflow. */
+ * of 8 u also covers the sums in consider and add_block; 2^-1000 covers underflow. */
 static double distance_error(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -65,7 +65,7 @@ static double distance_along(const double m[3], const double p[3])
 
 /* Makes p the farthest point in direction j if p is farther. If the distances differ by
  * at most the sum of their error bounds, is_farther decides. `bound` is that of p. */
-static void add_point(struct extremes *e, const struct directions *all, int j,
+static void consider(struct extremes *e, const struct directions *all, int j,
     const double p[3], double bound)
 {
 	struct farthest_point *f = &e->item[j];
@@ -82,8 +82,7 @@ static void add_point(struct extremes *e, const struct directions *all, int j,
  * examined, as all points of a block are if one may be the farthest. */
 enum { FIT_BLOCK = 128 };
 
-/* Passes to add_point only points whose distance, within its error,
- * may be the largest. */
+/* Considers only points whose distance, within its error, may be the largest. */
 static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
@@ -102,7 +101,7 @@ static void add_block(struct extremes *e, const struct directions *all,
 
 			/* the comparison is false for nan */
 			if (distance_along(all->scaled[j], p) >= least)
-				add_point(e, all, j, p, bound);
+				consider(e, all, j, p, bound);
 		}
 	}
 }
@@ -122,8 +121,7 @@ void extremes_merge(struct extremes *e, const struct directions *all,
 {
 	for (int j = 0; j < all->n; j++)
 		if (other->item[j].known)
-			add_point(e, all, j, other->item[j].point,
-			    other->item[j].error);
+			consider(e, all, j, other->item[j].point, other->item[j].error);
 }
 
 bool extremes_bounds(const struct extremes *e, const struct directions *all,

@@ -85,7 +85,7 @@ static struct bounded column(const struct kernel_map *m, int terms, int j,
 	return (struct bounded){ sum, PAIR_BOUND * size + far * (m->noise[j] + TINY) };
 }
 
-static struct bounded plane_side(const struct quick_cut *c, int plane, const double *in)
+static struct bounded quick_side(const struct quick_cut *c, int plane, const double *in)
 {
 	const struct transform *t = plane < 4 ? &c->frustum->sides : &c->frustum->ends;
 
@@ -129,8 +129,8 @@ static bool divide(const struct bounded *n, const struct bounded *d, double *r)
 bool quick_cut_sides(const struct quick_cut *c, int plane, const double *p,
     const double *q, double *a, double *b)
 {
-	const struct bounded at_p = plane_side(c, plane, p);
-	const struct bounded at_q = plane_side(c, plane, q);
+	const struct bounded at_p = quick_side(c, plane, p);
+	const struct bounded at_q = quick_side(c, plane, q);
 
 	*a = at_p.v.hi;
 	*b = at_q.v.hi;
@@ -140,7 +140,7 @@ bool quick_cut_sides(const struct quick_cut *c, int plane, const double *p,
 bool quick_cut_image(const struct quick_cut *c, int plane, const double *p,
     const double *q, double image[4])
 {
-	const struct bounded a = plane_side(c, plane, p), b = plane_side(c, plane, q);
+	const struct bounded a = quick_side(c, plane, p), b = quick_side(c, plane, q);
 	const struct transform *t = c->image;
 	struct bounded x = { { 1, 0 }, 0 }, y = x;
 

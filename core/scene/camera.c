@@ -13,7 +13,7 @@ struct axes {
 	struct sum v[3][3], scale[3], divisor;
 };
 
-static bool are_equal(const double a[3], const double b[3])
+static bool is_same(const double a[3], const double b[3])
 {
 	return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
@@ -26,12 +26,12 @@ static bool check_directions(const struct camera *c, struct refusals *faults)
 			  remedy[] = "at least one element must not be 0";
 	bool is_right = true;
 
-	if (c->way == CAMERA_AT && are_equal(c->at, c->eye))
+	if (c->way == CAMERA_AT && is_same(c->at, c->eye))
 		is_right = refuse(faults, "/camera/at", "equal to the eye",
 		    "choose another point to look at");
-	if (c->way == CAMERA_GAZE && are_equal(c->at, zero))
+	if (c->way == CAMERA_GAZE && is_same(c->at, zero))
 		is_right = refuse(faults, "/camera/gaze", no_direction, remedy);
-	if (are_equal(c->up, zero))
+	if (is_same(c->up, zero))
 		is_right = refuse(faults, "/camera/up", no_direction, remedy);
 	return is_right;
 }
