@@ -91,7 +91,7 @@ static void fill(struct raster *r, const struct face *f)
 	}
 }
 
-/* Sets the dot at p, of an item with these vertices, unless it is behind a face or
+/* Sets the dot at p, of a segment with these vertices, unless it is behind a face or
  * outside, and returns whether it did. */
 static bool ink(struct raster *r, const double p[3], const unsigned vertex[2])
 {
@@ -108,27 +108,30 @@ static bool ink(struct raster *r, const double p[3], const unsigned vertex[2])
 	return c->ink = true;
 }
 
-static void ink_segment(struct raster *r, const struct segment *s)
+/* Returns whether some of the segment is seen. */
+static bool ink_segment(struct raster *r, const struct segment *s)
 {
 	const double *a = s->end[0], *b = s->end[1];
 	const double size = fmax(fabs(b[0] - a[0]), fabs(b[1] - a[1]));
 	const int n = (int)ceil(size * r->scale) + 1;
+	bool seen = false;
 
 	for (int i = 0; i <= n; i++) {
 		double p[3];
 
 		for (int k = 0; k < 3; k++)
 			p[k] = a[k] + (b[k] - a[k]) * i / n;
-		ink(r, p, s->vertex);
+		seen |= ink(r, p, s->vertex);
 	}
+	return seen;
 }
 
 /* Puts the characters of a name beside its dot, up to the picture's edge. */
-static void put_name(struct raster *r, const struct dot *dot)
+static void put_name(struct raster *r, const struct segment *dot)
 {
 	const int columns = r->width / 2;
-	const int row = clamp(dot->at[1] * r->scale / 4, r->height / 4 - 1);
-	int column = clamp(dot->at[0] * r->scale / 2, columns) + 1;
+	const int row = clamp(dot->end[0][1] * r->scale / 4, r->height / 4 - 1);
+	int column = clamp(dot->end[0][0] * r->scale / 2, columns) + 1;
 
 	for (const char *s = dot->name.s; s < dot->name.end && column < columns;
 	     column++) {
@@ -229,14 +232,8 @@ static void draw_items(struct raster *r)
 	}
 	r->depth = 0.1 * (most - least);
 	for (size_t i = 0; i < p->segments; i++)
-		ink_segment(r, &p->segment[i]);
-	for (size_t i = 0; i < p->dots; i++) {
-		const struct dot *dot = &p->dot[i];
-		const unsigned vertex[2] = { dot->vertex, NO_VERTEX };
-
-		if (ink(r, dot->at, vertex))
-			put_name(r, dot);
-	}
+		if (ink_segment(r, &p->segment[i]))
+			put_name(r, &p->segment[i]);
 }
 
 void braille_print(const struct picture *p, int columns)

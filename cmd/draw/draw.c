@@ -155,22 +155,21 @@ static bool place_cut(struct drawing *w, struct clip_vertex *v, double at[3])
 	return isfinite(at[0]) && isfinite(at[1]) && isfinite(at[2]);
 }
 
-/* Adds a segment between two vertices, as far as it is in the view volume. */
-static void add_segment(struct drawing *w, const struct mesh_segment *m)
+/* Adds a segment between its vertices, as far as it is in the view volume. */
+static void add_segment(struct drawing *w, struct segment s)
 {
-	struct segment s = { .vertex = { m->end[0], m->end[1] }, .stroke = m->stroke };
 	unsigned outside[2];
 
 	for (int i = 0; i < 2; i++) {
-		outside[i] = w->outside[m->end[i]];
-		memcpy(s.end[i], w->position[m->end[i]], sizeof s.end[i]);
+		outside[i] = w->outside[s.vertex[i]];
+		memcpy(s.end[i], w->position[s.vertex[i]], sizeof s.end[i]);
 	}
 	if ((outside[0] & outside[1]) != 0)
 		return;
 	if ((outside[0] | outside[1]) != 0) {
 		for (int i = 0; i < 2; i++)
 			clip_vertex_set(&w->end[i], &w->clipper,
-			    w->mesh.point[m->end[i]], m->end[i], outside[i]);
+			    w->mesh.point[s.vertex[i]], s.vertex[i], outside[i]);
 		if (!clip_segment(&w->clipper, &w->end[0], &w->end[1], w->cut))
 			return;
 		for (int i = 0; i < 2; i++)
@@ -301,20 +300,23 @@ static void clip_mesh(struct drawing *w, const struct document *d)
 		add_polygon(w, &m->ring[i + 1], m->ring[i], STROKE_LINE);
 		p->corners = corners;
 	}
-	for (size_t i = 0; i < m->segments; i++)
-		if (w->view == NULL || m->segment[i].stroke == STROKE_LINE)
-			add_segment(w, &m->segment[i]);
-	for (size_t i = 0; i < m->dots; i++) {
-		const struct mesh_dot *from = &m->dot[i];
-		const char *name = m->names + from->name;
-		struct dot dot = { .vertex = from->vertex };
+	for (size_t i = 0; i < m->segments; i++) {
+		const struct mesh_segment *s = &m->segment[i];
 
-		if (w->outside[from->vertex] != 0)
-			continue;
-		if (from->name_size > 0)
-			dot.name = (struct span){ name, name + from->name_size };
-		memcpy(dot.at, w->position[from->vertex], sizeof dot.at);
-		picture_add_dot(p, &dot);
+		if (w->view == NULL || s->stroke == STROKE_LINE)
+			add_segment(w,
+			    (struct segment){ .vertex = { s->end[0], s->end[1] },
+				.stroke = s->stroke });
+	}
+	for (size_t i = 0; i < m->dots; i++) {
+		const struct mesh_dot *dot = &m->dot[i];
+		const char *name = m->names + dot->name;
+		struct segment s = { .vertex = { dot->vertex, dot->vertex },
+			.stroke = STROKE_DOT };
+
+		if (dot->name_size > 0)
+			s.name = (struct span){ name, name + dot->name_size };
+		add_segment(w, s);
 	}
 	picture_complete(p, lamp, gaze);
 }
@@ -385,7 +387,7 @@ static void note_empty(const struct drawing *w, const struct document *d)
 	const struct picture *p = &w->picture;
 
 	if (!message_state.quiet && w->mesh.points > 0 &&
-	    p->segments + p->dots + p->faces == 0)
+	    p->segments + p->faces == 0)
 		document_note(d, "", "nothing is in the picture",
 		    "'trace' says which planes points are outside of");
 }

@@ -303,7 +303,6 @@ void picture_hide(struct picture *p)
 	struct segment *given = p->segment;
 	const size_t segments = p->segments;
 	struct tree t = { 0 };
-	size_t dots = 0;
 
 	if (p->faces == 0)
 		return;
@@ -314,17 +313,6 @@ void picture_hide(struct picture *p)
 		hide(p, &t, &given[i]);
 		add_parts(p, &given[i]);
 	}
-	for (size_t i = 0; i < p->dots; i++) {
-		const struct dot *dot = &p->dot[i];
-		struct segment s = { .vertex = { dot->vertex, dot->vertex } };
-
-		memcpy(s.end[0], dot->at, sizeof dot->at);
-		memcpy(s.end[1], dot->at, sizeof dot->at);
-		hide(p, &t, &s);
-		if (hidden.n == 0)
-			p->dot[dots++] = *dot;
-	}
-	p->dots = dots;
 	free(given);
 	free(t.node);
 	free(t.face);

@@ -8,8 +8,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Kinds of segments. An edge of a face that is also a line of its own is a line. */
-enum stroke { STROKE_EDGE, STROKE_LINE };
+/* Kinds of segments, in the order in which they are drawn. An edge of a face that is
+ * also a line of its own is a line. In a picture a dot is a segment between one point
+ * and itself. */
+enum stroke { STROKE_EDGE, STROKE_LINE, STROKE_DOT, STROKES };
 
 struct mesh_dot {
 	unsigned vertex, name_size;

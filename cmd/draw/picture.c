@@ -35,12 +35,6 @@ void picture_add_segment(struct picture *p, const struct segment *s)
 	p->segment[p->segments++] = *s;
 }
 
-void picture_add_dot(struct picture *p, const struct dot *dot)
-{
-	GROW(p->dot, p->dots, 1);
-	p->dot[p->dots++] = *dot;
-}
-
 /* The distances of all that is in the picture. */
 struct extent {
 	double least, most;
@@ -69,14 +63,10 @@ static void set_depths(struct picture *p)
 		extent_hold(&e, p->corner[i][2]);
 	for (size_t i = 0; i < 2 * p->segments; i++)
 		extent_hold(&e, p->segment[i / 2].end[i % 2][2]);
-	for (size_t i = 0; i < p->dots; i++)
-		extent_hold(&e, p->dot[i].at[2]);
 	for (size_t i = 0; i < p->corners; i++)
 		set_depth(p, &e, p->corner[i]);
 	for (size_t i = 0; i < 2 * p->segments; i++)
 		set_depth(p, &e, p->segment[i / 2].end[i % 2]);
-	for (size_t i = 0; i < p->dots; i++)
-		set_depth(p, &e, p->dot[i].at);
 }
 
 /* Sets the box and the plane of a face, by the products of its sides from its first
@@ -158,6 +148,5 @@ void picture_free(struct picture *p)
 	free(p->corner);
 	free(p->face);
 	free(p->segment);
-	free(p->dot);
 	*p = (struct picture){ 0 };
 }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a viewport shows: the images of dots, segments and faces that are in the view
- * volume. x and y are from the viewport's top left corner, to the right and down; 1 is
+/* What a viewport shows: the images of segments and faces that are in the view volume. x and y are from the viewport's top left corner, to the right and down; 1 is
  * its greater side. z grows away from the eye, and planes stay planes: it is the
  * distance along the gaze of a parallel projection, 0 at the nearest, else -1 over the
  * distance, -1 at the nearest; in a reverse perspective, which looks toward its eye, 1
@@ -26,12 +25,7 @@ struct segment {
 	double end[2][3];
 	unsigned vertex[2];
 	enum stroke stroke;
-};
-
-struct dot {
-	double at[3];
-	unsigned vertex;
-	struct span name; /* borrowed of the mesh */
+	struct span name; /* of a dot, borrowed of the mesh; or empty */
 };
 
 struct picture {
@@ -40,8 +34,7 @@ struct picture {
 	double (*corner)[3];
 	struct face *face;
 	struct segment *segment;
-	struct dot *dot;
-	size_t corners, faces, segments, dots;
+	size_t corners, faces, segments;
 };
 
 /* These add a corner, and make a face of the corners from `first` on, whose normal in
@@ -50,7 +43,6 @@ void picture_add_corner(struct picture *, const double at[3]);
 void picture_add_face(struct picture *, size_t first, const unsigned vertex[3],
     const double view_normal[3]);
 void picture_add_segment(struct picture *, const struct segment *);
-void picture_add_dot(struct picture *, const struct dot *);
 
 /* Completes a picture of which all is added, with z the distance. Leaves out faces that
  * are seen from the side. Faces are lit by a lamp in this direction of view space; the
@@ -66,8 +58,8 @@ double picture_beyond(const struct picture *, const struct face *, const double 
  * of *which is its index. */
 int picture_shared(const struct face *, const unsigned vertex[2], int *which);
 
-/* Replaces segments by those parts of them that no face hides, and leaves out dots that
- * a face hides. Parts and gaps below 1e-5 of the picture are not told apart. */
+/* Replaces segments by those parts of them that no face hides. Parts and gaps below
+ * 1e-5 of the picture are not told apart. */
 void picture_hide(struct picture *);
 
 void picture_free(struct picture *);

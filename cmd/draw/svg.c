@@ -81,59 +81,56 @@ static void put_escaped(struct span name)
 	}
 }
 
-/* The classes of what is drawn, in the order in which it is. */
-static const char *const classes[] = { "edge", "line", "dot" };
-enum { CLASS_DOT = 2, CLASSES };
+static const char *const classes[STROKES] = { "edge", "line", "dot" };
 
 /* The size of names, in a picture of 640 units. */
 static const double type_size = 13;
 
-/* Puts the path of a class; a segment goes on where the one before ended. */
-static void put_path(const struct picture *p, const struct frame *f, int class)
+/* Puts the path of a stroke; a segment goes on where the one before ended. */
+static void put_path(const struct picture *p, const struct frame *f, enum stroke stroke)
 {
 	const double *last = NULL;
 
-	for (size_t i = 0; i < p->segments && class != CLASS_DOT; i++) {
+	for (size_t i = 0; i < p->segments; i++) {
 		const struct segment *s = &p->segment[i];
 
-		if ((int)s->stroke != class)
+		if (s->stroke != stroke)
 			continue;
 		if (last == NULL || memcmp(last, s->end[0], 2 * sizeof *last) != 0)
 			put_place(f, "\nM", s->end[0]);
-		put_place(f, "L", s->end[1]);
-		last = s->end[1];
-	}
-	for (size_t i = 0; i < p->dots && class == CLASS_DOT; i++) {
-		put_place(f, "\nM", p->dot[i].at);
-		put("h0");
+		if (stroke == STROKE_DOT) {
+			put("h0");
+		} else {
+			put_place(f, "L", s->end[1]);
+			last = s->end[1];
+		}
 	}
 }
 
 /* Returns whether a name stands to the left of its dot: it has more room there, and
  * would be cut off at the right, with 0.6 of the type's size for a character. If there
  * are several pictures, the type may be larger. */
-static bool stands_left(const struct picture *p, const struct dot *dot)
+static bool stands_left(const struct picture *p, const struct segment *dot)
 {
-	const double size = type_size / 640;
+	const double size = type_size / 640, x = dot->end[0][0];
 	int n = 0;
 
 	for (const char *s = dot->name.s; s < dot->name.end; s++)
 		n += (*s & 0xc0) != 0x80; /* no further byte of UTF-8 */
-	return dot->at[0] > 0.5 * p->width &&
-	    dot->at[0] + size * (0.5 + 0.6 * n) > p->width;
+	return x > 0.5 * p->width && x + size * (0.5 + 0.6 * n) > p->width;
 }
 
 static void put_names(const struct picture *p, const struct frame *f)
 {
-	for (size_t i = 0; i < p->dots; i++) {
-		const struct dot *dot = &p->dot[i];
-		const bool left = stands_left(p, dot);
+	for (size_t i = 0; i < p->segments; i++) {
+		const struct segment *dot = &p->segment[i];
 
 		if (dot->name.s == dot->name.end)
 			continue;
-		put_with("<text x=\"", f->x + dot->at[0] * frame_size(f));
-		put_with("\" y=\"", f->y + dot->at[1] * frame_size(f));
-		put(left ? "\" dx=\"-.5em\" text-anchor=\"end" : "\" dx=\".5em");
+		put_with("<text x=\"", f->x + dot->end[0][0] * frame_size(f));
+		put_with("\" y=\"", f->y + dot->end[0][1] * frame_size(f));
+		put(stands_left(p, dot) ? "\" dx=\"-.5em\" text-anchor=\"end" :
+					  "\" dx=\".5em");
 		put("\" dy=\"-.2em\">");
 		put_escaped(dot->name);
 		put("</text>\n");
@@ -150,10 +147,11 @@ static void put_box(const struct frame *f, double y)
 }
 
 /* Over a background each path is drawn twice: light and wide, then dark. */
-static void put_class(const struct picture *p, const struct frame *f, int class)
+static void put_stroke(const struct picture *p, const struct frame *f,
+    enum stroke stroke)
 {
 	const bool photo = svg.background != NULL;
-	const char *name = classes[class];
+	const char *name = classes[stroke];
 	const size_t before = svg.size;
 	char begin[64], use[128];
 
@@ -163,7 +161,7 @@ static void put_class(const struct picture *p, const struct frame *f, int class)
 	put(begin);
 	const size_t empty = svg.size;
 
-	put_path(p, f, class);
+	put_path(p, f, stroke);
 	if (svg.size == empty) {
 		svg.size = before;
 		return;
@@ -190,8 +188,8 @@ void svg_add(const struct picture *p, const struct frame *f)
 		put(svg.background);
 		put("\"/>\n");
 	}
-	for (int class = 0; class < CLASSES; class ++)
-		put_class(p, f, class);
+	for (enum stroke k = 0; k < STROKES; k++)
+		put_stroke(p, f, k);
 	put_names(p, f);
 	d.to = svg.size;
 	GROW(svg.drawn, svg.n, 1);
