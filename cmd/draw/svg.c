@@ -5,6 +5,7 @@
 #include "svg.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,7 +15,7 @@
 
 struct drawn {
 	struct frame frame;
-	size_t from, to; /* its bytes of the text */
+	size_t end; /* of its bytes in the text, which follow those before */
 };
 
 static struct svg {
@@ -33,13 +34,7 @@ static void put_bytes(const char *s, size_t n)
 	svg.size += n;
 }
 
-static void put(const char *s)
-{
-	put_bytes(s, strlen(s));
-}
-
-/* Puts a text and a number. */
-static void put_with(const char *before, double v)
+static void put_number(double v)
 {
 	char number[NUMBER_MAX];
 	const double units = v * svg.unit;
@@ -48,8 +43,21 @@ static void put_with(const char *before, double v)
 	const char *end = number_write(number, rounded,
 	    (struct number_style){ NUMBER_SHORTEST, 0 });
 
-	put(before);
 	put_bytes(number, (size_t)(end - number));
+}
+
+/* Puts a text, in which each % stands for the next double. */
+static void put(const char *s, ...)
+{
+	va_list numbers;
+
+	va_start(numbers, s);
+	for (const char *at; (at = strchr(s, '%')) != NULL; s = at + 1) {
+		put_bytes(s, (size_t)(at - s));
+		put_number(va_arg(numbers, double));
+	}
+	va_end(numbers);
+	put_bytes(s, strlen(s));
 }
 
 /* Rounds the next numbers so that they change by at most 1e-5 of a size. */
@@ -58,10 +66,10 @@ static void round_by(double size)
 	svg.unit = pow(10, ceil(-log10(2e-5 * size)));
 }
 
-static void put_place(const struct frame *f, const char *letter, const double at[3])
+/* Puts a text whose two % stand for a place. */
+static void put_place(const struct frame *f, const char *s, const double at[3])
 {
-	put_with(letter, f->x + at[0] * frame_size(f));
-	put_with(" ", f->y + at[1] * frame_size(f));
+	put(s, f->x + at[0] * frame_size(f), f->y + at[1] * frame_size(f));
 }
 
 /* Puts a text of XML, with U+FFFD for what XML or UTF-8 lacks. */
@@ -97,11 +105,11 @@ static void put_path(const struct picture *p, const struct frame *f, enum stroke
 		if (s->stroke != stroke)
 			continue;
 		if (last == NULL || memcmp(last, s->end[0], 2 * sizeof *last) != 0)
-			put_place(f, "\nM", s->end[0]);
+			put_place(f, "\nM% %", s->end[0]);
 		if (stroke == STROKE_DOT) {
 			put("h0");
 		} else {
-			put_place(f, "L", s->end[1]);
+			put_place(f, "L% %", s->end[1]);
 			last = s->end[1];
 		}
 	}
@@ -127,23 +135,19 @@ static void put_names(const struct picture *p, const struct frame *f)
 
 		if (dot->name.s == dot->name.end)
 			continue;
-		put_with("<text x=\"", f->x + dot->end[0][0] * frame_size(f));
-		put_with("\" y=\"", f->y + dot->end[0][1] * frame_size(f));
-		put(stands_left(p, dot) ? "\" dx=\"-.5em\" text-anchor=\"end" :
-					  "\" dx=\".5em");
+		put_place(f, "<text x=\"%\" y=\"%\" dx=\"", dot->end[0]);
+		put(stands_left(p, dot) ? "-.5em\" text-anchor=\"end" : ".5em");
 		put("\" dy=\"-.2em\">");
 		put_escaped(dot->name);
 		put("</text>\n");
 	}
 }
 
+/* Puts the attributes of a rectangle whose top is at y. */
 static void put_box(const struct frame *f, double y)
 {
-	put_with(" x=\"", f->x);
-	put_with("\" y=\"", y);
-	put_with("\" width=\"", f->width);
-	put_with("\" height=\"", f->height);
-	put("\"");
+	put(" x=\"%\" y=\"%\" width=\"%\" height=\"%\"", f->x, y, f->width,
+	    f->height);
 }
 
 /* Over a background each path is drawn twice: light and wide, then dark. */
@@ -178,8 +182,6 @@ static void put_stroke(const struct picture *p, const struct frame *f,
 
 void svg_add(const struct picture *p, const struct frame *f)
 {
-	struct drawn d = { .frame = *f, .from = svg.size };
-
 	round_by(frame_size(f));
 	if (svg.background != NULL) {
 		put("<image preserveAspectRatio=\"none\"");
@@ -191,9 +193,8 @@ void svg_add(const struct picture *p, const struct frame *f)
 	for (enum stroke k = 0; k < STROKES; k++)
 		put_stroke(p, f, k);
 	put_names(p, f);
-	d.to = svg.size;
 	GROW(svg.drawn, svg.n, 1);
-	svg.drawn[svg.n++] = d;
+	svg.drawn[svg.n++] = (struct drawn){ *f, svg.size };
 }
 
 /* Writes the characters of base64 (RFC 4648) for the bytes. Returns their end. */
@@ -242,25 +243,21 @@ static void put_style(double size)
 
 	put("<style>\nsvg{color:#1b1b1f");
 	put(photo ? "}\n" : ";color-scheme:light dark}\n");
-	put(".edge,.line,.dot{fill:none;stroke-linecap:round;stroke-linejoin:round}\n");
-	put_with(".edge{stroke:currentColor;stroke-width:", 0.8 * width);
-	put_with("}\n.line{stroke:#1769c4;stroke-width:", 1.5 * width);
-	put_with("}\n.dot{stroke:#d8342c;stroke-width:", 5 * width);
-	put_with("}\ntext{fill:currentColor;font:", type_size * width);
-	put("px sans-serif}\n");
-	if (photo) {
-		put_with(".halo *{stroke:#fff;stroke-opacity:.75}\n"
-			 ".halo .edge{stroke-width:",
-		    3 * width);
-		put_with("}\n.halo .line{stroke-width:", 4 * width);
-		put_with("}\n.halo .dot{stroke-width:", 8 * width);
-		put_with("}\ntext{paint-order:stroke;stroke:#fff;stroke-width:",
-		    3 * width);
-		put("}\n");
-	} else {
+	put(".edge,.line,.dot{fill:none;stroke-linecap:round;stroke-linejoin:round}\n"
+	    ".edge{stroke:currentColor;stroke-width:%}\n"
+	    ".line{stroke:#1769c4;stroke-width:%}\n"
+	    ".dot{stroke:#d8342c;stroke-width:%}\n"
+	    "text{fill:currentColor;font:%px sans-serif}\n",
+	    0.8 * width, 1.5 * width, 5 * width, type_size * width);
+	if (photo)
+		put(".halo *{stroke:#fff;stroke-opacity:.75}\n"
+		    ".halo .edge{stroke-width:%}\n.halo .line{stroke-width:%}\n"
+		    ".halo .dot{stroke-width:%}\n"
+		    "text{paint-order:stroke;stroke:#fff;stroke-width:%}\n",
+		    3 * width, 4 * width, 8 * width, 3 * width);
+	else
 		put("@media(prefers-color-scheme:dark){svg{color:#e6e6ea}"
 		    ".line{stroke:#6cb2ff}.dot{stroke:#ff7a70}}\n");
-	}
 	put("</style>\n");
 }
 
@@ -285,11 +282,7 @@ static struct frame frames_hull(void)
 
 static void put_view_box(const struct frame *f)
 {
-	put_with("viewBox=\"", f->x);
-	put_with(" ", f->y);
-	put_with(" ", f->width);
-	put_with(" ", f->height);
-	put("\"");
+	put(" viewBox=\"% % % %\"", f->x, f->y, f->width, f->height);
 }
 
 /* Puts the first line. Pixels are the units of the viewport, unless they would be too
@@ -300,48 +293,49 @@ static void put_head(const struct frame *hull)
 	const double pixels = size >= 100 && size <= 10000 ? 1 : 640 / size;
 
 	round_by(size);
-	put("<svg xmlns=\"http://www.w3.org/2000/svg\" ");
+	put("<svg xmlns=\"http://www.w3.org/2000/svg\"");
 	put_view_box(hull);
 	svg.unit = 1000;
-	put_with(" width=\"", hull->width * pixels);
-	put_with("\" height=\"", hull->height * pixels);
-	put("\">\n");
+	put(" width=\"%\" height=\"%\">\n", hull->width * pixels,
+	    hull->height * pixels);
 	round_by(size / 1000);
 	put_style(size);
 	round_by(size);
 }
 
+/* Writes the text from here on, and forgets it. */
+static void flush(size_t from)
+{
+	output_write(svg.text + from, svg.size - from);
+	svg.size = from;
+}
+
 void svg_print(void)
 {
 	const size_t end = svg.size;
-	size_t from = end;
+	size_t from = 0;
 
 	if (svg.n == 0)
 		return;
 	const struct frame hull = frames_hull();
 
 	put_head(&hull);
-	for (size_t i = 0; i < svg.n; i++) {
-		const struct drawn *d = &svg.drawn[i];
-		const struct frame *f = &d->frame;
+	for (size_t i = 0; i < svg.n; from = svg.drawn[i++].end) {
+		const struct frame *f = &svg.drawn[i].frame;
+		const double mirrored = 2 * hull.y + hull.height - f->y - f->height;
 
 		if (svg.n > 1) {
 			put("<svg");
-			put_box(f,
-			    f->from_bottom ?
-				2 * hull.y + hull.height - f->y - f->height :
-				f->y);
-			put(" ");
+			put_box(f, f->from_bottom ? mirrored : f->y);
 			put_view_box(f);
 			put(">\n");
 		}
-		output_write(svg.text + from, svg.size - from);
-		output_write(svg.text + d->from, d->to - d->from);
-		from = svg.size;
+		flush(end);
+		output_write(svg.text + from, svg.drawn[i].end - from);
 		if (svg.n > 1)
 			put("</svg>\n");
 	}
 	put("</svg>\n");
-	output_write(svg.text + from, svg.size - from);
+	flush(end);
 	svg.size = svg.n = 0;
 }
