@@ -28,7 +28,6 @@ struct drawing {
 	struct frame frame;
 	struct picture picture;
 	struct clipper clipper;
-	struct quick_cut quick;
 	struct clip_vertex end[2], cut[2];
 	struct clip_ring ring;
 	struct run_reader reader;
@@ -358,13 +357,10 @@ static bool prepare(struct drawing *w, struct document *d, struct job *j,
 	p->height = w->frame.height / frame_size(&w->frame);
 	p->parallel = distance.parallel;
 	p->reverse = !w->flat && looks_to_eye(&s->projection, &distance);
-	if (!distance_transform(s, w->from, w->to, &j->transform, faults) ||
-	    !frustum_of(s, w->from, false, &j->frustum, faults) ||
-	    !clipper_of(s, w->from, w->to, &w->clipper, faults))
-		return false;
-	if (quick_cut_of(&w->quick, w->from, w->to, &j->transform, &j->frustum))
-		w->clipper.quick = &w->quick;
-	return true;
+	return distance_transform(s, w->from, w->to, &j->transform, faults) &&
+	    frustum_of(s, w->from, false, &j->frustum, faults) &&
+	    clipper_of(s, w->from, w->to, &j->transform, &j->frustum, &w->clipper,
+		faults);
 }
 
 static bool refuse_what_cannot_be(const struct options *o, struct document *d)

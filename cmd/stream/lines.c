@@ -12,7 +12,6 @@ enum { LINES_ROWS = 8 * NUMBER_BATCH };
 struct lines {
 	struct run_reader reader;
 	struct clipper clipper;
-	struct quick_cut quick;
 	struct clip_ring ring;
 	struct clip_vertex end[2], cut[2];
 	const struct job *job;
@@ -247,10 +246,8 @@ bool lines_prepare(const struct scene *s, enum space from, enum space to, struct
 {
 	static struct lines l;
 
-	if (!clipper_of(s, from, to, &l.clipper, faults))
+	if (!clipper_of(s, from, to, &j->transform, &j->frustum, &l.clipper, faults))
 		return false;
-	if (quick_cut_of(&l.quick, from, to, &j->transform, &j->frustum))
-		l.clipper.quick = &l.quick;
 	l.job = j;
 	l.reader.take = take_run;
 	l.reader.flush = print_rows;

@@ -61,24 +61,25 @@ static bool can_be_cut(const struct scene *s, enum space from, struct refusals *
 }
 
 bool clipper_of(const struct scene *s, enum space from, enum space to,
-    struct clipper *c, struct refusals *faults)
+    const struct transform *image, const struct frustum *f, struct clipper *c,
+    struct refusals *faults)
 {
-	const bool flat = space_is_flat(from);
-	const bool open = !flat && projection_is_open(&s->projection);
-	const enum space base = from > SPACE_VIEW ? from : SPACE_VIEW;
+	const bool flat = space_is_flat(from), given = from > SPACE_VIEW;
+	const enum space base = given ? from : SPACE_VIEW;
 
-	c->in = flat ? 2 : from == SPACE_CLIP ? 4 : 3;
-	c->out = flat ? 2 : to == SPACE_CLIP ? 4 : 3;
-	c->reaches_eye = open && to > SPACE_CLIP;
-	c->planes = flat || open ? 4 : CLIP_PLANES;
+	c->in = image->in;
+	c->out = image->out;
+	c->reaches_eye = !flat && projection_is_open(&s->projection) && to > SPACE_CLIP;
+	c->planes = flat || projection_is_open(&s->projection) ? 4 : CLIP_PLANES;
 	c->mapped = from != base;
 	c->by_distance = to == SPACE_DEVICE && s->has_viewport && s->viewport.distance;
 	c->has_weight = from == SPACE_CLIP && to == SPACE_CLIP;
-	c->quick = NULL;
+	c->sides = given ? &f->sides.map : &f->sides.from_view;
+	c->ends = given ? &f->ends.map : &f->ends.from_view;
+	c->is_quick = quick_cut_of(&c->quick, from, to, image, f);
 	if (!can_be_cut(s, from, faults) ||
 	    !scene_map_factor(s, from, base, &c->to_base, faults) ||
 	    !scene_map_factor(s, base, to, &c->to_target, faults) ||
-	    !frustum_planes(s, base, &c->sides, &c->ends, faults) ||
 	    (c->by_distance && !set_depth(s, base, c, faults)))
 		return false;
 	return !ex_has_overflowed() || scene_refuse_too_wide(s, flat, faults);
@@ -137,7 +138,7 @@ static void locate_point(const struct clipper *c, const double *in, struct sum a
 static void plane_side(const struct clipper *c, int plane, const struct sum at[5],
     struct sum *side)
 {
-	map_image(plane < 4 ? &c->sides : &c->ends, plane % 4, at, side);
+	map_image(plane < 4 ? c->sides : c->ends, plane % 4, at, side);
 	shorten(side);
 }
 
@@ -214,171 +215,124 @@ static bool is_eye(const struct clipper *c, struct clip_vertex *v)
 	if (!c->reaches_eye || knows_planes(v))
 		return false;
 	locate(c, v);
-	map_image(&c->ends, 2, v->at, &w);
+	map_image(c->ends, 2, v->at, &w);
 	return sum_sign(w) <= 0;
 }
 
-static void cut_vertex(const struct clipper *c, int plane, const struct clip_vertex *p,
-    const struct sum *a, const struct clip_vertex *q, const struct sum *b,
-    struct clip_vertex *r)
+/* Where a plane cuts a segment from p to q: its functions there. If not exact, they are
+ * doubles of which quick_cut_sides is sure. */
+struct crossing {
+	int plane;
+	bool exact;
+	double near[2];
+	struct sum side[2];
+};
+
+static void make_exact(const struct clipper *c, struct clip_vertex *p,
+    struct clip_vertex *q, struct crossing *x)
 {
-	r->cut = r->located = true;
-	r->outside = OUT_BEHIND;
-	r->on = (p->on & q->on) | 1u << plane;
-	cut_at(c, p->at, a, q->at, b, r->at);
+	if (x->exact)
+		return;
+	x->exact = true;
+	find_side(c, x->plane, p, &x->side[0]);
+	find_side(c, x->plane, q, &x->side[1]);
 }
 
-/* Does what cut_vertex does for two points, but locates nothing. Other planes do not
- * cut the segment there. */
-static void cut_later(const struct clipper *c, int plane, const struct clip_vertex *p,
-    const struct clip_vertex *q, struct clip_vertex *r)
+static void find_crossing(const struct clipper *c, bool quick, int plane,
+    struct clip_vertex *p, struct clip_vertex *q, struct crossing *x)
+{
+	x->plane = plane;
+	x->exact = false;
+	if (!quick ||
+	    !quick_cut_sides(&c->quick, plane, p->in, q->in, &x->near[0], &x->near[1]))
+		make_exact(c, p, q, x);
+}
+
+static int side_sign(const struct crossing *x, int end)
+{
+	return x->exact ? sum_sign(x->side[end]) : x->near[end] < 0 ? -1 : 1;
+}
+
+/* Sets r to the vertex where the plane cuts the segment from p to q. If the crossing is
+ * not exact, p and q are points and nothing is located, as no other plane cuts the
+ * segment there. */
+static void cut_vertex(const struct clipper *c, const struct crossing *x,
+    const struct clip_vertex *p, const struct clip_vertex *q, struct clip_vertex *r)
 {
 	r->cut = true;
-	r->located = false;
-	r->outside = 0;
-	r->on = 1u << plane;
-	for (int i = 0; i < c->in; i++) {
+	r->located = x->exact;
+	r->outside = x->exact ? OUT_BEHIND : 0;
+	r->on = (p->on & q->on) | 1u << x->plane;
+	for (int i = 0; i < c->in && !x->exact; i++) {
 		r->in[i] = p->in[i];
 		r->other[i] = q->in[i];
 	}
+	if (x->exact)
+		cut_at(c, p->at, &x->side[0], q->at, &x->side[1], r->at);
 }
-
-/* Returns whether the vertices are points, of which the bits are known. */
-static bool are_points(const struct clip_vertex *p, const struct clip_vertex *q)
-{
-	return !p->cut && !q->cut && knows_planes(p) && knows_planes(q);
-}
-
-/* Where a plane cuts a segment from p to q, of whose functions a and b one is negative
- * and one positive. */
-struct crossing {
-	int plane;
-	struct sum a, b;
-};
 
 /* Returns the sign of how much farther from p the segment is cut by x than by y: at
- * |a| / (|a| + |b|) of the way. */
-static int compare_crossings(const struct crossing *x, const struct crossing *y)
+ * |a| / (|a| + |b|) of the way, of the functions a at p and b at q. */
+static int compare_crossings(const struct clipper *c, struct clip_vertex *p,
+    struct clip_vertex *q, struct crossing *x, struct crossing *y)
 {
-	return sum_sign(
-	    sum_minor(sum_abs(x->a), sum_abs(y->b), sum_abs(y->a), sum_abs(x->b)));
+	if (!x->exact && !y->exact) {
+		const double far_x = fabs(x->near[0] * y->near[1]);
+		const double far_y = fabs(y->near[0] * x->near[1]);
+
+		if (far_x < (1 - 0x1p-40) * far_y)
+			return -1;
+		if (far_y < (1 - 0x1p-40) * far_x)
+			return 1;
+	}
+	make_exact(c, p, q, x);
+	make_exact(c, p, q, y);
+	return sum_sign(sum_minor(sum_abs(x->side[0]), sum_abs(y->side[1]),
+	    sum_abs(y->side[0]), sum_abs(x->side[1])));
 }
 
-static void crossing_copy(struct crossing *r, const struct crossing *x)
-{
-	r->plane = x->plane;
-	sum_copy(&r->a, &x->a);
-	sum_copy(&r->b, &x->b);
-}
-
-/* Finds by which crossings the segment is cut off most at p and at q. Returns false if
- * no more than a point is on the inner sides of all planes. */
+/* Finds by which of the crossings at[] the segment is cut off most at p and at q.
+ * Returns false if no more than a point is on the inner sides of all planes. */
 static bool find_crossings(const struct clipper *c, struct clip_vertex *p,
-    struct clip_vertex *q, bool cut[2], struct crossing most[2])
+    struct clip_vertex *q, struct crossing at[CLIP_PLANES], struct crossing *most[2])
 {
 	const bool known = knows_planes(p) && knows_planes(q);
-	struct crossing x;
+	const unsigned all = (1u << c->planes) - 1;
 
-	for (int k = 0; k < c->planes; k++) {
-		if (known && ((p->outside | q->outside) >> k & 1) == 0)
-			continue;
-		x.plane = k;
-		find_side(c, k, p, &x.a);
-		find_side(c, k, q, &x.b);
-		const int a = sum_sign(x.a), b = sum_sign(x.b);
+	for (unsigned left = known ? p->outside | q->outside : all; left != 0;
+	     left &= left - 1) {
+		const int k = __builtin_ctz(left);
+		struct crossing *x = &at[k];
+
+		find_crossing(c, c->is_quick && known, k, p, q, x);
+		const int a = side_sign(x, 0), b = side_sign(x, 1);
 		const int end = a > 0; /* which is cut off */
 
 		if (a >= 0 && b >= 0)
 			continue;
 		if (a <= 0 && b <= 0)
 			return false;
-		if (!cut[end] ||
-		    compare_crossings(&x, &most[end]) == (end == 0 ? 1 : -1))
-			crossing_copy(&most[end], &x);
-		cut[end] = true;
-	}
-	return !cut[0] || !cut[1] || compare_crossings(&most[0], &most[1]) < 0;
-}
-
-/* Functions of a plane at p and q, as double-double arithmetic finds them. */
-struct quick_crossing {
-	int plane;
-	double a, b;
-};
-
-/* Does what compare_crossings does, or returns 0 if it is not sure. */
-static int compare_quickly(const struct quick_crossing *x,
-    const struct quick_crossing *y)
-{
-	const double far_x = fabs(x->a * y->b), far_y = fabs(y->a * x->b);
-
-	return far_x < (1 - 0x1p-40) * far_y ? -1 : far_y < (1 - 0x1p-40) * far_x;
-}
-
-/* Does what find_crossings does for two points, and locates neither. Returns false if
- * double-double arithmetic does not decide. */
-static bool find_quickly(const struct clipper *c, const struct clip_vertex *p,
-    const struct clip_vertex *q, bool cut[2], struct quick_crossing most[2], bool *some)
-{
-	struct quick_crossing x;
-
-	for (unsigned left = p->outside | q->outside; left != 0; left &= left - 1) {
-		x.plane = __builtin_ctz(left);
-		const int end = (p->outside >> x.plane & 1) == 0;
-		const int farther = end == 0 ? 1 : -1;
-
-		if (!quick_cut_sides(c->quick, x.plane, p->in, q->in, &x.a, &x.b))
-			return false;
-		const int order = cut[end] ? compare_quickly(&x, &most[end]) : farther;
-
-		if (order == 0)
-			return false;
-		if (order == farther)
+		if (most[end] == NULL ||
+		    compare_crossings(c, p, q, x, most[end]) == (end == 0 ? 1 : -1))
 			most[end] = x;
-		cut[end] = true;
 	}
-	const int order = cut[0] && cut[1] ? compare_quickly(&most[0], &most[1]) : -1;
-
-	*some = order < 0;
-	return order != 0;
-}
-
-/* Does what clip_segment does if double-double arithmetic decides, and then returns
- * true and sets *some to its result. */
-static bool clip_quickly(const struct clipper *c, const struct clip_vertex *p,
-    const struct clip_vertex *q, struct clip_vertex end[2], bool *some)
-{
-	struct quick_crossing most[2];
-	bool cut[2] = { false, false };
-
-	if (c->quick == NULL || !are_points(p, q) || (p->outside & q->outside) != 0 ||
-	    !find_quickly(c, p, q, cut, most, some))
-		return false;
-	for (int i = 0; i < 2; i++) {
-		end[i].cut = cut[i];
-		if (cut[i])
-			cut_later(c, most[i].plane, p, q, &end[i]);
-	}
-	return true;
+	return most[0] == NULL || most[1] == NULL ||
+	    compare_crossings(c, p, q, most[0], most[1]) < 0;
 }
 
 bool clip_segment(const struct clipper *c, struct clip_vertex *p, struct clip_vertex *q,
     struct clip_vertex end[2])
 {
-	struct crossing most[2];
-	bool cut[2] = { false, false }, some;
+	struct crossing at[CLIP_PLANES], *most[2] = { NULL, NULL };
 
-	if (clip_quickly(c, p, q, end, &some))
-		return some;
-	if (!find_crossings(c, p, q, cut, most))
+	if (!find_crossings(c, p, q, at, most))
 		return false;
 	for (int i = 0; i < 2; i++) {
-		end[i].cut = cut[i];
-		if (cut[i])
-			cut_vertex(c, most[i].plane, p, &most[i].a, q, &most[i].b,
-			    &end[i]);
+		end[i].cut = most[i] != NULL;
+		if (end[i].cut)
+			cut_vertex(c, most[i], p, q, &end[i]);
 		/* from the eye on a segment has one point as its image */
-		if (is_eye(c, cut[i] ? &end[i] : i == 0 ? p : q))
+		if (is_eye(c, end[i].cut ? &end[i] : i == 0 ? p : q))
 			return false;
 	}
 	return true;
@@ -403,21 +357,14 @@ static void ring_cross(struct clip_ring *r, int plane, struct clip_vertex *p,
 {
 	const struct clipper *c = r->clipper;
 	struct clip_vertex *cut = &r->stage[plane].cut;
-	struct sum a, b;
-	double near_a, near_b;
+	const bool quick = c->is_quick && !p->cut && !q->cut &&
+	    (p->outside | q->outside) == 1u << plane;
+	struct crossing x;
 
-	if (c->quick != NULL && are_points(p, q) &&
-	    (p->outside | q->outside) == 1u << plane &&
-	    quick_cut_sides(c->quick, plane, p->in, q->in, &near_a, &near_b)) {
-		cut_later(c, plane, p, q, cut);
-		ring_pass(r, plane + 1, cut);
+	find_crossing(c, quick, plane, p, q, &x);
+	if (side_sign(&x, 0) * side_sign(&x, 1) >= 0)
 		return;
-	}
-	find_side(c, plane, p, &a);
-	find_side(c, plane, q, &b);
-	if (sum_sign(a) * sum_sign(b) >= 0)
-		return;
-	cut_vertex(c, plane, p, &a, q, &b, cut);
+	cut_vertex(c, &x, p, q, cut);
 	ring_pass(r, plane + 1, cut);
 }
 
@@ -493,8 +440,8 @@ static void exact_image(const struct clipper *c, struct clip_vertex *v, bool sin
 static bool quick_image(const struct clipper *c, const struct clip_vertex *v,
     bool single, double image[4])
 {
-	if (!v->cut || v->located || c->quick == NULL ||
-	    !quick_cut_image(c->quick, plane_on(v), v->in, v->other, image))
+	if (!v->cut || v->located ||
+	    !quick_cut_image(&c->quick, plane_on(v), v->in, v->other, image))
 		return false;
 	for (int k = 0; k < c->out && single; k++) {
 		if (is_midway(image[k]))
@@ -507,24 +454,24 @@ static bool quick_image(const struct clipper *c, const struct clip_vertex *v,
 }
 
 /* Takes the coordinate that all images of cuts by the vertex's plane have in common. */
-static void learn_edge(const struct clipper *c, struct clip_vertex *v)
+static void learn_edge(struct clipper *c, struct clip_vertex *v)
 {
 	const int plane = plane_on(v);
 	double image[4];
 
-	if (!c->quick->has_edges || (v->on & (v->on - 1)) != 0 ||
-	    !isnan(c->quick->edge[plane]))
+	if (!c->quick.has_edges || (v->on & (v->on - 1)) != 0 ||
+	    !isnan(c->quick.edge[plane]))
 		return;
 	exact_image(c, v, false, image);
-	c->quick->edge[plane] = image[plane / 2];
+	c->quick.edge[plane] = image[plane / 2];
 }
 
-void clip_image(const struct clipper *c, struct clip_vertex *v, bool single,
+void clip_image(struct clipper *c, struct clip_vertex *v, bool single,
     double image[4])
 {
 	if (quick_image(c, v, single, image))
 		return;
 	exact_image(c, v, single, image);
-	if (v->cut && c->quick != NULL)
+	if (v->cut && c->is_quick)
 		learn_edge(c, v);
 }

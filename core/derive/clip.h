@@ -15,22 +15,24 @@
  * given, if `mapped`. The image is (columns of to_target) over column 3 or, in clip
  * space, over divisor and weight. */
 struct clipper {
-	struct map to_base, sides, ends, to_target;
+	struct map to_base, to_target;
 	struct map depth; /* of by_distance: z is column 2 over column 3 */
+	const struct map *sides, *ends; /* the planes (frustum.h) */
 	int in, out;      /* coordinates of a point, and of an image */
 	int planes;       /* that exist: 4 or 6 */
 	bool mapped;      /* the points are not of the space where they are cut */
 	bool by_distance; /* z of the image is a distance along the gaze */
 	bool reaches_eye; /* the planes meet in the eye, which has no image */
 	bool has_weight;  /* w of clip space is kept: element 4 is the weight */
-	/* what computes most cuts, as the caller wishes, with the same result; or NULL,
-	 * which clipper_of sets */
-	struct quick_cut *quick;
+	bool is_quick;    /* `quick` computes most cuts, with the same result */
+	struct quick_cut quick;
 };
 
 /* Makes the clipper of points of `from`, whose images are in `to`; both are flat or
- * neither is. */
-bool clipper_of(const struct scene *, enum space from, enum space to, struct clipper *,
+ * neither is. Keeps the addresses of the transform between them (distance.h), which is
+ * not homogeneous, and of the frustum of `from`. */
+bool clipper_of(const struct scene *, enum space from, enum space to,
+    const struct transform *, const struct frustum *, struct clipper *,
     struct refusals *faults);
 
 /* A point, or a vertex that a cut has made. */
@@ -83,10 +85,8 @@ void clip_ring_end(struct clip_ring *);
 
 /* Writes the doubles or, if single, the floats nearest to the coordinates of the
  * image. Those beyond the range are nan, as all are of the eye and of what is at
- * infinity. A clipper with the same scene and `from`, but another `to`, may be used,
- * too. */
-void clip_image(const struct clipper *, struct clip_vertex *, bool single,
-    double image[4]);
+ * infinity. */
+void clip_image(struct clipper *, struct clip_vertex *, bool single, double image[4]);
 
 /* Sets r to the point where a plane cuts the segment from p to q, of whose functions a
  * and b one is negative and one positive. Points have n elements. */

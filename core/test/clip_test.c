@@ -214,7 +214,7 @@ static bool find_part(struct truth_clip *t, const struct truth_vertex v[2], int 
 	return some && sign_of(t, sized_sub(part[1], part[0])) > 0;
 }
 
-static void check_segment(struct truth_clip *t, const struct clipper *clipper,
+static void check_segment(struct truth_clip *t, struct clipper *clipper,
     const struct block *b, const unsigned char *outside, size_t i, struct counts *c)
 {
 	static struct clip_vertex v[2], end[2];
@@ -287,7 +287,7 @@ static int cut_polygon(struct truth_clip *t, int k, const struct truth_vertex *v
 
 /* The vertices that came, with their images. */
 struct came {
-	const struct clipper *clipper;
+	struct clipper *clipper;
 	int n, index[VERTICES_MAX], depth[VERTICES_MAX];
 	double image[VERTICES_MAX][4];
 };
@@ -302,7 +302,7 @@ static void take(void *data, struct clip_vertex *v)
 	clip_image(c->clipper, v, false, c->image[c->n++]);
 }
 
-static void check_polygon(struct truth_clip *t, const struct clipper *clipper,
+static void check_polygon(struct truth_clip *t, struct clipper *clipper,
     const struct block *b, const unsigned char *outside, int n, struct counts *c)
 {
 	static struct clip_ring ring;
@@ -369,7 +369,6 @@ static void parts_are_true(void **state)
 {
 	static struct block b;
 	static struct clipper clipper;
-	static struct quick_cut quick;
 	static struct transform image;
 	static struct frustum f;
 	static struct truth_clip t;
@@ -385,17 +384,16 @@ static void parts_are_true(void **state)
 
 		ex_has_overflowed();
 		if (!sample_clip(k, &s, &from, &to) ||
-		    !clipper_of(&s, from, to, &clipper, NULL) ||
 		    !frustum_of(&s, from, false, &f, NULL) ||
-		    !distance_transform(&s, from, to, &image, NULL))
+		    !distance_transform(&s, from, to, &image, NULL) ||
+		    !clipper_of(&s, from, to, &image, &f, &clipper, NULL))
 			continue;
 		sample_near(&s, from, &b);
 		frustum_outside_all(&f,
 		    (const double *[4]){ b.in[0], b.in[1], b.in[2], b.in[3] }, outside,
 		    VERTICES);
 		set_truth(&s, from, to, &t);
-		if (quick_cut_of(&quick, from, to, &image, &f) && sample_below(4) > 0)
-			clipper.quick = &quick;
+		clipper.is_quick = clipper.is_quick && sample_below(4) > 0;
 		const int of_points = real_mark();
 
 		for (size_t i = 0; i + 1 < VERTICES; i++) {
