@@ -182,15 +182,16 @@ static const char *skip_digits(const char *s, const char *end)
 	return s;
 }
 
-/* Copies a number whose whole part has groups of three digits, parted by `group`, and
- * which may have a fraction behind `mark`, as C writes it. Returns whether it is so. */
+/* Copies a number whose whole part may have groups of three digits, parted by `group`,
+ * and which may have a fraction behind `mark`, as C writes it. Returns whether it is
+ * so. */
 static bool read_grouped(struct span f, char group, char mark, char out[64])
 {
 	const char *s = f.s + (f.s < f.end && strchr("+-", *f.s) != NULL);
 	const char *next = skip_digits(s, f.end);
 	const char separator[] = { group, '\0' };
 
-	if (next == s || next - s > 3 || *s == '0' || next == f.end || *next != group)
+	if (next == s || next - s > 3 || *s == '0')
 		return false;
 	while (next < f.end && *next == group) {
 		s = next + 1;
