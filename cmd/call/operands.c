@@ -264,7 +264,6 @@ static void prepare_job(struct job *j, const struct options *o)
 {
 	/* a ray is made from 2 numbers, x y, and written as 6: point and direction */
 	j->layout = (struct layout){
-		.in = dialect_of(o->in, o->separator),
 		.out = dialect_of(o->command->kind == COMMAND_TRACE && !o->has_out ?
 			    FORMAT_SNIFF :
 			    options_out_format(o),
@@ -301,30 +300,6 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
-/* What a source is, and the format of its output if neither -o nor a source before has
- * told it, without and with --append. */
-enum source_kind {
-	SOURCE_TYPED, /* points of the call or the document, as lines of our own */
-	SOURCE_EMPTY, /* comments alone, which are of any format and tell none */
-	SOURCE_TABLE, /* a format that is given, named or told by the first line */
-};
-
-static const enum format out_formats[][2] = {
-	[SOURCE_TYPED] = { FORMAT_TEXT, FORMAT_JSON },
-	[SOURCE_EMPTY] = { FORMAT_TEXT, FORMAT_TEXT },
-	[SOURCE_TABLE] = { FORMAT_SNIFF, FORMAT_SNIFF }, /* that of the source */
-};
-
-/* Ends the run unless the source may go on, as `ok` says. */
-static void require(bool ok, struct job *j, const struct point_source *s,
-    const struct refusal *r)
-{
-	if (ok)
-		return;
-	answer_begin_source(j, s);
-	answer_refuse(j, r);
-}
-
 /* Law 8: in csv and tsv the numbers of a source of another format have a header of
  * their names, unless they follow lines without one. */
 static void join_names(struct job *j, const struct point_source *s)
@@ -338,38 +313,37 @@ static void join_names(struct job *j, const struct point_source *s)
 	const enum line_kind kind = plan_join_header(l,
 	    named ? (struct span){ names, end - 1 } : (struct span){ NULL, NULL }, &r);
 
-	require(kind != LINE_REFUSED, j, s, &r);
+	if (kind == LINE_REFUSED)
+		answer_refuse(j, s, &r);
 	if (kind == LINE_HEADER)
-		answer_names(j, (struct span){ names, end });
+		answer_text(j, (struct span){ names, end });
 }
 
-/* Reads the points of a source. */
+/* Reads the points of a source. Lines of our own are of JSON, and printed as text but
+ * for --append; comments alone are of any format, and tell none. */
 static void run_source(const struct options *o, struct job *j, struct point_source s)
 {
 	struct layout *l = &j->layout;
+	const enum format in = s.is_ours ? FORMAT_JSON : o->in;
 	const struct dialect before = l->out;
 	struct refusal r;
 
-	l->in = s.is_ours         ? dialect_of(FORMAT_JSON, ',') :
-	    o->in != FORMAT_SNIFF ? dialect_of(o->in, o->separator) :
-				    dialect_of(format_of_name(s.name), o->separator);
-	require(source_begin(&s, l, &r), j, &s, &r);
-	const enum source_kind kind = s.is_ours ? SOURCE_TYPED :
-	    l->plan.has_none                    ? SOURCE_EMPTY :
-						  SOURCE_TABLE;
-
-	if (l->out.format == FORMAT_SNIFF)
-		l->out = dialect_of(out_formats[kind][o->append], ',');
-	if (kind == SOURCE_TABLE)
+	l->in = dialect_of(in != FORMAT_SNIFF ? in : format_of_name(s.name),
+	    o->separator);
+	if (!source_begin(&s, l, &r))
+		answer_refuse(j, &s, &r);
+	if (!s.is_ours && !l->plan.has_none)
 		settle_formats(o, l, s.name);
-	else if (kind == SOURCE_EMPTY && !format_is_binary(l->out.format))
+	else if (l->out.format == FORMAT_SNIFF)
+		l->out = s.is_ours && !o->append ? dialect_of(FORMAT_TEXT, ',') : l->in;
+	if (l->plan.has_none && !format_is_binary(l->out.format))
 		l->in = l->out;
-	else if (o->append && !same_dialect(l->in, l->out))
+	if (o->append && !same_dialect(l->in, l->out))
 		die(EXIT_USAGE, APPEND_WHAT, APPEND_REMEDY);
 	if (j->take_block == NULL && !same_dialect(l->in, l->out))
 		join_names(j, &s);
 	stream_points(j, s);
-	if (kind == SOURCE_EMPTY)
+	if (l->plan.has_none)
 		l->out = before;
 }
 
@@ -444,39 +418,34 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 
 	if (input_first_char(operand) == '[')
 		return run_typed(o, d, j, operand);
-	if (o->scenes) {
-		if (kept == NULL)
-			kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
-		if (kept[i].s == NULL)
-			kept[i] = input_of_file(operand);
-		if (is_obj)
-			take_obj(o, j, operand, &kept[i]);
-		else
-			run_source(o, j,
-			    source_of_text(operand, kept[i].s, kept[i].size));
-	} else if (is_obj) {
-		struct input_text t = input_of_file(operand);
-
-		take_obj(o, j, operand, &t);
-		input_free(&t);
-	} else {
-		int fd = input_open(operand);
+	if (!o->scenes && !is_obj) {
+		const int fd = input_open(operand);
 
 		run_source(o, j, source_of_file(operand, fd));
 		close(fd);
+		return true;
 	}
+	if (kept == NULL)
+		kept = memset(xrealloc(NULL, kept_size), 0, kept_size);
+	if (kept[i].s == NULL)
+		kept[i] = input_of_file(operand);
+	if (is_obj)
+		take_obj(o, j, operand, &kept[i]);
+	else
+		run_source(o, j, source_of_text(operand, kept[i].s, kept[i].size));
+	if (!o->scenes)
+		input_free(&kept[i]);
 	return true;
 }
 
 /* Returns what a w that is not positive may come of. Points of a matrix, a plane or a
- * ray are not found behind the camera. */
+ * ray are not found behind the camera; the last has no transform. */
 static unsigned find_behind(const struct scene *s, enum space from, enum space to,
     const struct job *j)
 {
 	const struct camera *c = &s->camera;
 
-	if (space_is_flat(from) || j->rays || !j->transform.divide ||
-	    !j->transform.front)
+	if (!j->transform.divide || !j->transform.front)
 		return 0;
 	if (from == SPACE_DEVICE && j->transform.in == 3 && !s->viewport.distance)
 		return BEHIND_DEPTH;

@@ -111,19 +111,14 @@ void answer_refused_scene(bool prints_null)
 	output_write("null\n", 5);
 }
 
-static void print_text(const struct job *j, const char *s, size_t n)
+void answer_text(const struct job *j, struct span text)
 {
-	if (n == 0)
+	if (text.s == text.end)
 		return;
 	print_newline();
 	answer.lacks_newline = !format_is_binary(j->layout.out.format) &&
-	    s[n - 1] != '\n';
-	output_write(s, n);
-}
-
-void answer_names(const struct job *j, struct span names)
-{
-	print_text(j, names.s, (size_t)(names.end - names.s));
+	    text.end[-1] != '\n';
+	output_write(text.s, span_size(text));
 }
 
 /* Returns the place of a line of the chunk. */
@@ -181,8 +176,10 @@ static _Noreturn void end_refused(void)
 	end_program(EXIT_INPUT);
 }
 
-void answer_refuse(const struct job *j, const struct refusal *r)
+void answer_refuse(const struct job *j, const struct point_source *s,
+    const struct refusal *r)
 {
+	answer_begin_source(j, s);
 	if (j->flush != NULL)
 		j->flush(j);
 	clear_progress();
@@ -230,7 +227,7 @@ void answer_chunk(struct job *j, struct chunk *c)
 	if (j->collect_chunk != NULL)
 		j->collect_chunk(j, c);
 	else
-		print_text(j, c->out, c->size);
+		answer_text(j, (struct span){ c->out, c->out + c->size });
 	if (answer.imageless == 0 && c->imageless > 0)
 		answer.first_imageless = line_place(c, c->first_imageless);
 	if (j->count_imageless) {

@@ -14,11 +14,12 @@ void answer_begin_source(const struct job *, const struct point_source *);
  * and an error of its source end the program. Only one thread at a time may call it. */
 void answer_chunk(struct job *, struct chunk *);
 
-/* Prints the header of an output that has another format than the input. */
-void answer_names(const struct job *, struct span names);
+/* Prints bytes of a source that belong to no chunk, such as a header of names. */
+void answer_text(const struct job *, struct span);
 
-/* Ends the program, as the source that began last is refused. */
-_Noreturn void answer_refuse(const struct job *, const struct refusal *);
+/* Ends the program, as the source is refused. */
+_Noreturn void answer_refuse(const struct job *, const struct point_source *,
+    const struct refusal *);
 
 /* Counts a scene that was refused, and prints null for it if `prints_null` is set. */
 void answer_refused_scene(bool prints_null);
