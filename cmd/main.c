@@ -189,7 +189,7 @@ static int run_scenes(const struct options *o)
 
 int main(int argc, char **argv)
 {
-	struct options o = { .params = "-", .separator = ',' };
+	struct options o = { .params = "-", .in = FORMAT_SNIFF, .separator = ',' };
 	int status = EXIT_OK;
 
 	/* undoes the startup code of -ffast-math, which flushes subnormals */

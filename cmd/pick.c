@@ -250,7 +250,7 @@ bool run_pick(const struct options *o, struct document *d, struct job *j)
 	    !picker_of(s, &j->transform, &hits.picker, faults))
 		return false;
 	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
-	j->from = space_names[SPACE_MODEL];
+	j->layout.from = space_names[SPACE_MODEL];
 	notes_say_of_spaces(d, SPACE_MODEL, SPACE_DEVICE);
 	return operands_run_job(o, d, SPACE_MODEL, SPACE_DEVICE, j);
 }

@@ -143,9 +143,9 @@ bool run_project(const struct options *o, struct document *d, struct job *j)
 		notes_say(d, 1u << NOTE_NO_PROJECTION);
 	if (o->matrix)
 		return matrix_print(o, d, &j->transform);
-	j->from = space_names[from];
-	j->space = space_names[to];
+	j->layout.from = space_names[from];
+	j->layout.output.space = space_names[to];
 	if (o->lines && !lines_prepare(&d->scene, from, to, j, d->source.faults))
 		return false;
-	return operands_run_job(o, d, o->homogeneous ? SPACE_CLIP : from, to, j);
+	return operands_run_job(o, d, from, to, j);
 }

@@ -184,7 +184,7 @@ bool run_trace(const struct options *o, struct document *d, struct job *j)
 		snprintf(trace.label[true][s], sizeof **trace.label,
 		    "\"%s\":", space_names[s]);
 	}
-	j->from = space_names[o->from];
+	j->layout.from = space_names[o->from];
 	/* without -o the points' format, which is not known yet, is the output's */
 	if (!o->has_out || o->out == FORMAT_JSON)
 		trace_set_axes(o, &d->scene, &trace);

@@ -246,7 +246,7 @@ static void choose_kernels(void)
 }
 
 /* With --append the names of coordinates begin with the space of images: device_x. */
-static void name_numbers(struct layout *l, const char *space)
+static void name_numbers(struct layout *l)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
@@ -254,7 +254,7 @@ static void name_numbers(struct layout *l, const char *space)
 		bool of_space = l->output.append && (k < 3 || l->writes <= 4);
 
 		snprintf(l->output.name[k], sizeof *l->output.name, "%s%s%s",
-		    of_space ? space : "", of_space ? "_" : "",
+		    of_space ? l->output.space : "", of_space ? "_" : "",
 		    l->writes > 4 ? ray[k] : coordinate_name(k));
 	}
 	strcpy(l->output.name[COORDINATES_MAX], l->output.flags ? "flags" : "");
@@ -275,7 +275,7 @@ static void prepare_job(struct job *j, const struct options *o)
 		.reads = j->rays ? 2 : j->transform.in,
 		.writes = j->rays ? 6 : j->transform.out,
 		.record = o->in_record,
-		.from = j->from,
+		.from = j->layout.from,
 		.output = {
 			.flags = o->flags,
 			.append = o->append,
@@ -284,12 +284,12 @@ static void prepare_job(struct job *j, const struct options *o)
 			.single = o->precision == PRECISION_SINGLE,
 			.copies = j->take_block == NULL ||
 			    o->command->kind == COMMAND_PICK,
-			.space = j->space,
+			.space = j->layout.output.space,
 		},
 	};
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.output.style[k] = options_style(o, k);
-	name_numbers(&j->layout, j->space);
+	name_numbers(&j->layout);
 	j->precision = o->precision;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;

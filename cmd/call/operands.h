@@ -17,8 +17,9 @@ bool operands_have_points(const struct options *, struct document *, bool *have)
 
 /* Completes the job by the options, and does it on the points of the operands; without
  * operands, on those of the document or, if it has none, of standard input. The caller
- * has set job.transform, or job.rays and job.ray. --scenes reads operands only once. A
- * note is due if points of `from` without image in `to` are behind the camera. Returns
- * false if the scene or an operand that is typed is refused. */
+ * has set job.transform, or job.rays and job.ray, and in job.layout the names of the
+ * spaces: `from` and output.space. --scenes reads operands only once. A note is due if
+ * points of `from` without image in `to` are behind the camera. Returns false if the
+ * scene or an operand that is typed is refused. */
 bool operands_run_job(const struct options *, struct document *, enum space from,
     enum space to, struct job *);

@@ -196,7 +196,7 @@ const struct option_row option_rows[] = {
 	    "read points as text, csv, tsv, json, obj, f64, f32 or f32x4; default by "
 	    "name or first line",
 	    "FORMAT", option_read_format, OFFSET(in), .words = format_names,
-	    FLAG(has_in), .points_only = true },
+	    .points_only = true },
 	{ "output", 'o', ALL_BUT_HELP - COMMAND_DRAW,
 	    "print in this format; the default for points is the format of the input",
 	    "FORMAT", option_read_format, OFFSET(out), .words = format_names,

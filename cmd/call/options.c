@@ -154,8 +154,8 @@ void options_read(struct options *o, char **words)
 	if (operand > o->points)
 		o->params = *o->points++;
 	o->n_points = (int)(operand - o->points);
-	if (!o->has_in && command_reads_points(o->command))
-		o->in = o->has_separator ? FORMAT_CSV : FORMAT_SNIFF;
+	if (o->in == FORMAT_SNIFF && o->has_separator)
+		o->in = FORMAT_CSV;
 	if ((o->command->kind & (COMMAND_TRACE | COMMAND_INSPECT | COMMAND_FIT)) != 0)
 		check_output(o);
 	if (o->command->kind == COMMAND_DRAW)

@@ -21,9 +21,9 @@ struct options {
 	unsigned convention;           /* index in conventions[], by -c */
 	bool has_convention;           /* -c was given */
 	bool help, version;
-	enum format in, out;
+	enum format in; /* FORMAT_SNIFF without -i: each input tells its format */
+	enum format out;
 	int in_record, out_record; /* numbers in a binary record, or 0 */
-	bool has_in;  /* -i was given; if not, each input tells its format */
 	bool has_out; /* -o was given; if not, out is text */
 	bool has_separator;
 	char separator;         /* of csv, a comma by default */

@@ -426,7 +426,7 @@ bool run_draw(const struct options *o, struct document *d, struct job *j)
 		return false;
 	runs_prepare(&w.reader, j);
 	j->take_obj = take_obj;
-	j->from = w.flat ? NULL : space_names[w.from];
+	j->layout.from = w.flat ? NULL : space_names[w.from];
 	if (!w.flat)
 		notes_say_of_spaces(d, w.from, w.to);
 	bool good = operands_run_job(o, d, w.from, w.to, j);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A job says what is done with every point. The threads share it, and none changes it
- * but for its layout (layout.h). */
+ * but for its layout (plan.h). */
 #pragma once
 
 #include "../../core/derive/frustum.h"
@@ -16,8 +16,6 @@ enum behind {
 };
 
 struct job {
-	const char *space;    /* the name of the space of images, for --append */
-	const char *from;     /* the name of the space of points, or NULL */
 	bool visible;         /* print only points in the view volume */
 	bool rays;            /* print rays instead of images */
 	bool keep_going;      /* after bad lines */

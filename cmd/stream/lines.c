@@ -14,9 +14,8 @@ struct lines {
 	struct clipper clipper;
 	struct clip_ring ring;
 	struct clip_vertex end[2], cut[2];
-	const struct job *job;
+	const struct output *output;
 	const struct run *run;
-	bool single; /* the numbers are floats */
 
 	bool any;    /* a part was printed before */
 	bool begins; /* the next row that is put begins a part */
@@ -42,7 +41,7 @@ static char *write_row(const struct lines *l, size_t row,
 		*out++ = '\n';
 	for (int k = 0; k <= last; k++) {
 		out = number_text_put(out, &t[k][row % NUMBER_BATCH], l->image[k][row],
-		    l->single, l->job->layout.output.style[k]);
+		    l->output->single, l->output->style[k]);
 		*out++ = k < last ? ' ' : '\n';
 	}
 	return out;
@@ -61,8 +60,8 @@ static void print_rows(void *data)
 		char *at = text;
 
 		for (int k = 0; k < l->clipper.out; k++)
-			number_texts(&l->image[k][from], n, l->single,
-			    l->job->layout.output.style[k], t[k]);
+			number_texts(&l->image[k][from], n, l->output->single,
+			    l->output->style[k], t[k]);
 		for (size_t i = from; i < from + n; i++)
 			at = write_row(l, i, t, at);
 		output_write(text, (size_t)(at - text));
@@ -145,7 +144,8 @@ static bool find_part(struct lines *l, size_t i, bool cut[2], double image[2][4]
 	for (int k = 0; k < 2; k++) {
 		cut[k] = l->cut[k].cut;
 		if (cut[k])
-			clip_image(&l->clipper, &l->cut[k], l->single, image[k]);
+			clip_image(&l->clipper, &l->cut[k], l->output->single,
+			    image[k]);
 	}
 	return true;
 }
@@ -180,7 +180,7 @@ static void take_vertex(void *data, struct clip_vertex *v)
 	double image[4];
 
 	if (v->cut)
-		clip_image(&l->clipper, v, l->single, image);
+		clip_image(&l->clipper, v, l->output->single, image);
 	else
 		memcpy(image, l->run->point[v->index].image, sizeof image);
 	if (!l->has_first)
@@ -230,7 +230,6 @@ static void take_run(void *data, const struct run *run)
 	struct lines *l = data;
 
 	l->run = run;
-	l->single = l->job->precision == PRECISION_SINGLE;
 	begin_part(l);
 	if (is_closed(l))
 		take_polygon(l);
@@ -248,7 +247,7 @@ bool lines_prepare(const struct scene *s, enum space from, enum space to, struct
 
 	if (!clipper_of(s, from, to, &j->transform, &j->frustum, &l.clipper, faults))
 		return false;
-	l.job = j;
+	l.output = &j->layout.output;
 	l.reader.take = take_run;
 	l.reader.flush = print_rows;
 	l.reader.data = &l;
