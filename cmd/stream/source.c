@@ -27,7 +27,7 @@ void piece_resize(struct piece *p, size_t room)
 /* Begins p with the rest of the last piece, maybe p itself. Returns its full size. */
 static size_t begin_piece(struct piece *p, const struct point_source *s)
 {
-	size_t n = (size_t)(s->rest.end - s->rest.s), full = PIECE_FIRST;
+	size_t n = span_size(s->rest), full = PIECE_FIRST;
 
 	while (full < n || (full < PIECE_ROOM && full * PIECE_SHARE < s->bytes_read))
 		full *= 2;
@@ -44,24 +44,29 @@ static size_t begin_piece(struct piece *p, const struct point_source *s)
 	return full;
 }
 
-/* Reads up to `room` bytes. Returns, as read(2), their number, 0 at the end, or -1. */
-static ssize_t read_some(struct point_source *s, char *to, size_t room)
+static ssize_t read_file(const struct point_source *s, char *to, size_t room)
 {
-	struct span *memory = s->text.s != NULL ? &s->text : &s->head;
-	size_t left = (size_t)(memory->end - memory->s);
 	ssize_t n;
 
-	if (left > 0 || s->text.s != NULL || s->has_ended) {
-		room = left < room ? left : room;
-		if (room > 0)
-			memcpy(to, memory->s, room);
-		memory->s += room;
-		return (ssize_t)room;
-	}
 	do
 		n = read(s->fd, to, room);
 	while (n < 0 && io_retry(s->fd, POLLIN));
 	return n;
+}
+
+/* Reads up to `room` bytes. Returns, as read(2), their number, 0 at the end, or -1. */
+static ssize_t read_some(struct point_source *s, char *to, size_t room)
+{
+	struct span *memory = s->text.s != NULL ? &s->text : &s->head;
+	const size_t left = span_size(*memory);
+
+	if (left == 0 && s->text.s == NULL && !s->has_ended)
+		return read_file(s, to, room);
+	room = left < room ? left : room;
+	if (room > 0)
+		memcpy(to, memory->s, room);
+	memory->s += room;
+	return (ssize_t)room;
 }
 
 /* Returns whether a read would wait, or true if poll fails. */
@@ -191,34 +196,29 @@ static bool may_be_npy(const char *s, size_t n)
 	return n < NPY_HEADER && memcmp(s, NPY_MAGIC, n < 6 ? n : 6) == 0;
 }
 
-/* What source_begin looks for: from `at` on, the first line that tells the format. */
-struct first_line {
-	const char *at, *end; /* the line; end is its newline, or that of the bytes */
-	bool whole;           /* all of it is there */
-};
-
-/* Passes whole lines that are blank or comments. */
-static void find_first_line(struct first_line *f, const char *end)
+/* Passes whole lines that are blank or comments. Returns the line behind them, up to
+ * its newline or to what there is of it. */
+static struct span find_first_line(const char *s, const char *end)
 {
 	for (;;) {
-		const char *newline = memchr(f->at, '\n', (size_t)(end - f->at));
-		const char *s = f->at;
+		const char *newline = memchr(s, '\n', (size_t)(end - s)), *at = s;
+		const struct span line = { s, newline != NULL ? newline : end };
 
-		f->whole = newline != NULL;
-		f->end = newline != NULL ? newline : end;
-		while (s < f->end && is_blank(*s))
-			s++;
-		if (newline == NULL || (s < f->end && *s != '#'))
-			return;
-		f->at = newline + 1;
+		while (at < line.end && is_blank(*at))
+			at++;
+		if (newline == NULL || (at < line.end && *at != '#'))
+			return line;
+		s = newline + 1;
 	}
 }
 
-/* Returns whether the bytes tell all that source_begin is to know; sets the plan. */
+/* Returns whether the bytes tell all that source_begin is to know, as they do if they
+ * are `all`; sets the plan. *passed is the size of the lines before the first that
+ * tells the format, so far. */
 static bool begin_plan(struct point_source *s, struct layout *l, struct span bytes,
-    struct first_line *f, bool all)
+    size_t *passed, bool all)
 {
-	const size_t n = (size_t)(bytes.end - bytes.s);
+	const size_t n = span_size(bytes);
 	const bool list_possible = l->in.format == FORMAT_JSON ||
 	    l->in.format == FORMAT_SNIFF;
 	bool known = true;
@@ -229,76 +229,68 @@ static bool begin_plan(struct point_source *s, struct layout *l, struct span byt
 		return all || n >= layout_record_size(l);
 	if (!list_possible)
 		return all || memchr(bytes.s, '\n', n) != NULL;
-	if (f->at == NULL || f->at == bytes.s) /* a mark may arrive byte by byte */
-		f->at = skip_bom(bytes.s, bytes.end);
-	find_first_line(f, bytes.end);
-	f->whole |= all || n > LINE_MAX_BYTES ||
-	    memchr(f->at, '\0', (size_t)(bytes.end - f->at)) != NULL;
-	const struct span line = { f->at, f->end };
+	if (*passed == 0) /* a mark may arrive byte by byte */
+		*passed = (size_t)(skip_bom(bytes.s, bytes.end) - bytes.s);
+	const struct span line = find_first_line(bytes.s + *passed, bytes.end);
+	const bool whole = all || line.end < bytes.end || n > LINE_MAX_BYTES ||
+	    memchr(line.s, '\0', span_size(line)) != NULL;
 
-	l->plan.is_list = f->end > f->at && list_begins(line, f->whole, &known);
-	if (!(l->plan.is_list && known) && !f->whole)
+	*passed = (size_t)(line.s - bytes.s);
+	l->plan.is_list = line.s < line.end && list_begins(line, whole, &known);
+	if (!(l->plan.is_list && known) && !whole)
 		return false;
 	if (l->in.format == FORMAT_SNIFF) {
 		l->plan.sniffed = true;
-		l->plan.has_none = f->at == f->end;
+		l->plan.has_none = line.s == line.end;
 		l->in = dialect_of(format_of_line(line), ',');
 		l->plan.is_list &= l->in.format == FORMAT_JSON;
 	}
 	if (l->plan.is_list)
-		plan_comments(l, (struct span){ skip_bom(bytes.s, f->at), f->at });
+		plan_comments(l, (struct span){ skip_bom(bytes.s, line.s), line.s });
 	s->has_bom = skip_bom(bytes.s, bytes.end) > bytes.s;
 	s->list = (struct list){ .line = 1 };
-	for (const char *c = bytes.s; c < f->at; c++)
+	for (const char *c = bytes.s; c < line.s; c++)
 		s->list.line += *c == '\n';
 	return true;
 }
 
-/* Reads more of a file to its head. Returns what read returned last. */
-static ssize_t read_head(struct point_source *s, char **head, size_t *room)
+/* Reads more of a file to its head; sets has_ended at its end. Returns false there and
+ * after an error, which the next read meets again, and tells. */
+static bool read_head(struct point_source *s)
 {
-	const size_t n = (size_t)(s->head.end - s->head.s);
-	ssize_t more;
+	static char *head;
+	static size_t room;
+	const size_t n = span_size(s->head);
 
-	if (n == *room) {
-		*room = *room > 0 ? 2 * *room : PIECE_FIRST;
-		*head = xrealloc(*head, *room);
+	if (n == room) {
+		room = room > 0 ? 2 * room : PIECE_FIRST;
+		head = xrealloc(head, room);
 	}
-	do
-		more = read(s->fd, *head + n, *room - n);
-	while (more < 0 && io_retry(s->fd, POLLIN));
-	s->head = (struct span){ *head, *head + n + (more > 0 ? (size_t)more : 0) };
-	return more;
+	const ssize_t more = read_file(s, head + n, room - n);
+
+	s->head = (struct span){ head, head + n + (more > 0 ? (size_t)more : 0) };
+	s->has_ended = more == 0;
+	return more > 0;
 }
 
 bool source_begin(struct point_source *s, struct layout *l, struct refusal *r)
 {
-	static char *head;
-	static size_t room;
-	struct first_line f = { 0 };
-	struct span bytes = s->text;
+	struct span *const bytes = s->text.s != NULL ? &s->text : &s->head;
+	bool all = s->text.s != NULL;
+	size_t passed = 0;
 
 	plan_begin(l);
 	if (s->is_ours)
 		return true;
-	while (bytes.s == NULL || !begin_plan(s, l, bytes, &f, s->text.s != NULL)) {
-		const size_t at = f.at != NULL ? (size_t)(f.at - s->head.s) : 0;
-		const ssize_t n = read_head(s, &head, &room);
-
-		bytes = s->head;
-		f.at = f.at != NULL ? bytes.s + at : NULL;
-		/* an error of a read is met again, and told, by the next one */
-		s->has_ended = n == 0;
-		if (n <= 0 && begin_plan(s, l, bytes, &f, true))
-			break;
-	}
-	if (format_is_foreign(bytes.s, (size_t)(bytes.end - bytes.s),
+	if (!all)
+		all = !read_head(s);
+	while (!begin_plan(s, l, *bytes, &passed, all))
+		all = !read_head(s);
+	if (format_is_foreign(bytes->s, span_size(*bytes),
 		format_is_binary(l->in.format), r))
 		return false;
-	if (l->plan.is_list && s->text.s != NULL)
-		s->text.s = f.at;
-	else if (l->plan.is_list)
-		s->head.s = f.at;
+	if (l->plan.is_list)
+		bytes->s += passed;
 	return true;
 }
 
