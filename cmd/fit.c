@@ -5,7 +5,6 @@
 #include "call/input.h"
 #include "call/notes.h"
 #include "call/operands.h"
-#include "message/message.h"
 
 struct fit {
 	struct directions directions;

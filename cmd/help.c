@@ -193,6 +193,20 @@ static void put_words(struct printer *p, const char *name, const char *const *wo
 	put_close(p, "]");
 }
 
+/* Puts an array of the names of those rows whose bit is set; but no member if none is,
+ * unless `always` is set. */
+static void put_names(struct printer *p, const char *name, const struct member *table,
+    uint64_t bits, bool always)
+{
+	if (bits == 0 && !always)
+		return;
+	put_open(put_name(p, name), "[");
+	for (int i = 0; table[i].name != NULL; i++)
+		if (bits >> i & 1)
+			put_string(p, table[i].name);
+	put_close(p, "]");
+}
+
 static void open_object(struct printer *p)
 {
 	p->separator = *p->separator != '\0' ? ",\n    " : "\n    ";
@@ -201,13 +215,10 @@ static void open_object(struct printer *p)
 
 static void put_command(struct printer *p, const struct command *c)
 {
-	const char *names[8 * sizeof c->wants.used + 1] = { NULL };
+	const struct document_wants *w = &c->wants;
 	char call[1024];
 
-	for (int i = 0; scene_members[i].name != NULL; i++)
-		names[i] = scene_members[i].name;
-	snprintf(call, sizeof call, "projcalc %s %s", c->name,
-	    c->example != NULL ? c->example : "");
+	snprintf(call, sizeof call, "projcalc %s %s", c->name, c->example);
 	open_object(p);
 	put_string(put_name(p, "name"), c->name);
 	put_string(put_name(p, "about"), c->about);
@@ -217,11 +228,11 @@ static void put_command(struct printer *p, const struct command *c)
 			put_string(p, r->name);
 	put_close(p, "]");
 	if (c->kind != COMMAND_HELP) {
-		put_words(p, "reads", names, document_used_members(&c->wants));
+		put_names(p, "reads", scene_members, document_used_members(w), true);
 		/* a command for 2D and 3D documents needs no member in both */
-		put_words(p, "needs", names,
-		    c->wants.flat_members != 0 ? 0 : c->wants.needed);
-		put_words(p, "alone", names, c->wants.lone_member);
+		put_names(p, "needs", scene_members,
+		    w->flat_members != 0 ? 0 : w->needed, true);
+		put_names(p, "alone", scene_members, w->lone_member, true);
 	}
 	put_string(put_name(p, "example"), call);
 	put_close(p, "}");
@@ -290,20 +301,6 @@ static void put_member(struct printer *p, const struct member *row, const char *
 	if (row->variants != 0)
 		put_words(p, "types", types, row->variants);
 	put_close(p, "}");
-}
-
-/* Puts the names of those rows whose bit is set, as a member; but none if none is,
- * unless `always` is set. */
-static void put_names(struct printer *p, const char *name, const struct member *table,
-    uint64_t bits, bool always)
-{
-	if (bits == 0 && !always)
-		return;
-	put_open(put_name(p, name), "[");
-	for (int i = 0; table[i].name != NULL; i++)
-		if (bits >> i & 1)
-			put_string(p, table[i].name);
-	put_close(p, "]");
 }
 
 static void put_way(struct printer *p, const struct member *table, const struct way *w)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
-#include <stdio.h>
 
 #include "../core/derive/box.h"
 #include "../core/derive/picture.h"
@@ -8,7 +7,7 @@
 #include "json/print.h"
 #include "table/emit.h"
 #include "call/notes.h"
-#include "call/operands.h"
+#include "call/options.h"
 #include "call/option_row.h"
 #include "message/message.h"
 

@@ -124,10 +124,18 @@ static const struct command commands[] = {
 };
 /* clang-format on */
 
+static const struct command *find_command(const char *name)
+{
+	for (const struct command *c = commands; c->name != NULL; c++)
+		if (strcmp(name, c->name) == 0)
+			return c;
+	return NULL;
+}
+
 static void run_help(const struct options *o)
 {
 	const char *what = o->params;
-	const struct command *c = command_find(commands, what);
+	const struct command *c = find_command(what);
 
 	if (o->n_points > 0 || (o->json && !input_is_stdin(what)))
 		die(EXIT_USAGE,
@@ -203,7 +211,7 @@ int main(int argc, char **argv)
 	}
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = o.command = command_find(commands, argv[1]);
+	const struct command *c = o.command = find_command(argv[1]);
 
 	o.version = strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o.version)

@@ -140,8 +140,7 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 		return matrix_print(o, d, &j->transform);
 	j->count_imageless = !planes;
 	j->layout.from = flat ? flat_names[from - FLAT_WINDOW] : space_names[from];
-	j->layout.output.space =
-	    flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
+	j->layout.output.space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
 	if (o->lines && !lines_prepare(&d->scene, from, to, j, d->source.faults))
 		return false;
 	return operands_run_job(o, d, from, to, j);

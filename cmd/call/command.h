@@ -4,8 +4,6 @@
  * only main.c calls them. */
 #pragma once
 
-#include <string.h>
-
 #include "../scene/document.h"
 
 struct job;
@@ -79,16 +77,6 @@ bool help_member(const char *name);
 
 /* Prints all help as JSON, from which scripts make the schema and the completions. */
 void help_json(const struct command *, const char *version);
-
-/* Returns the command called `name` in the table c, which a NULL name ends; or NULL. */
-static inline const struct command *command_find(const struct command *c,
-    const char *name)
-{
-	for (; c->name != NULL; c++)
-		if (strcmp(name, c->name) == 0)
-			return c;
-	return NULL;
-}
 
 static inline bool command_reads_points(const struct command *c)
 {

@@ -3,7 +3,6 @@
 
 #include "../../core/derive/picture.h"
 #include "../message/message.h"
-#include "command.h"
 
 /* A note's member, what is guessed or wrong, and what to try. */
 const struct note_row note_rows[NOTES] = {

@@ -12,8 +12,6 @@
 #include "../message/utf8.h"
 #include "../number/number.h"
 #include "input.h"
-#include "notes.h"
-#include "option_row.h"
 
 #define PARAMS_HINT \
 	"PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' shows"

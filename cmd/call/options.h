@@ -24,7 +24,7 @@ struct options {
 	enum format in; /* FORMAT_SNIFF without -i: each input tells its format */
 	enum format out;
 	int in_record, out_record; /* numbers in a binary record, or 0 */
-	bool has_out; /* -o was given; if not, out is text */
+	bool has_out;              /* -o was given; if not, out is text */
 	bool has_separator;
 	char separator;         /* of csv, a comma by default */
 	bool header, no_header; /* neither: the first line's fields decide */

@@ -9,7 +9,6 @@
 #include "../json/text.h"
 #include "../message/message.h"
 #include "../message/utf8.h"
-#include "../message/words.h"
 #include "../scene/convention_member.h"
 #include "input.h"
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "answer.h"
 
-#include "../../core/derive/note.h"
-
 #include <stdio.h>
 #include <string.h>
 #include <time.h>

@@ -2,7 +2,6 @@
 #include "chunk.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "job.h"
 

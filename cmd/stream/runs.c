@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "runs.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 #include "../../core/points/points.h"
