@@ -438,23 +438,22 @@ static bool run_operand(const struct options *o, struct document *d, struct job 
 
 /* Returns what a w that is not positive may come of. Points of a matrix, a plane or a
  * ray are not found behind the camera; the last has no transform. */
-static unsigned find_behind(const struct scene *s, enum space from, enum space to,
+static enum behind find_behind(const struct scene *s, enum space from, enum space to,
     const struct job *j)
 {
 	const struct camera *c = &s->camera;
 
 	if (!j->transform.divide || !j->transform.front)
-		return 0;
+		return BEHIND_NOTHING;
 	if (from == SPACE_DEVICE && j->transform.in == 3 && !s->viewport.distance)
 		return BEHIND_DEPTH;
 	if (from > SPACE_CLIP || to < SPACE_NDC)
-		return 0;
+		return BEHIND_NOTHING;
 	if (!s->has_camera || from > SPACE_WORLD || camera_is_by_gaze(c))
 		return BEHIND_CAMERA;
-	return BEHIND_CAMERA | BEHIND_AXES |
-	    (c->way == CAMERA_ORIENTATION || c->way == CAMERA_TRANSLATION ?
-		    BEHIND_ORDER :
-		    0);
+	return c->way == CAMERA_ORIENTATION || c->way == CAMERA_TRANSLATION ?
+	    BEHIND_ORDER :
+	    BEHIND_AXES;
 }
 
 bool operands_run_job(const struct options *o, struct document *d, enum space from,

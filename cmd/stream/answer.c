@@ -14,7 +14,7 @@ static struct {
 	bool bad_scene;   /* a scene was refused */
 	size_t imageless; /* points without image */
 	size_t behind;    /* those of them whose w is not positive, up to others */
-	unsigned of;      /* what they may come of, as bits of enum behind */
+	enum behind of;   /* what they may come of */
 	struct place first_imageless;
 } answer;
 
@@ -128,36 +128,30 @@ static struct place line_place(const struct chunk *c, size_t line)
 	return p;
 }
 
-/* Returns what to look at if all points without image come of these, or NULL. */
-static const char *behind_remedy(unsigned of)
-{
-	if (of == BEHIND_DEPTH)
-		return "z is a depth: of a distance say \"depth\": \"distance\" in "
-		       "\"viewport\"";
-	if ((of & BEHIND_DEPTH) != 0 || (of & BEHIND_AXES) == 0)
-		return NULL;
-	return (of & BEHIND_ORDER) != 0 ?
-	    "the camera may have another program's axes (\"axes\"), or w first in its "
-	    "\"orientation\"" :
-	    "the camera may have another program's axes (\"axes\")";
-}
-
 static void report_imageless(void)
 {
+	/* what to look at if all points without image come of the same; or NULL */
+	static const char *const remedies[] = {
+		[BEHIND_DEPTH] = "z is a depth: of a distance say \"depth\": "
+				 "\"distance\" in \"viewport\"",
+		[BEHIND_AXES] = "the camera may have another program's axes (\"axes\")",
+		[BEHIND_ORDER] = "the camera may have another program's axes "
+				 "(\"axes\"), or w first in its \"orientation\"",
+	};
 	const size_t n = answer.imageless;
-	const unsigned of = answer.behind == n ? answer.of : 0;
-	const bool behind = (of & BEHIND_CAMERA) != 0 && (of & BEHIND_DEPTH) == 0;
+	const enum behind of = answer.behind == n ? answer.of : BEHIND_NOTHING;
 	struct place *p = &answer.first_imageless;
 
+	if (n == 0 || message_state.quiet)
+		return;
 	p->before_place = n == 1 ? ": " : ", the first in ";
-	if (n > 0 && !message_state.quiet)
-		say_at(EXIT_OK, p,
-		    text("%zu point%s %s no image", n, n == 1 ? "" : "s",
-			behind     ? n == 1 ? "is behind the camera and has" :
-					      "are behind the camera and have" :
-			    n == 1 ? "has" :
-				     "have"),
-		    behind_remedy(of));
+	say_at(EXIT_OK, p,
+	    text("%zu point%s %s%s no image", n, n == 1 ? "" : "s",
+		of < BEHIND_CAMERA ? "" :
+		    n == 1         ? "is behind the camera and " :
+				     "are behind the camera and ",
+		n == 1 ? "has" : "have"),
+	    remedies[of]);
 }
 
 /* Says what is wrong at a place, and in which column if the refusal has one. */
@@ -226,12 +220,13 @@ void answer_chunk(struct job *j, struct chunk *c)
 		j->collect_chunk(j, c);
 	else
 		answer_text(j, (struct span){ c->out, c->out + c->size });
-	if (answer.imageless == 0 && c->imageless > 0)
-		answer.first_imageless = line_place(c, c->first_imageless);
-	if (j->count_imageless) {
+	if (j->count_imageless && c->imageless > 0) {
+		if (answer.imageless == 0)
+			answer.first_imageless = line_place(c, c->first_imageless);
 		answer.imageless += c->imageless;
 		answer.behind += c->behind;
-		answer.of |= c->behind > 0 ? j->behind : 0;
+		if (c->behind > 0 && j->behind > answer.of)
+			answer.of = j->behind;
 	}
 	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
 		report_bad_lines(j, c);

@@ -176,7 +176,7 @@ static void count_imageless(const struct job *j, struct chunk *c, size_t i, size
 {
 	if (c->imageless == 0)
 		c->first_imageless = c->n_lines + i;
-	if (j->behind != 0 && c->behind == c->imageless)
+	if (j->behind != BEHIND_NOTHING && c->behind == c->imageless)
 		c->behind += is_behind(j, c, p);
 	c->imageless++;
 }

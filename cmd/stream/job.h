@@ -7,12 +7,14 @@
 #include "../../core/derive/ray.h"
 #include "chunk.h"
 
-/* A point whose w is not positive has no image, as bits. */
+/* What it may come of that w of a point is not positive, so that it has no image. Of
+ * the scenes of a call the last in this order is said. */
 enum behind {
-	BEHIND_CAMERA = 1,
-	BEHIND_AXES = 2,  /* the camera's axes may be those of another program */
-	BEHIND_ORDER = 4, /* its quaternion may begin with w */
-	BEHIND_DEPTH = 8, /* z, a depth beyond that of infinity, may be a distance */
+	BEHIND_NOTHING,
+	BEHIND_DEPTH,  /* z, a depth beyond that of infinity, may be a distance */
+	BEHIND_CAMERA, /* the point is behind the camera, */
+	BEHIND_AXES,   /* whose axes may be those of another program, */
+	BEHIND_ORDER,  /* or whose quaternion may begin with w */
 };
 
 struct job {
@@ -20,8 +22,8 @@ struct job {
 	bool rays;            /* print rays instead of images */
 	bool keep_going;      /* after bad lines */
 	bool count_imageless; /* report points without image at the end */
-	unsigned behind;      /* what a w that is not positive may come of; or 0 */
-	int threads;          /* the most; 0: one for each processor */
+	enum behind behind;
+	int threads; /* the most; 0: one for each processor */
 	enum precision precision;
 
 	/* Functions of a command that does not print a line for each point, or NULL.
