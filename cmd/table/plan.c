@@ -196,7 +196,9 @@ static void find_clash(const struct layout *l, struct cursor c, struct sought *f
 	char name[2 * NAME_ROOM];
 	struct field f;
 
-	if (!o->append && !o->flags && l->writes <= l->reads && l->plan.in_space == 0)
+	/* trace, pick, draw and --lines print no names of images */
+	if (!o->copies || o->space == NULL ||
+	    (!o->append && !o->flags && l->writes <= l->reads && l->plan.in_space == 0))
 		return;
 	while (found->clash == NULL && cursor_next(&c, &f)) {
 		if (is_renamed(l, found, &f))
