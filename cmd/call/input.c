@@ -10,8 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../stream/source.h"
 #include "../message/message.h"
+#include "../table/plan.h"
 
 bool input_is_stdin(const char *operand)
 {
@@ -64,7 +64,7 @@ int input_open(const char *name)
 
 static void text_reserve(struct input_text *t, size_t room)
 {
-	t->s = xrealloc(t->s, room + PIECE_MARGIN);
+	t->s = xrealloc(t->s, room + LINE_MARGIN);
 	t->room = room;
 }
 

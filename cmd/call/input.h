@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A text of `size` bytes at `s`. `room` + PIECE_MARGIN bytes are allocated, as the
+/* A text of `size` bytes at `s`. `room` + LINE_MARGIN bytes are allocated, as the
  * readers of points read past the end of the text. */
 struct input_text {
 	char *s; /* NULL at first */

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../stream/source.h"
+#include "../message/message.h"
 #include "../scene/convention_member.h"
 #include "../scene/document.h"
-#include "../message/message.h"
+#include "../table/plan.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
@@ -104,7 +104,7 @@ static void run(char *text, size_t size, int mode)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	char *const text = size > 0 ? malloc(size + PIECE_MARGIN) : NULL;
+	char *const text = size > 0 ? malloc(size + LINE_MARGIN) : NULL;
 
 	if (text == NULL)
 		return 0;

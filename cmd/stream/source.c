@@ -19,7 +19,7 @@ enum { PIECE_FIRST = 1 << 15, PIECE_SHARE = 64 };
 
 void piece_resize(struct piece *p, size_t room)
 {
-	p->text = xrealloc(p->text, room + PIECE_MARGIN);
+	p->text = xrealloc(p->text, room + LINE_MARGIN);
 	p->room = room;
 }
 

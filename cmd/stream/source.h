@@ -13,10 +13,6 @@ enum { PIECE_ROOM = 1 << 17 };
 /* Pipes have room for two pieces: one is written while another is read. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
-/* The number of bytes after the end of a text that the readers of points may read. In a
- * JSON document they may also write them: a newline after a point at the very end. */
-enum { PIECE_MARGIN = LINE_MARGIN };
-
 /* EARLY: not full, as the next read would wait. LAST: the source ends with this
  * piece, as it does after the errors TOO_LONG, a line of more than 64 MiB, FAILED, of
  * a read, and BROKEN, of a list. */
@@ -31,7 +27,7 @@ enum piece_state {
 
 struct piece {
 	char *text;        /* NULL before the first use */
-	size_t room;       /* bytes allocated, less PIECE_MARGIN */
+	size_t room;       /* bytes allocated, less LINE_MARGIN */
 	size_t size;       /* bytes of text */
 	size_t whole_size; /* bytes of the whole lines or points in text */
 	enum piece_state state;

@@ -9,8 +9,10 @@
 enum {
 	COORDINATES_MAX = 6, /* the most numbers written for a point */
 	NAME_ROOM = 16,      /* bytes for the name of a written number */
-	LINE_MARGIN = 16,    /* bytes after a line that may be read */
-	WORD_ROOM = 32,      /* bytes for a word of a comment */
+	/* bytes after a line that may be read and, behind the last point of a document,
+	 * written: its newline */
+	LINE_MARGIN = 16,
+	WORD_ROOM = 32, /* bytes for a word of a comment */
 };
 
 /* The fields that hold the coordinates, from --columns; by default those of law 3. */
