@@ -86,7 +86,7 @@ static bool check_given(const struct options *o, const struct document *d)
 		"add it ('projcalc help bounds'), POINTS or -");
 }
 
-bool run_fit(const struct options *o, struct document *d, struct job *j)
+static bool run_fit(const struct options *o, struct document *d, struct job *j)
 {
 	struct refusals *const faults = d->source.faults;
 	bool points;
@@ -113,7 +113,7 @@ bool run_fit(const struct options *o, struct document *d, struct job *j)
 	return true;
 }
 
-void judge_fit(const struct options *o, const struct document *d)
+static void judge_fit(const struct options *o, const struct document *d)
 {
 	const struct bounds *b = d->has_bounds ? &d->bounds : NULL;
 	struct hull h;
@@ -124,3 +124,5 @@ void judge_fit(const struct options *o, const struct document *d)
 	else
 		fit_check(&d->scene, b, d->source.faults);
 }
+
+const struct work fit_work = { run_fit, judge_fit, NULL, NULL };

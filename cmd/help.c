@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
+#include "help.h"
+
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "call/option_row.h"
 #include "call/unknown.h"
-#include "scene/convention_member.h"
-#include "scene/types.h"
 #include "json/print.h"
 #include "message/message.h"
+#include "scene/convention_member.h"
+#include "scene/types.h"
 
 static void put_heading(const char *text)
 {

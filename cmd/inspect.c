@@ -279,7 +279,7 @@ static bool put_projection(struct printer *p, const struct document *d,
 	return true;
 }
 
-bool run_inspect(const struct options *o, struct document *d, struct job *j)
+static bool run_inspect(const struct options *o, struct document *d, struct job *j)
 {
 	static char out[(360 + 16 * STEPS_MAX) * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = out,
@@ -301,7 +301,7 @@ bool run_inspect(const struct options *o, struct document *d, struct job *j)
 	return true;
 }
 
-void judge_inspect(const struct options *o, const struct document *d)
+static void judge_inspect(const struct options *o, const struct document *d)
 {
 	struct refusals *const faults = d->source.faults;
 	struct hull h;
@@ -314,3 +314,5 @@ void judge_inspect(const struct options *o, const struct document *d)
 	if (d->has_bounds)
 		hull_of(&d->bounds, d->flat ? 2 : 3, &h, faults);
 }
+
+const struct work inspect_work = { run_inspect, judge_inspect, NULL, NULL };

@@ -6,6 +6,7 @@
 #include "call/input.h"
 #include "call/operands.h"
 #include "call/unknown.h"
+#include "help.h"
 #include "message/message.h"
 
 #define VERSION "2.0.0"
@@ -23,7 +24,7 @@
 
 /* The command is for one type of projection. A viewport may determine its aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
-	COMMAND_MATRIX_3D, run_matrix, judge_matrix,                       \
+	COMMAND_MATRIX_3D, &matrix_work,                                   \
 	.wants = { NEEDS_ONE(PROJECTION, SCENE_VIEWPORT),                  \
 	    .source.implied_type = type },                                 \
 	.from = SPACE_VIEW, .to = SPACE_CLIP
@@ -36,13 +37,13 @@
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
 #define FLAT_MAP(a, b, members)                                            \
-	COMMAND_MATRIX_2D, run_matrix, judge_matrix,                       \
+	COMMAND_MATRIX_2D, &matrix_work,                                   \
 	.wants = { NEEDS_##members },                                      \
 	.from = FLAT_##a, .to = FLAT_##b
 
 static const struct command commands[] = {
 	{ "lookat", "print the matrix from world to view",
-	    COMMAND_MATRIX_3D, run_matrix, judge_matrix,
+	    COMMAND_MATRIX_3D, &matrix_work,
 	    .wants = { NEEDS_ONE(CAMERA, 0) },
 	    .from = SPACE_WORLD, .to = SPACE_VIEW,
 	    .example = "-c d3d '{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
@@ -82,23 +83,23 @@ static const struct command commands[] = {
 	    .example = "-c d3d '{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, "
 	    "\"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "take points from any space to any other: to pixels, or back",
-	    COMMAND_PROJECT, run_project, judge_project, check_project,
+	    COMMAND_PROJECT, &project_work,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "-c d3d '" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "trace",
 	    "print points in every space, and the planes that they are outside of",
-	    COMMAND_TRACE, run_trace, judge_trace,
+	    COMMAND_TRACE, &trace_work,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "-c d3d '" SCENE_EXAMPLE "' '[1,1,1]'" },
 	{ "pick",
 	    "print the points within a radius of a device position, nearest first",
-	    COMMAND_PICK, run_pick, judge_pick, check_pick,
+	    COMMAND_PICK, &pick_work,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
 	    .example = "-c d3d --at 320,240 --radius 3 '" SCENE_EXAMPLE
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "print the scene with a camera that holds bounds or points tightly",
-	    COMMAND_FIT, run_fit, judge_fit,
+	    COMMAND_FIT, &fit_work,
 	    .wants = { .needed = SCENE_PROJECTION, .source.task = TASK_FIT,
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
@@ -107,14 +108,14 @@ static const struct command commands[] = {
 		"\"aspect\": 1.5}}' '[[-1,-1,-1], [1,1,1]]'" },
 	{ "draw",
 	    "draw points, lines and OBJ files: SVG or, on a terminal, Braille",
-	    COMMAND_DRAW, run_draw, judge_draw, check_draw, finish_draw,
+	    COMMAND_DRAW, &draw_work,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.flat_members = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS },
 	    .example = "-c d3d --text '" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "inspect",
 	    "describe the projection or 2D window: angles, edges, error bounds",
-	    COMMAND_INSPECT, run_inspect, judge_inspect,
+	    COMMAND_INSPECT, &inspect_work,
 	    .wants = { .flat_members = SCENE_WINDOW,
 		.used = SCENE_SPATIAL | SCENE_BOUNDS },
 	    .example = "-c d3d '" SCENE_EXAMPLE "'" },
@@ -159,9 +160,10 @@ static bool run_scene(const struct options *o, struct document *d, struct job *j
 {
 	faults->n = 0;
 	ex_has_overflowed(); /* forgets what a refused scene has left */
-	*answered = params_read_document(o, d, faults) && o->command->run(o, d, j);
+	*answered = params_read_document(o, d, faults) &&
+	    o->command->work->run(o, d, j);
 	if (!*answered && !d->ends_run)
-		o->command->judge(o, d);
+		o->command->work->judge(o, d);
 	if (!*answered)
 		return false;
 	return !ex_has_overflowed() ||
@@ -226,12 +228,12 @@ int main(int argc, char **argv)
 	} else if (c->kind == COMMAND_HELP) {
 		run_help(&o);
 	} else {
-		if (c->check != NULL)
-			c->check(&o);
+		if (c->work->check != NULL)
+			c->work->check(&o);
 		operands_check(&o);
 		status = run_scenes(&o);
-		if (c->finish != NULL)
-			c->finish();
+		if (c->work->finish != NULL)
+			c->work->finish();
 	}
 	return answer_end(status);
 }

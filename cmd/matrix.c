@@ -114,7 +114,7 @@ static const char *const flat_names[] = {
 	[FLAT_DEVICE - FLAT_WINDOW] = "device",
 };
 
-bool run_matrix(const struct options *o, struct document *d, struct job *j)
+static bool run_matrix(const struct options *o, struct document *d, struct job *j)
 {
 	const struct command *c = o->command;
 	const struct scene *s = &d->scene;
@@ -146,7 +146,9 @@ bool run_matrix(const struct options *o, struct document *d, struct job *j)
 	return operands_run_job(o, d, from, to, j);
 }
 
-void judge_matrix(const struct options *o, const struct document *d)
+static void judge_matrix(const struct options *o, const struct document *d)
 {
 	scene_check(&d->scene, o->command->from, o->command->to, d->source.faults);
 }
+
+const struct work matrix_work = { run_matrix, judge_matrix, NULL, NULL };

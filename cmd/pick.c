@@ -221,7 +221,7 @@ static bool hits_set_circle(const struct document *d, const struct options *o,
 	return true;
 }
 
-void check_pick(const struct options *o)
+static void check_pick(const struct options *o)
 {
 	options_matrix_style(o);
 	if (o->has_out && o->out != FORMAT_JSON && o->in != FORMAT_SNIFF &&
@@ -230,7 +230,7 @@ void check_pick(const struct options *o)
 		    "leave -o out, or say -o json");
 }
 
-bool run_pick(const struct options *o, struct document *d, struct job *j)
+static bool run_pick(const struct options *o, struct document *d, struct job *j)
 {
 	static struct hits hits;
 	const struct scene *s = &d->scene;
@@ -255,8 +255,10 @@ bool run_pick(const struct options *o, struct document *d, struct job *j)
 	return operands_run_job(o, d, SPACE_MODEL, SPACE_DEVICE, j);
 }
 
-void judge_pick(const struct options *o, const struct document *d)
+static void judge_pick(const struct options *o, const struct document *d)
 {
 	check_circle(d, o);
 	scene_check(&d->scene, SPACE_MODEL, SPACE_DEVICE, d->source.faults);
 }
+
+const struct work pick_work = { run_pick, judge_pick, check_pick, NULL };

@@ -7,7 +7,7 @@
 #include "message/message.h"
 #include "stream/lines.h"
 
-void check_project(const struct options *o)
+static void check_project(const struct options *o)
 {
 	const bool plane = o->plane.n > 0;
 
@@ -110,7 +110,7 @@ static void find_spaces(const struct options *o, const struct scene *s,
 			      SPACE_NDC;
 }
 
-void judge_project(const struct options *o, const struct document *d)
+static void judge_project(const struct options *o, const struct document *d)
 {
 	enum space from, to;
 
@@ -118,7 +118,7 @@ void judge_project(const struct options *o, const struct document *d)
 	scene_check(&d->scene, from, to, d->source.faults);
 }
 
-bool run_project(const struct options *o, struct document *d, struct job *j)
+static bool run_project(const struct options *o, struct document *d, struct job *j)
 {
 	const bool plane = o->plane.n > 0;
 	const bool back = o->ray || plane;
@@ -149,3 +149,5 @@ bool run_project(const struct options *o, struct document *d, struct job *j)
 		return false;
 	return operands_run_job(o, d, from, to, j);
 }
+
+const struct work project_work = { run_project, judge_project, check_project, NULL };

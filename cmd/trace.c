@@ -161,7 +161,7 @@ static void trace_set_axes(const struct options *o, const struct scene *s,
 	*p.at = '\0';
 }
 
-bool run_trace(const struct options *o, struct document *d, struct job *j)
+static bool run_trace(const struct options *o, struct document *d, struct job *j)
 {
 	static struct trace trace;
 	struct refusals *const faults = d->source.faults;
@@ -193,8 +193,10 @@ bool run_trace(const struct options *o, struct document *d, struct job *j)
 	return operands_run_job(o, d, o->from, SPACE_NDC, j);
 }
 
-void judge_trace(const struct options *o, const struct document *d)
+static void judge_trace(const struct options *o, const struct document *d)
 {
 	scene_check(&d->scene, o->from, SPACE_DEVICE, d->source.faults);
 	scene_check(&d->scene, o->from, SPACE_MODEL, d->source.faults);
 }
+
+const struct work trace_work = { run_trace, judge_trace, NULL, NULL };

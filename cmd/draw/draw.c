@@ -46,7 +46,7 @@ static void set_background(const char *name)
 	input_free(&t);
 }
 
-void check_draw(const struct options *o)
+static void check_draw(const struct options *o)
 {
 	if (o->has_from && o->from > SPACE_VIEW)
 		die(EXIT_USAGE, "draw: --from is model, world or view", NULL);
@@ -403,13 +403,13 @@ static void print_picture(struct drawing *w, bool text)
 	}
 }
 
-void judge_draw(const struct options *o, const struct document *d)
+static void judge_draw(const struct options *o, const struct document *d)
 {
 	scene_check(&d->scene, d->flat ? FLAT_WINDOW : o->from,
 	    d->flat ? FLAT_DEVICE : SPACE_DEVICE, d->source.faults);
 }
 
-bool run_draw(const struct options *o, struct document *d, struct job *j)
+static bool run_draw(const struct options *o, struct document *d, struct job *j)
 {
 	static struct drawing w;
 	static struct transform view;
@@ -451,7 +451,9 @@ bool run_draw(const struct options *o, struct document *d, struct job *j)
 	return good;
 }
 
-void finish_draw(void)
+static void finish_draw(void)
 {
 	svg_print();
 }
+
+const struct work draw_work = { run_draw, judge_draw, check_draw, finish_draw };
