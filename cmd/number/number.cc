@@ -8,6 +8,7 @@
 #undef NDEBUG
 #define NDEBUG
 
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,14 +18,10 @@
 #if !defined PLAIN_NUMBERS && __has_include(<dragonbox/dragonbox.h>)
 #include <dragonbox/dragonbox.h>
 #define WRITES_BY_DRAGONBOX 1
-#else
-#include <charconv>
 #endif
 #if !defined PLAIN_NUMBERS && __has_include(<fast_float/fast_float.h>)
 #include <fast_float/fast_float.h>
 #define READS_BY_FAST_FLOAT 1
-#else
-#include <charconv>
 #endif
 
 #include "../../core/exact/wide.h"
