@@ -32,14 +32,19 @@
 /* A window adapts to the device if the document has a device. */
 #define NEEDS_WINDOW NEEDS_ONE(WINDOW, SCENE_DEVICE)
 #define NEEDS_DEVICE NEEDS_ONE(DEVICE, 0)
-#define NEEDS_WINDOW_AND_DEVICE                                            \
+#define NEEDS_BOTH                                                         \
 	.needed = SCENE_WINDOW | SCENE_DEVICE,                             \
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
-#define FLAT_MAP(a, b, members)                                            \
-	COMMAND_MATRIX_2D, &matrix_work,                                   \
-	.wants = { NEEDS_##members },                                      \
-	.from = FLAT_##a, .to = FLAT_##b
+#define THE_WINDOW "the window"
+#define THE_NDC "ndc"
+#define THE_DEVICE "the device"
+#define FLAT_MAP(name, a, b, members, call)                                \
+	{ name, "take 2D points from " THE_##a " to " THE_##b              \
+		", or print the matrix",                                   \
+	    COMMAND_MATRIX_2D, &matrix_work,                               \
+	    .wants = { NEEDS_##members },                                  \
+	    .from = FLAT_##a, .to = FLAT_##b, .example = call }
 
 static const struct command commands[] = {
 	{ "lookat", "print the matrix from world to view",
@@ -59,24 +64,12 @@ static const struct command commands[] = {
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
 	    .example = "-c d3d '{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, "
 	    "\"near\": 0, \"far\": 10}'" },
-	{ "w2n", "take 2D points from the window to ndc, or print the matrix",
-	    FLAT_MAP(WINDOW, NDC, WINDOW),
-	    .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
-	{ "n2w", "take 2D points from ndc to the window, or print the matrix",
-	    FLAT_MAP(NDC, WINDOW, WINDOW),
-	    .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
-	{ "n2d", "take 2D points from ndc to the device, or print the matrix",
-	    FLAT_MAP(NDC, DEVICE, DEVICE),
-	    .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
-	{ "d2n", "take 2D points from the device to ndc, or print the matrix",
-	    FLAT_MAP(DEVICE, NDC, DEVICE),
-	    .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
-	{ "w2d", "take 2D points from the window to the device, or print the matrix",
-	    FLAT_MAP(WINDOW, DEVICE, WINDOW_AND_DEVICE),
-	    .example = FLAT_EXAMPLE " '[22,32]'" },
-	{ "d2w", "take 2D points from the device to the window, or print the matrix",
-	    FLAT_MAP(DEVICE, WINDOW, WINDOW_AND_DEVICE),
-	    .example = FLAT_EXAMPLE " '[210,210]'" },
+	FLAT_MAP("w2n", WINDOW, NDC, WINDOW, "'" WINDOW_EXAMPLE "' '[22,32]'"),
+	FLAT_MAP("n2w", NDC, WINDOW, WINDOW, "'" WINDOW_EXAMPLE "' '[0.5,0.5]'"),
+	FLAT_MAP("n2d", NDC, DEVICE, DEVICE, "'" DEVICE_EXAMPLE "' '[0.5,0.5]'"),
+	FLAT_MAP("d2n", DEVICE, NDC, DEVICE, "'" DEVICE_EXAMPLE "' '[210,90]'"),
+	FLAT_MAP("w2d", WINDOW, DEVICE, BOTH, FLAT_EXAMPLE " '[22,32]'"),
+	FLAT_MAP("d2w", DEVICE, WINDOW, BOTH, FLAT_EXAMPLE " '[210,210]'"),
 	{ "volume",
 	    "print the matrix from view to clip of a view volume of seven numbers",
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
