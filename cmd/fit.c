@@ -67,12 +67,12 @@ static void name_points(const struct options *o, struct document *d)
 	if (d->has_bounds || strcmp(r->where, "/bounds") != 0)
 		return;
 	strcpy(r->where, o->n_points > 0 ? "" : "/points");
-	if (o->n_points > 0)
-		d->source.text = NULL; /* it is not that of the points */
-	if (o->n_points == 1 && input_first_char(o->points[0]) != '[')
-		d->source.name = o->points[0];
-	else if (o->n_points > 0)
-		d->source.name = "POINTS";
+	if (o->n_points == 0)
+		return;
+	d->source.text = NULL; /* it is not that of the points */
+	d->source.name = o->n_points == 1 && input_first_char(o->points[0]) != '[' ?
+	    o->points[0] :
+	    "POINTS";
 }
 
 /* Refuses bounds that are given twice, or not at all. */

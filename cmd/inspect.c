@@ -35,15 +35,21 @@ static const char *const buffer_names[] = {
 	[DEPTH_FLOAT32] = "float32",
 };
 
+/* Puts a member's name, and null if it does not exist. Returns whether it does. */
+static bool put_existing(struct printer *p, const char *name, bool exists)
+{
+	put_name(p, name);
+	if (!exists)
+		put_literal(p, "null");
+	return exists;
+}
+
 /* Puts a member: an array of rows of n numbers each, or null if is_null is true. */
 static void put_rows(struct printer *p, const char *name, const double *v, int rows,
     int n, bool is_null)
 {
-	put_name(p, name);
-	if (is_null) {
-		put_literal(p, "null");
+	if (!put_existing(p, name, !is_null))
 		return;
-	}
 	put_open(p, "[");
 	for (int i = 0; i < rows; i++)
 		put_numbers(p, v + i * n, n);
@@ -64,11 +70,8 @@ static void put_object(struct printer *p, const char *name, const char *const *n
 
 static void put_camera(struct printer *p, const struct rigid *r)
 {
-	put_name(p, "camera");
-	if (!r->exists) {
-		put_literal(p, "null");
+	if (!put_existing(p, "camera", r->exists))
 		return;
-	}
 	put_open(p, "{");
 	put_numbers(put_name(p, "eye"), r->eye, 3);
 	put_numbers(put_name(p, "orientation"), r->orientation, 4);
@@ -173,10 +176,9 @@ static bool put_bounds(struct printer *p, const struct document *d)
 	put_open(put_name(p, "bounds"), "{");
 	if (!d->flat)
 		put_numbers(put_name(p, "distance"), r.distance, 2);
-	put_name(p, (d->flat ? s->has_device : s->has_viewport) ? "device" : "ndc");
-	if (isnan(r.min[0])) {
-		put_literal(p, "null");
-	} else {
+	const bool device = d->flat ? s->has_device : s->has_viewport;
+
+	if (put_existing(p, device ? "device" : "ndc", !isnan(r.min[0]))) {
 		put_open(p, "{");
 		put_numbers(put_name(p, "min"), r.min, 2);
 		put_numbers(put_name(p, "max"), r.max, 2);
@@ -198,23 +200,10 @@ static bool put_window(struct printer *p, const struct document *d)
 	if (!scene_window_extent(s, &w, d->source.faults))
 		return false;
 	put_object(p, "window", sides, 4, w.edge, 0);
-	put_name(p, "device");
-	if (s->has_device)
+	if (put_existing(p, "device", s->has_device))
 		put_device(p, &s->device);
-	else
-		put_literal(p, "null");
 	put_numbers(put_name(p, "scale"), w.scale, 2);
 	return put_bounds(p, d);
-}
-
-/* Puts the picture's scene, or null. */
-static void put_found_scene(struct printer *p, const struct picture *r)
-{
-	put_name(p, "scene");
-	if (r->has_scene)
-		put_scene(p, &r->scene);
-	else
-		put_literal(p, "null");
 }
 
 /* Returns what a note says, with the numbers of the picture that it is about. */
@@ -269,7 +258,8 @@ static bool put_projection(struct printer *p, const struct document *d,
 	}
 	if (!put_bounds(p, d))
 		return false;
-	put_found_scene(p, &r);
+	if (put_existing(p, "scene", r.has_scene))
+		put_scene(p, &r.scene);
 	put_notes(p,
 	    notes_of_document(d, r.notes) |
 		(o->quiet ? 0 : notes_of_spaces(d, SPACE_MODEL, SPACE_DEVICE)),
