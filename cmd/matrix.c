@@ -10,7 +10,6 @@
 #include "message/message.h"
 #include "scene/types.h"
 #include "call/option_row.h"
-#include "stream/lines.h"
 
 /* Puts a row of n elements. Binary is for row vectors: column vectors need the same
  * bytes, stored by columns. */
@@ -141,8 +140,6 @@ static bool run_matrix(const struct options *o, struct document *d, struct job *
 	j->count_imageless = !planes;
 	j->layout.from = flat ? flat_names[from - FLAT_WINDOW] : space_names[from];
 	j->layout.output.space = flat ? flat_names[to - FLAT_WINDOW] : space_names[to];
-	if (o->lines && !lines_prepare(&d->scene, from, to, j, d->source.faults))
-		return false;
 	return operands_run_job(o, d, from, to, j);
 }
 

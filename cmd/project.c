@@ -5,7 +5,6 @@
 #include "matrix.h"
 #include "call/option_row.h"
 #include "message/message.h"
-#include "stream/lines.h"
 
 static void check_project(const struct options *o)
 {
@@ -145,8 +144,6 @@ static bool run_project(const struct options *o, struct document *d, struct job 
 		return matrix_print(o, d, &j->transform);
 	j->layout.from = space_names[from];
 	j->layout.output.space = space_names[to];
-	if (o->lines && !lines_prepare(&d->scene, from, to, j, d->source.faults))
-		return false;
 	return operands_run_job(o, d, from, to, j);
 }
 

@@ -11,6 +11,7 @@
 #include "../message/message.h"
 #include "../message/utf8.h"
 #include "../number/number.h"
+#include "../stream/lines.h"
 #include "input.h"
 
 #define PARAMS_HINT \
@@ -459,6 +460,9 @@ static enum behind find_behind(const struct scene *s, enum space from, enum spac
 bool operands_run_job(const struct options *o, struct document *d, enum space from,
     enum space to, struct job *j)
 {
+	if (o->lines && o->command->kind != COMMAND_DRAW &&
+	    !lines_prepare(&d->scene, from, to, j, d->source.faults))
+		return false;
 	prepare_job(j, o);
 	j->behind = find_behind(&d->scene, from, to, j);
 	if (o->n_points == 0 && d->points == NULL && input_is_stdin(o->params)) {

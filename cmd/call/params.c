@@ -320,9 +320,9 @@ bool params_read_document(const struct options *o, struct document *d,
 {
 	struct document_wants wants = o->command->wants;
 
-	while (!o->scenes && params_more())
-		continue;
 	if (!o->scenes) {
+		while (params_more())
+			continue;
 		params_skip_blanks();
 		params.end = params.text.size;
 	}
