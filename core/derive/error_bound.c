@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "error_bound.h"
 
-#include <math.h>
-
 struct arithmetic {
 	double u;     /* unit roundoff */
 	double tiny;  /* least normal number */

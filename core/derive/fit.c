@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fit.h"
 
-#include <math.h>
-
 #include "frustum.h"
 
 static bool refuse_range(struct refusals *faults)

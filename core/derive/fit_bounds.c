@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fit_bounds.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "frustum.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "fit_points.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "../points/transform.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "frustum.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "../points/distance.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "note.h"
 
-#include <math.h>
-
 bool note_is_rotation(const double r[3][3], double tolerance, bool mirrored)
 {
 	double det = 0;

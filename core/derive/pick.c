@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "pick.h"
 
-#include <math.h>
-
 #include "../points/point.h"
 #include "frustum.h"
 

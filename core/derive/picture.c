@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "../exact/trig.h"
 #include "error_bound.h"
 #include "upright.h"
 
@@ -285,7 +284,7 @@ static unsigned note_of_numbers(const struct lens *l, const struct upright *u,
 {
 	const struct scene *s = &l->scene;
 	const struct projection *p = &s->projection;
-	const bool by_angle = p->section.way <= SECTION_VIEW_ANGLE ||
+	const bool by_angle = section_is_by_angle(p->section.way) ||
 	    p->section.way == SECTION_ANGLES;
 
 	return note_if(r->near > r->far && !is_reverse_volume(l, r) &&

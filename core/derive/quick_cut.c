@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "quick_cut.h"
 
-#include <math.h>
-
 /* A number with a bound of its error. With u = 2^-53, a sum of two dd is within 3 u^2
  * of the sum of their magnitudes, and a product within 7 u^2 of its own (Joldes, Muller
  * and Popescu, Tight and Rigorous Error Bounds for Basic Building Blocks of Double-Word

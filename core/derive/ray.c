@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "ray.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "../points/kernel/midway.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "rigid.h"
 
-#include <math.h>
-
 #include "../exact/rotation.h"
 #include "note.h"
 
@@ -71,8 +69,8 @@ static bool find_nearest_placement(const struct lens *l, struct placement *f)
 	return true;
 }
 
-/* Finds the scene's camera. X is negated if the answer has the other handedness. Returns
- * false if no rotation is the nearest. */
+/* Finds the scene's camera. X is negated if the answer has the other handedness.
+ * Returns false if no rotation is the nearest. */
 static bool find_placement(const struct lens *l, struct placement *f)
 {
 	const struct scene *s = &l->scene;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "textbook.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "../points/point.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "upright.h"
 
-#include <math.h>
-
 /* Sets the axes to those of view space. They are turned by 180 degrees about Y if w
  * grows against the convention's gaze, and X is negated if l->mirrors. Returns false
  * if the axes do not make the map upright. */

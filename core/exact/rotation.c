@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "rotation.h"
 
-#include <math.h>
-
-#include "trig.h"
-
 /* Computes the symmetric matrix K with q' K q = trace(Q' M), where Q is the rotation of
  * the unit quaternion q, and ' transposes. The quaternion of the rotation nearest to M
  * is the eigenvector of the largest eigenvalue of K (Horn, "Closed-form solution of

@@ -2,7 +2,6 @@
 #include "sum.h"
 
 #include <limits.h>
-#include <string.h>
 
 /* The number of words of a quotient that decide its rounding. The highest word can be
  * as small as 1; ex_divide sets the last bit if the quotient is not exact. */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "projection.h"
 
-#include <math.h>
-
 /* Returns whether a matrix that is not affine has the last row, but not the last
  * column, 0 0 1 0 or 0 0 -1 0, as transposed perspective matrices have. */
 static bool is_transposed(const double m[4][4])

@@ -64,7 +64,7 @@ static bool parallel_map(const struct projection *p, const struct convention *c,
 
 	(void)c, (void)faults;
 	ortho_matrix(p, &f);
-	if (projection_is_sheared(p))
+	if (p->type == PROJECTION_OBLIQUE)
 		shear(p, &f);
 	scaled_map(&f, inverse, r);
 	return true;

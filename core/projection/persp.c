@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "projection.h"
 
-#include <math.h>
-
 /* Sets z[2] / d[2] = f/(f-n) and t[2] / d[2] = -nf/(f-n) for near n and far f, or their
  * limits for an infinite f. reverse_z exchanges n and f. Without planes, where near is
  * 0, depth is 1/w. */

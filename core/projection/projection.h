@@ -82,8 +82,11 @@ static inline bool projection_is_open(const struct projection *p)
 /* Returns whether p is a persp whose size or edges are given on the near plane. */
 static inline bool projection_is_given_at_near(const struct projection *p)
 {
+	const enum section_way way = p->section.way;
+
 	return projection_family(p) == FAMILY_PERSP && p->section.edges_at == 0 &&
-	    section_is_at_distance(p->section.way);
+	    (way == SECTION_SIZE || way == SECTION_WIDTH || way == SECTION_HEIGHT ||
+		way == SECTION_EDGES);
 }
 
 /* Returns whether the projection is a persp given by the intrinsics P. */

@@ -28,13 +28,6 @@ static inline bool section_is_by_angle(enum section_way way)
 	return way == SECTION_FOVY || way == SECTION_FOVX || way == SECTION_VIEW_ANGLE;
 }
 
-/* Returns whether a way gives sizes or edges, which are at a distance. */
-static inline bool section_is_at_distance(enum section_way way)
-{
-	return way == SECTION_SIZE || way == SECTION_WIDTH || way == SECTION_HEIGHT ||
-	    way == SECTION_EDGES;
-}
-
 struct projection_section {
 	enum section_way way;
 	double angle;

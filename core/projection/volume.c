@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "volume.h"
 
-#include <math.h>
-
 #include "projection.h"
 
 static void volume_section(const struct projection *p, struct scaled_matrix *f)

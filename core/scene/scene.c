@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "scene.h"
 
-#include <string.h>
-
 bool scene_is_size(double v)
 {
 	return v >= SCENE_SIZE_MIN && v <= SCENE_MAGNITUDE_MAX;
