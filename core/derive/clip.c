@@ -2,6 +2,7 @@
 #include "clip.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "../points/kernel/midway.h"
 
@@ -88,8 +89,7 @@ bool clipper_of(const struct scene *s, enum space from, enum space to,
 void clip_vertex_set(struct clip_vertex *v, const struct clipper *c, const double *in,
     size_t index, unsigned outside)
 {
-	for (int i = 0; i < c->in; i++)
-		v->in[i] = in[i];
+	memcpy(v->in, in, (size_t)c->in * sizeof *in);
 	v->index = index;
 	v->outside = outside;
 	v->on = 0;
@@ -104,15 +104,7 @@ static int elements(const struct clipper *c)
 static void vertex_copy(const struct clipper *c, struct clip_vertex *r,
     const struct clip_vertex *v)
 {
-	r->cut = v->cut;
-	r->on = v->on;
-	r->located = v->located;
-	r->index = v->index;
-	r->outside = v->outside;
-	for (int i = 0; i < c->in; i++) {
-		r->in[i] = v->in[i];
-		r->other[i] = v->other[i];
-	}
+	memcpy(r, v, offsetof(struct clip_vertex, at));
 	for (int j = 0; j < elements(c) && v->located; j++)
 		sum_copy(&r->at[j], &v->at[j]);
 }
@@ -263,10 +255,8 @@ static void cut_vertex(const struct clipper *c, const struct crossing *x,
 	r->located = x->exact;
 	r->outside = x->exact ? OUT_BEHIND : 0;
 	r->on = (p->on & q->on) | 1u << x->plane;
-	for (int i = 0; i < c->in && !x->exact; i++) {
-		r->in[i] = p->in[i];
-		r->other[i] = q->in[i];
-	}
+	memcpy(r->in, p->in, sizeof r->in);
+	memcpy(r->other, q->in, sizeof r->other);
 	if (x->exact)
 		cut_at(c, p->at, &x->side[0], q->at, &x->side[1], r->at);
 }
