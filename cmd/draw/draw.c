@@ -14,6 +14,7 @@
 #include "../call/option_row.h"
 #include "../stream/runs.h"
 #include "braille.h"
+#include "hidden.h"
 #include "obj.h"
 #include "svg.h"
 
@@ -382,8 +383,7 @@ static void note_empty(const struct drawing *w, const struct document *d)
 {
 	const struct picture *p = &w->picture;
 
-	if (!message_state.quiet && w->mesh.points > 0 &&
-	    p->segments + p->faces == 0)
+	if (!message_state.quiet && w->mesh.points > 0 && p->segments + p->faces == 0)
 		document_note(d, "", "nothing is in the picture",
 		    "'trace' says which planes points are outside of");
 }
@@ -398,7 +398,7 @@ static void print_picture(struct drawing *w, bool text)
 		printed = true;
 		braille_print(&w->picture, braille_columns());
 	} else {
-		picture_hide(&w->picture);
+		hidden_remove(&w->picture);
 		svg_add(&w->picture, &w->frame);
 	}
 }

@@ -2,7 +2,7 @@
 /* Removes hidden lines. A face hides an interval of a segment: where the segment is
  * inside its outline, and beyond its plane. What no interval covers is visible. The
  * faces that may hide a segment are found in a tree of boxes. */
-#include "picture.h"
+#include "hidden.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -23,7 +23,6 @@ struct node {
 
 struct tree {
 	struct node *node;
-	unsigned *face; /* the faces, neighbours side by side */
 	unsigned nodes;
 };
 
@@ -39,29 +38,6 @@ static struct intervals {
 
 enum { LEAF_FACES = 4 };
 
-double picture_beyond(const struct picture *p, const struct face *f, const double at[3])
-{
-	const double *o = p->corner[f->first], *n = f->normal;
-	const double beyond = n[0] * (at[0] - o[0]) + n[1] * (at[1] - o[1]) +
-	    n[2] * (at[2] - o[2]);
-	const double z = p->parallel ? 1 : fabs(at[2]);
-
-	return beyond - 0x1p-18 * (fabs(n[0]) + fabs(n[1]) + n[2] * z);
-}
-
-int picture_shared(const struct face *f, const unsigned vertex[2], int *which)
-{
-	int count = 0;
-
-	for (int i = 0; i < 2; i++)
-		for (int k = 0; k < 3 && vertex[i] != NO_VERTEX; k++)
-			if (f->vertex[k] == vertex[i]) {
-				*which = i;
-				count++;
-			}
-	return count;
-}
-
 /* Puts 16 bits on the even places of 32. */
 static uint32_t spread(double v)
 {
@@ -73,16 +49,11 @@ static uint32_t spread(double v)
 	return (x | x << 1) & 0x55555555;
 }
 
-struct key {
-	uint32_t place, face; /* the place is along Morton's curve */
-};
-
-static int compare_keys(const void *a, const void *b)
+static int compare_places(const void *a, const void *b)
 {
-	const struct key *p = a, *q = b;
+	const struct face *p = a, *q = b;
 
-	return p->place != q->place ? (p->place > q->place) - (p->place < q->place) :
-				      (p->face > q->face) - (p->face < q->face);
+	return (p->place > q->place) - (p->place < q->place);
 }
 
 static void node_hold(struct node *node, const double low[3], const double high[3])
@@ -105,8 +76,7 @@ static void tree_add(struct tree *t, const struct picture *p, unsigned first,
 	if (n <= LEAF_FACES) {
 		node->count = n;
 		for (unsigned i = first; i < first + n; i++)
-			node_hold(node, p->face[t->face[i]].low,
-			    p->face[t->face[i]].high);
+			node_hold(node, p->face[i].low, p->face[i].high);
 	} else {
 		half[0] = &t->node[t->nodes];
 		tree_add(t, p, first, n / 2);
@@ -118,27 +88,18 @@ static void tree_add(struct tree *t, const struct picture *p, unsigned first,
 	node->end = t->nodes;
 }
 
-static void tree_make(struct tree *t, const struct picture *p)
+/* Makes the tree of a picture with faces, which it sorts along Morton's curve. */
+static void tree_make(struct tree *t, struct picture *p)
 {
-	const size_t n = p->faces;
-	struct key *key = xrealloc(NULL, (n + 1) * sizeof *key);
+	for (size_t i = 0; i < p->faces; i++) {
+		struct face *f = &p->face[i];
 
-	for (size_t i = 0; i < n; i++) {
-		const struct face *f = &p->face[i];
-
-		key[i] = (struct key){ spread((f->low[0] + f->high[0]) / 2) |
-			    spread((f->low[1] + f->high[1]) / 2) << 1,
-			(uint32_t)i };
+		f->place = spread((f->low[0] + f->high[0]) / 2) |
+		    spread((f->low[1] + f->high[1]) / 2) << 1;
 	}
-	qsort(key, n, sizeof *key, compare_keys);
-	t->face = xrealloc(NULL, (n + 1) * sizeof *t->face);
-	t->node = xrealloc(NULL, (n + 1) * sizeof *t->node);
-	t->nodes = 0;
-	for (size_t i = 0; i < n; i++)
-		t->face[i] = key[i].face;
-	free(key);
-	if (n > 0)
-		tree_add(t, p, 0, (unsigned)n);
+	qsort(p->face, p->faces, sizeof *p->face, compare_places);
+	t->node = xrealloc(NULL, p->faces * sizeof *t->node);
+	tree_add(t, p, 0, (unsigned)p->faces);
 }
 
 /* Makes [*from, *to] the part of the segment that is inside the outline of a face. */
@@ -235,7 +196,7 @@ static void hide(const struct picture *p, const struct tree *t, const struct seg
 			continue;
 		}
 		for (unsigned k = 0; k < node->count; k++) {
-			const struct face *f = &p->face[t->face[node->first + k]];
+			const struct face *f = &p->face[node->first + k];
 			const size_t n = hidden.n;
 
 			if (f->low[0] <= high[0] && f->high[0] >= low[0] &&
@@ -298,7 +259,7 @@ static void add_parts(struct picture *p, const struct segment *s)
 		add_part(p, s, begin, 1);
 }
 
-void picture_hide(struct picture *p)
+void hidden_remove(struct picture *p)
 {
 	struct segment *given = p->segment;
 	const size_t segments = p->segments;
@@ -315,5 +276,4 @@ void picture_hide(struct picture *p)
 	}
 	free(given);
 	free(t.node);
-	free(t.face);
 }

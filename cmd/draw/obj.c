@@ -169,33 +169,22 @@ static bool read_shape(struct reader *r, int kind)
 	return r->any = true;
 }
 
-static bool is_vertex(struct span word)
-{
-	return word.end - word.s == 1 && *word.s == 'v';
-}
-
-static bool read_point_line(struct reader *r, struct span word)
-{
-	return !is_vertex(word) || read_vertex(r);
-}
-
-static bool read_shape_line(struct reader *r, struct span word)
+/* Reads a line that begins with a word: first the points, then the shapes. */
+static bool read_line(struct reader *r, struct span word, bool shapes_now)
 {
 	const size_t n = (size_t)(word.end - word.s);
 	char name[24] = "";
 
-	if (is_vertex(word)) {
-		r->above++;
-		return true;
-	}
+	if (n == 1 && *word.s == 'v')
+		return shapes_now ? ++r->above > 0 : read_vertex(r);
 	if (n < sizeof name)
 		memcpy(name, word.s, n);
 	/* fo is what f was called once */
-	for (int k = 0; k < 3; k++)
+	for (int k = 0; k < 3 && shapes_now; k++)
 		if (*name == shapes[k].letter &&
 		    (name[1] == '\0' || strcmp(name, "fo") == 0))
 			return read_shape(r, k);
-	return word_is_one_of(name, other_words) ||
+	return !shapes_now || word_is_one_of(name, other_words) ||
 	    obj_refuse(r,
 		text("'%.*s' begins no line of an OBJ file", n < 20 ? (int)n : 20,
 		    word.s),
@@ -217,9 +206,7 @@ static void skip_line(struct reader *r)
 	r->s = newline != NULL ? newline + 1 : r->end;
 }
 
-/* Gives the first word of each line to a function, until one returns false. */
-static bool read_lines(struct reader *r, const char *from,
-    bool (*read)(struct reader *, struct span word))
+static bool read_lines(struct reader *r, const char *from, bool shapes_now)
 {
 	struct span word;
 
@@ -227,7 +214,7 @@ static bool read_lines(struct reader *r, const char *from,
 	r->next_line = 0;
 	while (r->s < r->end) {
 		r->line = ++r->next_line;
-		if (next_word(r, &word) && !read(r, word))
+		if (next_word(r, &word) && !read_line(r, word, shapes_now))
 			return false;
 		skip_line(r);
 	}
@@ -254,8 +241,7 @@ bool obj_read(struct span file, bool flat, struct mesh *m, struct refusal *fault
 	struct reader r = { .mesh = m, .flat = flat, .fault = fault, .end = file.end };
 	const char *const s = skip_bom(file.s, file.end);
 	bool good = !format_is_foreign(s, (size_t)(r.end - s), false, fault) &&
-	    is_text(&r, s) && read_lines(&r, s, read_point_line) &&
-	    read_lines(&r, s, read_shape_line);
+	    is_text(&r, s) && read_lines(&r, s, false) && read_lines(&r, s, true);
 
 	if (good && r.points == 0)
 		good = obj_refuse(&r, "the file has no points", "v 1 2 3 is one");

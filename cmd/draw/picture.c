@@ -35,38 +35,31 @@ void picture_add_segment(struct picture *p, const struct segment *s)
 	p->segment[p->segments++] = *s;
 }
 
-/* The distances of all that is in the picture. */
-struct extent {
-	double least, most;
-};
-
-static void extent_hold(struct extent *e, double distance)
+/* Returns z of corner i or, from the last one on, of an end of a segment. */
+static double *z_at(const struct picture *p, size_t i)
 {
-	e->least = fmin(e->least, distance);
-	e->most = fmax(e->most, distance);
-}
+	const size_t end = i - p->corners;
 
-static void set_depth(const struct picture *p, const struct extent *e, double at[3])
-{
-	if (!p->parallel)
-		at[2] = (p->reverse ? e->least : -e->least) / at[2];
-	else
-		at[2] = e->most > e->least ? (at[2] - e->least) / (e->most - e->least) :
-					     0;
+	return i < p->corners ? &p->corner[i][2] : &p->segment[end / 2].end[end % 2][2];
 }
 
 static void set_depths(struct picture *p)
 {
-	struct extent e = { HUGE_VAL, -HUGE_VAL };
+	const size_t n = p->corners + 2 * p->segments;
+	double least = HUGE_VAL, most = -HUGE_VAL;
 
-	for (size_t i = 0; i < p->corners; i++)
-		extent_hold(&e, p->corner[i][2]);
-	for (size_t i = 0; i < 2 * p->segments; i++)
-		extent_hold(&e, p->segment[i / 2].end[i % 2][2]);
-	for (size_t i = 0; i < p->corners; i++)
-		set_depth(p, &e, p->corner[i]);
-	for (size_t i = 0; i < 2 * p->segments; i++)
-		set_depth(p, &e, p->segment[i / 2].end[i % 2]);
+	for (size_t i = 0; i < n; i++) {
+		least = fmin(least, *z_at(p, i));
+		most = fmax(most, *z_at(p, i));
+	}
+	for (size_t i = 0; i < n; i++) {
+		double *const z = z_at(p, i);
+
+		if (p->parallel)
+			*z = most > least ? (*z - least) / (most - least) : 0;
+		else
+			*z = (p->reverse ? least : -least) / *z;
+	}
 }
 
 /* Sets the box and the plane of a face, by the products of its sides from its first

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* What a viewport shows: the images of segments and faces that are in the view volume. x and y are from the viewport's top left corner, to the right and down; 1 is
- * its greater side. z grows away from the eye, and planes stay planes: it is the
- * distance along the gaze of a parallel projection, 0 at the nearest, else -1 over the
- * distance, -1 at the nearest; in a reverse perspective, which looks toward its eye, 1
- * over the distance. */
+/* What a viewport shows: the images of segments and faces that are in the view volume.
+ * x and y are from the viewport's top left corner, to the right and down; 1 is its
+ * greater side. z grows away from the eye, and planes stay planes: it is the distance
+ * along the gaze of a parallel projection, 0 at the nearest, else -1 over the distance,
+ * -1 at the nearest; in a reverse perspective, which looks toward its eye, 1 over the
+ * distance. */
 #pragma once
+
+#include <math.h>
 
 #include "../message/utf8.h"
 #include "mesh.h"
@@ -19,6 +22,7 @@ struct face {
 	size_t first; /* of its corners, counterclockwise where y points up */
 	unsigned n, vertex[3];
 	float view_normal[3], light; /* the light is from 0 to 1 */
+	uint32_t place;              /* where hidden.c sorts it */
 };
 
 struct segment {
@@ -52,14 +56,31 @@ void picture_complete(struct picture *, const double lamp[3], const double gaze[
 /* Returns how far `at` is beyond the plane of a face, times normal[2]. It is above 0
  * only if it is more than what the digits of usual files leave open: 2^-18, relative to
  * the picture and to z. So lines on a face are not beyond it. */
-double picture_beyond(const struct picture *, const struct face *, const double at[3]);
+static inline double picture_beyond(const struct picture *p, const struct face *f,
+    const double at[3])
+{
+	const double *o = p->corner[f->first], *n = f->normal;
+	const double beyond = n[0] * (at[0] - o[0]) + n[1] * (at[1] - o[1]) +
+	    n[2] * (at[2] - o[2]);
+	const double z = p->parallel ? 1 : fabs(at[2]);
 
-/* Returns whether the vertices of a segment are corners of a face: 0, 1 or both; then 1
- * of *which is its index. */
-int picture_shared(const struct face *, const unsigned vertex[2], int *which);
+	return beyond - 0x1p-18 * (fabs(n[0]) + fabs(n[1]) + n[2] * z);
+}
 
-/* Replaces segments by those parts of them that no face hides. Parts and gaps below
- * 1e-5 of the picture are not told apart. */
-void picture_hide(struct picture *);
+/* Returns how many vertices of a segment are corners of a face: 0, 1 or both; if 1,
+ * *which is its index. */
+static inline int picture_shared(const struct face *f, const unsigned vertex[2],
+    int *which)
+{
+	int count = 0;
+
+	for (int i = 0; i < 2; i++)
+		for (int k = 0; k < 3 && vertex[i] != NO_VERTEX; k++)
+			if (f->vertex[k] == vertex[i]) {
+				*which = i;
+				count++;
+			}
+	return count;
+}
 
 void picture_free(struct picture *);

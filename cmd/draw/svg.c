@@ -146,8 +146,7 @@ static void put_names(const struct picture *p, const struct frame *f)
 /* Puts the attributes of a rectangle whose top is at y. */
 static void put_box(const struct frame *f, double y)
 {
-	put(" x=\"%\" y=\"%\" width=\"%\" height=\"%\"", f->x, y, f->width,
-	    f->height);
+	put(" x=\"%\" y=\"%\" width=\"%\" height=\"%\"", f->x, y, f->width, f->height);
 }
 
 /* Over a background each path is drawn twice: light and wide, then dark. */

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../draw/braille.h"
+#include "../draw/hidden.h"
 #include "../draw/obj.h"
 #include "../draw/svg.h"
 #include "../message/message.h"
@@ -65,6 +66,17 @@ static bool is_inside(const double at[3])
 	return at[0] >= 0 && at[0] <= 1 && at[1] >= 0 && at[1] <= 1;
 }
 
+static void add_segment(const struct mesh *m, struct picture *p, unsigned from,
+    unsigned to, enum stroke stroke)
+{
+	struct segment s = { .vertex = { from, to }, .stroke = stroke };
+
+	for (int k = 0; k < 2; k++)
+		place(m, s.vertex[k], s.end[k]);
+	if (is_inside(s.end[0]) && is_inside(s.end[1]))
+		picture_add_segment(p, &s);
+}
+
 static void make_picture(const struct mesh *m, struct picture *p)
 {
 	const double axis[3] = { 0, 0, 1 };
@@ -85,23 +97,11 @@ static void make_picture(const struct mesh *m, struct picture *p)
 		else
 			p->corners = first;
 	}
-	for (size_t i = 0; i < m->segments; i++) {
-		struct segment s = { .stroke = m->segment[i].stroke };
-
-		for (int k = 0; k < 2; k++) {
-			s.vertex[k] = m->segment[i].end[k];
-			place(m, s.vertex[k], s.end[k]);
-		}
-		if (is_inside(s.end[0]) && is_inside(s.end[1]))
-			picture_add_segment(p, &s);
-	}
-	for (size_t i = 0; i < m->dots; i++) {
-		struct dot dot = { .vertex = m->dot[i].vertex };
-
-		place(m, dot.vertex, dot.at);
-		if (is_inside(dot.at))
-			picture_add_dot(p, &dot);
-	}
+	for (size_t i = 0; i < m->segments; i++)
+		add_segment(m, p, m->segment[i].end[0], m->segment[i].end[1],
+		    m->segment[i].stroke);
+	for (size_t i = 0; i < m->dots; i++)
+		add_segment(m, p, m->dot[i].vertex, m->dot[i].vertex, STROKE_DOT);
 	picture_complete(p, axis, axis);
 }
 
@@ -120,7 +120,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		check_mesh(&m);
 		make_picture(&m, &p);
 		braille_print(&p, COLUMNS);
-		picture_hide(&p);
+		hidden_remove(&p);
 		for (size_t i = 0; i < p.segments; i++)
 			for (int k = 0; k < 2; k++)
 				want(p.segment[i].end[k][0] >= -1e-9 &&

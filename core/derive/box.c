@@ -49,9 +49,9 @@ static void widen(double *min, double *max, const struct sum *n, const struct su
 	*max = fmax(*max, v);
 }
 
-/* Sets the slopes along the steps of column j of m. Their length g gives v - g and v + g
- * as the least and the greatest value on the sphere, or ellipsoid, where v is the value
- * at the centre. */
+/* Sets the slopes along the steps of column j of m. If v is the value at the centre,
+ * and g the slopes' length, v - g and v + g are the least and the greatest value on the
+ * sphere, or ellipsoid. */
 static void ball_slopes(const struct body *b, const struct map *m, int j,
     struct sum slope[3])
 {

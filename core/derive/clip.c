@@ -456,8 +456,7 @@ static void learn_edge(struct clipper *c, struct clip_vertex *v)
 	c->quick.edge[plane] = image[plane / 2];
 }
 
-void clip_image(struct clipper *c, struct clip_vertex *v, bool single,
-    double image[4])
+void clip_image(struct clipper *c, struct clip_vertex *v, bool single, double image[4])
 {
 	if (quick_image(c, v, single, image))
 		return;

@@ -16,8 +16,8 @@
  * space, over divisor and weight. */
 struct clipper {
 	struct map to_base, to_target;
-	struct map depth; /* of by_distance: z is column 2 over column 3 */
 	const struct map *sides, *ends; /* the planes (frustum.h) */
+	struct map depth; /* of by_distance: z is column 2 over column 3 */
 	int in, out;      /* coordinates of a point, and of an image */
 	int planes;       /* that exist: 4 or 6 */
 	bool mapped;      /* the points are not of the space where they are cut */
