@@ -56,7 +56,7 @@ static bool largest_root(struct sum s, struct sum d, struct sum k, double least,
  * largest column of the adjugate of k, which is a multiple of q q'. The error of x,
  * below 2^-260 gap (see largest_root), adds multiples of the other three eigenvectors.
  * Each is shorter than 2^-260 times the adjugate's norm, and than 2^-259 times q. The
- * errors of the elements, for which see nearest_quaternion, add 2^-256. */
+ * errors of the elements, for which see rotation_nearest, add 2^-256. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);
@@ -90,8 +90,7 @@ enum { ELEMENT_WORDS = 25 };
 /* Let the elements have errors up to e. Then the determinant of their values must
  * exceed its error, and the quaternion is that of the values. K is off by less than 9
  * e, and so the quaternion turns by less than 9 e / gap: see `least` for gap. */
-static enum rotation_result nearest_quaternion(const struct sum matrix[4][4],
-    struct sum q[4])
+enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum q[4])
 {
 	struct sum cut = sum_of_power(-64 * ELEMENT_WORDS);
 	struct sum m[4][4] = { 0 }, k[4][4], x, s = sum_of_double(0);
@@ -136,95 +135,6 @@ static enum rotation_result nearest_quaternion(const struct sum matrix[4][4],
 		k[i][i] = sum_sub(k[i][i], x);
 	eigenvector(k, q);
 	return ROTATION_FOUND;
-}
-
-/* Returns the value of a sum without the words below 2^-320, as an exact number. */
-static struct sum without_low_words(const struct sum *a)
-{
-	const int kept = a->value.n + a->value.e + 5;
-
-	return sum_truncate(*a, kept > a->value.n ? a->value.n : kept > 0 ? kept : 0);
-}
-
-/* Computes D = R'R - I, and returns the magnitude of its largest element. */
-static double excess_of(const struct sum r[3][3], struct sum d[3][3])
-{
-	struct sum column[3][3];
-	double most = 0;
-
-	for (int i = 0; i < 9; i++)
-		sum_copy(&column[i / 3][i % 3], &r[i % 3][i / 3]);
-	for (int i = 0; i < 3; i++)
-		for (int j = i; j < 3; j++) {
-			struct sum e = vec3_dot(column[i], column[j]);
-
-			if (i == j)
-				e = sum_sub(e, sum_one);
-			d[i][j] = d[j][i] = without_low_words(&e);
-			most = fmax(most, fabs(sum_double(e)));
-		}
-	return most;
-}
-
-/* Computes the rotation nearest to a matrix that all but is one, or returns false. In
- * the iteration of Newton and Schulz R becomes R - R D / 2, which has the same polar
- * factor, and D becomes (D^3 - 3 D^2) / 4: its norm, at first below 3 * 2^-20, is
- * squared. The last step begins below 3 * 2^-132 and leaves less than 2^-259, which
- * bounds the distance to the rotation, too; the words that are left out add less than
- * 2^-312. Errors of the elements up to e turn the rotation by less than 4 e. */
-static bool near_rotation(const struct sum matrix[4][4], struct sum r[3][3])
-{
-	struct sum d[3][3], bound = sum_of_power(-258);
-	double excess, m[3][3], det = 0;
-	int error = 0;
-
-	for (int i = 0; i < 9; i++) {
-		const struct sum *a = &matrix[i / 3][i % 3];
-
-		error = a->error > error ? a->error : error;
-		r[i / 3][i % 3] = without_low_words(a);
-		m[i / 3][i % 3] = sum_double(r[i / 3][i % 3]);
-	}
-	for (int j = 0, k = 1, n = 2; j < 3; j++, k = n, n = (n + 1) % 3)
-		det += m[0][j] * (m[1][k] * m[2][n] - m[1][n] * m[2][k]);
-	if (!(det > 0) || error > EX_RANGE - 262)
-		return false;
-	do {
-		excess = excess_of(r, d);
-		if (!(excess < 0x1p-20))
-			return false;
-		for (int i = 0; i < 3; i++) {
-			struct sum step[3];
-
-			for (int j = 0; j < 3; j++)
-				step[j] = sum_scale(vec3_dot(r[i], d[j]), -0.5);
-			for (int j = 0; j < 3; j++) {
-				const struct sum sum = sum_add(r[i][j], step[j]);
-
-				r[i][j] = without_low_words(&sum);
-			}
-		}
-	} while (excess >= 0x1p-132);
-	if (error > 0)
-		bound = sum_add(bound, sum_of_power(error - EX_RANGE + 2));
-	for (int i = 0; i < 9; i++)
-		r[i / 3][i % 3] = sum_add_error(r[i / 3][i % 3], bound);
-	return true;
-}
-
-enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum r[3][3],
-    struct sum *d)
-{
-	struct sum q[4];
-
-	*d = sum_one;
-	if (near_rotation(matrix, r))
-		return ROTATION_FOUND;
-	const enum rotation_result result = nearest_quaternion(matrix, q);
-
-	if (result == ROTATION_FOUND)
-		rotation_of_quaternion(q, r, d);
-	return result;
 }
 
 /* Computes d times the rotation of Rodrigues' formula I + sine [v] + versine [v]^2 for

@@ -33,7 +33,7 @@ enum rotation_result { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 #define ROTATION_BOUND 0x1p-245
 
 /* Computes the rotation nearest to the upper left 3x3 of a matrix, its polar factor, as
- * r / *d. The elements have errors of at most ROTATION_BOUND, also if the elements of
- * the matrix have errors: two singular values near 0 then count as such earlier. */
-enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum r[3][3],
-    struct sum *d);
+ * a quaternion x y z w of any norm. The elements of its rotation have errors of at most
+ * ROTATION_BOUND, also if the elements of the matrix have errors: two singular values
+ * near 0 then count as such earlier. */
+enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum q[4]);

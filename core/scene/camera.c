@@ -210,9 +210,9 @@ static bool orthonormalize(const char *pointer, struct map *r, bool inverts,
     struct refusals *faults)
 {
 	const struct sum divisor = r->divisor;
-	struct sum v[3][3], d;
+	struct sum q[4], v[3][3], d;
 	struct map move;
-	enum rotation_result found = rotation_nearest(r->m, v, &d);
+	enum rotation_result found = rotation_nearest(r->m, q);
 	double origin[3];
 
 	if (found == ROTATION_NONE)
@@ -221,6 +221,7 @@ static bool orthonormalize(const char *pointer, struct map *r, bool inverts,
 	if (found == ROTATION_MANY)
 		return refuse(faults, pointer, "two directions have all but vanished",
 		    "no rotation is the nearest");
+	rotation_of_quaternion(q, v, &d);
 	map_identity(&move);
 	for (int k = 0; k < 3; k++) {
 		origin[k] = inverts ? map_element_nearest(r, 3, k, false) : 0;
