@@ -17,76 +17,34 @@ const struct value_range range_any = { -SCENE_MAGNITUDE_MAX, SCENE_MAGNITUDE_MAX
 const struct value_range range_positive = { SCENE_SIZE_MIN, SCENE_MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted" };
 
-/* The memory of cJSON's trees, which the next document takes back. */
-static struct block {
-	struct block *next;
-	size_t n, room;
-	_Alignas(max_align_t) char bytes[];
-} * blocks;
-
-static void *block_take(size_t size)
+/* For cJSON, which would take a lack of memory for no JSON. */
+static void *take(size_t size)
 {
-	const size_t align = _Alignof(max_align_t), least = 1 << 14,
-		     n = (size + align - 1) / align * align;
-
-	if (blocks == NULL || blocks->room - blocks->n < n) {
-		const size_t room = n > least ? n : least;
-		struct block *b = xrealloc(NULL, sizeof *b + room);
-
-		*b = (struct block){ .next = blocks, .room = room };
-		blocks = b;
-	}
-	blocks->n += n;
-	return blocks->bytes + blocks->n - n;
+	return xrealloc(NULL, size);
 }
 
-static void block_keep(void *p)
-{
-	(void)p;
-}
-
-static void take_back(void)
-{
-	cJSON_InitHooks(&(cJSON_Hooks){ block_take, block_keep });
-	for (struct block *b; blocks != NULL && blocks->next != NULL; blocks = b) {
-		b = blocks->next;
-		free(blocks);
-	}
-	if (blocks != NULL)
-		blocks->n = 0;
-}
-
-/* Returns the tree of the text or, if points.s is not NULL, of a copy without the
- * elements of the array: cJSON would need 64 bytes for each number, and change their
- * digits. Returns NULL if the text is no JSON, and sets *stop to where it is none. */
-static const cJSON *parse_without(const char *begin, const char *end,
-    struct span points, const char **stop)
+/* Returns the tree of the text without the elements of the array `points`, if its s is
+ * not NULL: cJSON would need 64 bytes for each number, and change their digits. Returns
+ * NULL if the text is no JSON, and sets *stop to where it is none. */
+static cJSON *parse_without(const char *begin, const char *end, struct span points,
+    const char **stop)
 {
 	const size_t before = points.s != NULL ? (size_t)(points.s + 1 - begin) : 0;
 	const size_t cut = points.s != NULL ? (size_t)(points.end - points.s - 2) : 0;
 	const size_t n = (size_t)(end - begin) - cut;
-	char *copy = NULL;
-	const char *s = begin, *at;
+	char *const copy = xrealloc(NULL, n + 1);
+	const char *at;
 
-	if (cut > 0) {
-		s = copy = xrealloc(NULL, n);
-		memcpy(copy, begin, before);
-		memcpy(copy + before, begin + before + cut, n - before);
-	}
-	const cJSON *parsed = cJSON_ParseWithLengthOpts(s, n, &at, false);
+	memcpy(copy, begin, before);
+	memcpy(copy + before, begin + before + cut, n - before);
+	/* so that cJSON stops at the end, not before it, of a text that ends too
+	 * early */
+	copy[n] = ' ';
+	cJSON_InitHooks(&(cJSON_Hooks){ take, free });
+	cJSON *const parsed = cJSON_ParseWithLengthOpts(copy, n + 1, &at, false);
+	const size_t passed = (size_t)(at - copy);
 
-	if (parsed == NULL && n > 0 && at == s + n - 1) {
-		/* cJSON stops at the last byte also where the text ends too early: then
-		 * it passes the byte if a blank follows */
-		char *longer = xrealloc(NULL, n + 1);
-
-		memcpy(longer, s, n);
-		longer[n] = ' ';
-		cJSON_ParseWithLengthOpts(longer, n + 1, &at, false);
-		at = s + (at - longer);
-		free(longer);
-	}
-	*stop = begin + (at - s) + (cut > 0 && (size_t)(at - s) >= before ? cut : 0);
+	*stop = begin + passed + (passed >= before ? cut : 0);
 	free(copy);
 	return parsed;
 }
@@ -94,6 +52,7 @@ static const cJSON *parse_without(const char *begin, const char *end,
 bool value_parse_document(struct json_source *source, char *begin, size_t size,
     struct value *root, struct span *points)
 {
+	static cJSON *parsed;
 	const char *const end = begin + size, *stop;
 	struct look k;
 
@@ -101,9 +60,8 @@ bool value_parse_document(struct json_source *source, char *begin, size_t size,
 		return false;
 	if (k.points.end == NULL || k.points.end[-1] != ']')
 		k.points.s = NULL; /* it is not closed, which cJSON finds */
-	take_back();
-	const cJSON *parsed = parse_without(begin, end, k.points, &stop);
-
+	cJSON_Delete(parsed);
+	parsed = parse_without(begin, end, k.points, &stop);
 	stop = parsed == NULL ? look_for_wrong(begin, stop, end) :
 				json_skip_blanks(stop, end);
 	if (parsed == NULL && (stop == end || k.in_string))
@@ -122,8 +80,11 @@ struct value value_literal(const char *text)
 {
 	static struct refusals faults;
 	static const struct json_source source = { .faults = &faults };
+	static cJSON *parsed;
 
-	return (struct value){ .source = &source, .item = cJSON_Parse(text) };
+	cJSON_Delete(parsed);
+	parsed = cJSON_Parse(text);
+	return (struct value){ .source = &source, .item = parsed };
 }
 
 struct value value_child(const struct value *v)

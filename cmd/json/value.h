@@ -83,7 +83,7 @@ extern const struct value_range range_any, range_positive;
 bool value_parse_document(struct json_source *, char *text, size_t size,
     struct value *root, struct span *points);
 
-/* Returns the value of a JSON text, such as a default, until a document is parsed. */
+/* Returns the value of a JSON text, such as a default, until the next call. */
 struct value value_literal(const char *text);
 
 /* Returns the first element or member of a value, with item NULL if there is none. */

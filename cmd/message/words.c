@@ -334,8 +334,10 @@ enum { REMARKS = sizeof remarks / sizeof *remarks };
 /* Skips _ and -, but not at the end of a word. */
 static const char *skip_inner(const char *s)
 {
-	const char *next = s + strspn(s, "_-");
+	const char *next = s;
 
+	while (*next == '_' || *next == '-')
+		next++;
 	return *next != '\0' ? next : s;
 }
 
