@@ -54,14 +54,19 @@ const char *member_type_name(const struct member *row, char out[LIST_ROOM])
 	return out;
 }
 
+/* Lists the names of the rows in `bits` that the variant has and, unless aliases is
+ * NULL, their aliases. */
 static void list_names(const struct member *row, int variant, uint64_t bits,
-    const char *names[MEMBERS_MAX + 1])
+    const char *names[MEMBERS_MAX + 1], const char *aliases[MEMBERS_MAX])
 {
 	int n = 0;
 
 	for (; row->name != NULL; row++, bits >>= 1)
-		if ((bits & 1) != 0 && has_variant(row->variants, variant))
+		if ((bits & 1) != 0 && has_variant(row->variants, variant)) {
+			if (aliases != NULL)
+				aliases[n] = row->aliases;
 			names[n++] = row->name;
+		}
 	names[n] = NULL;
 }
 
@@ -98,13 +103,13 @@ static const char *find_owner(const struct value *v, const struct member *table)
 		       NULL;
 }
 
-/* Returns whether a member is not read: $schema, a name that begins with _ and, in the
- * outermost object, a member that any document may have. */
+/* Returns whether an unknown member is not read: $schema and, in the outermost object,
+ * a member that any document may have. */
 static bool is_ignored(const struct value *v, const struct member *table)
 {
 	const struct member *row = member_named(v->source->scene_members, 0, v->name);
 
-	return *v->name == '_' || strcmp(v->name, "$schema") == 0 ||
+	return strcmp(v->name, "$schema") == 0 ||
 	    (row != NULL && row->in_any_document && v->parent->parent == NULL &&
 		table != v->source->scene_members);
 }
@@ -150,14 +155,12 @@ static void forget_all(const struct member *table, uint64_t members, void *base)
 		forget(&table[__builtin_ctzll(members)], base);
 }
 
-bool object_read_member(const struct value *v, const struct member *row, void *base)
+void object_read_member(const struct value *v, const struct member *row, void *base)
 {
 	if (row->flag != 0)
 		*(bool *)((char *)base + row->flag - 1) = true;
-	if (row->type->read(v, row, (char *)base + row->offset))
-		return true;
-	forget(row, base);
-	return false;
+	if (!row->type->read(v, row, (char *)base + row->offset))
+		forget(row, base);
 }
 
 bool object_member(const struct value *object, const struct member *row,
@@ -208,22 +211,12 @@ static const char *hint_of(const struct rule *rule, const struct reading *r,
 		const struct way *w = &rule->ways[i];
 
 		list_names(r->table, r->variant,
-		    required_of(w, task) | (all_of(w) & r->given), names);
+		    required_of(w, task) | (all_of(w) & r->given), names, NULL);
 		words_join(all, names, " and ", "\"");
 		n += (size_t)snprintf(out + n, LIST_ROOM - n, "%s%s",
 		    i > 0 ? ", or " : "give ", *all != '\0' ? all : "none of them");
 	}
 	return out;
-}
-
-/* Refuses an object that lacks members, of which it names the first. */
-static void refuse_missing(const struct reading *r, const struct rule *rule,
-    enum task task, uint64_t members)
-{
-	char ways[LIST_ROOM];
-
-	value_refuse(VALUE_NAMED(r->v, r->table[__builtin_ctzll(members)].name),
-	    "missing", hint_of(rule, r, task, ways));
 }
 
 /* Refuses a member that is not of the way of which the object has the members `way`. */
@@ -238,7 +231,7 @@ static void refuse_rival(const struct reading *r, const struct rule *rule,
 	for (size_t i = 0; i < rule->n; i++)
 		if (all_of(&rule->ways[i]) >> member & 1)
 			others &= ~all_of(&rule->ways[i]);
-	list_names(r->table, r->variant, others != 0 ? others : way, names);
+	list_names(r->table, r->variant, others != 0 ? others : way, names, NULL);
 	object_member(r->v, &r->table[member], &m);
 	value_refuse(m.item != NULL ? &m : VALUE_NAMED(r->v, r->table[member].name),
 	    text("does not go with %s", words_join(rivals, names, " and ", "\"")),
@@ -305,6 +298,7 @@ static uint64_t check_rule(const struct reading *r, const struct rule *rule, voi
 {
 	const enum task task = r->v->unused ? TASK_WHOLE : r->v->source->task;
 	uint64_t all = 0, given = r->given | r->meant;
+	char ways[LIST_ROOM];
 
 	if (!has_variant(rule->variants, r->variant) ||
 	    !has_variant(rule->tasks, (int)task) ||
@@ -320,7 +314,8 @@ static uint64_t check_rule(const struct reading *r, const struct rule *rule, voi
 
 	if (lacking != 0 && (r->maybe & all) == 0 &&
 	    !(r->has_unknown && given == 0 && is_choice(rule)))
-		refuse_missing(r, rule, task, lacking);
+		value_refuse(VALUE_NAMED(r->v, r->table[__builtin_ctzll(lacking)].name),
+		    "missing", hint_of(rule, r, task, ways));
 	for (uint64_t rivals = given & ~in & r->given; rivals != 0;
 	     rivals &= rivals - 1)
 		if ((in & ~r->given) == 0)
@@ -334,18 +329,6 @@ static uint64_t check_rule(const struct reading *r, const struct rule *rule, voi
 	return way->by_viewport & ~(task == TASK_FIT ? way->fitted : 0) & ~given;
 }
 
-/* Sets names[] and aliases[] to those of the rows that the variant has. */
-static void list_aliases(const struct reading *r, const char *names[MEMBERS_MAX + 1],
-    const char *aliases[MEMBERS_MAX])
-{
-	int n = 0;
-
-	list_names(r->table, r->variant, ALL_MEMBERS, names);
-	for (const struct member *row = r->table; row->name != NULL; row++)
-		if (has_variant(row->variants, r->variant))
-			aliases[n++] = row->aliases;
-}
-
 /* Refuses an unknown member, and notes which members it may stand for. */
 static void refuse_unknown(struct reading *r, const struct value *v)
 {
@@ -355,7 +338,7 @@ static void refuse_unknown(struct reading *r, const struct value *v)
 	const char *near = NULL;
 	char list[LIST_ROOM];
 
-	list_aliases(r, names, aliases);
+	list_names(r->table, r->variant, ALL_MEMBERS, names, aliases);
 	remark = word_remark(v->name, WORD_MEMBER, names);
 	const char *remedy = remark == NULL ? find_owner(v, r->table) : NULL;
 
@@ -371,7 +354,7 @@ static void refuse_unknown(struct reading *r, const struct value *v)
 	value_refuse(v, "unknown member", remedy);
 	r->has_unknown = true;
 	for (const struct member *row = r->table; row->name != NULL; row++) {
-		const uint64_t bit = UINT64_C(1) << (row - r->table);
+		const uint64_t bit = MEMBER_BIT(row - r->table);
 		const bool is_meant = remark != NULL &&
 		    word_is_one_of(row->name, remark->names);
 
@@ -384,14 +367,6 @@ static void refuse_unknown(struct reading *r, const struct value *v)
 		if (is_meant)
 			r->maybe |= bit;
 	}
-}
-
-static bool refuse_again(const struct value *v, const struct member *row)
-{
-	return value_refuse(v,
-	    word_equals(v->name, row->name) ? "repeated" :
-					      text("is \"%s\" again", row->name),
-	    "give it once");
 }
 
 /* Returns whether no member before m of the same object has the name of m. */
@@ -411,8 +386,7 @@ static void read_of_any_variant(const struct reading *r, const struct value *m)
 	struct refusals *const faults = m->source->faults;
 	const size_t n = faults->n;
 	const struct member *first = NULL;
-	double
-	    field[16]; /* of a matrix, the greatest member of an object of variants */
+	double field[16]; /* of a matrix, the greatest of the members */
 
 	for (const struct member *row = r->table; row->name != NULL; row++) {
 		if (member_named(row, ANY_VARIANT, m->name) != row)
@@ -434,26 +408,28 @@ static void read_each(struct reading *r, void *base)
 	for (struct value m = value_child(r->v); m.item != NULL; value_next(&m)) {
 		const struct member *row = member_named(r->table, r->variant, m.name);
 
-		if (*m.name == '_' || (row == NULL && is_ignored(&m, r->table))) {
-			if (*m.name != '_' && !is_first(r->v, &m))
+		if (*m.name == '_')
+			continue;
+		if (row == NULL) {
+			if (!is_ignored(&m, r->table))
+				refuse_unknown(r, &m);
+			else if (!is_first(r->v, &m))
 				value_refuse(&m, "repeated", "give it once");
 			continue;
 		}
-		if (row == NULL) {
-			refuse_unknown(r, &m);
-			continue;
-		}
-		const uint64_t bit = UINT64_C(1) << (row - r->table);
+		const uint64_t bit = MEMBER_BIT(row - r->table);
 
-		if ((r->given & bit) != 0) {
-			refuse_again(&m, row);
-			continue;
-		}
-		r->given |= bit;
-		if (base != NULL && r->variant == ANY_VARIANT)
+		if ((r->given & bit) != 0)
+			value_refuse(&m,
+			    word_equals(m.name, row->name) ?
+				"repeated" :
+				text("is \"%s\" again", row->name),
+			    "give it once");
+		else if (base != NULL && r->variant == ANY_VARIANT)
 			read_of_any_variant(r, &m);
 		else if (base != NULL)
 			object_read_member(&m, row, base);
+		r->given |= bit;
 	}
 }
 

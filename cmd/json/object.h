@@ -140,7 +140,7 @@ bool object_read(const struct value *, const struct member *row, int variant,
 extern const struct member_type type_object;
 
 /* Reads the value of a member to its field in the struct at `base`; sets its flag. */
-bool object_read_member(const struct value *, const struct member *, void *base);
+void object_read_member(const struct value *, const struct member *, void *base);
 
 /* Sets *member to the object's member of this row, by its name or an alias, and returns
  * whether there is one. */

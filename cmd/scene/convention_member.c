@@ -90,12 +90,12 @@ const struct member_type type_convention = { .name = "a name or an object",
 	.read = read_convention_member,
 	.print = print_convention_member };
 
-bool convention_require(const struct value *object, const char *name,
+void convention_require(const struct value *object, const char *name,
     const char *or_else)
 {
-	if (object->unused || object->source->has_convention)
-		return true;
-	return value_refuse(VALUE_NAMED(object, name), "needs a \"convention\"",
-	    text("that of its numbers: opencv has x right, y down, z forward, webgpu right, up, backward%s",
-		or_else));
+	if (!object->unused && !object->source->has_convention)
+		value_refuse(VALUE_NAMED(object, name), "needs a \"convention\"",
+		    text("that of its numbers: opencv has x right, y down, z forward, "
+			 "webgpu right, up, backward%s",
+			or_else));
 }

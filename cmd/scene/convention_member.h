@@ -29,6 +29,6 @@ extern const struct member_type type_convention;
 
 /* Refuses the object's member `name`, whose numbers depend on the view axes, if neither
  * the document nor the command line gives a convention; `or_else` says what else would
- * do. Returns whether one does. */
-bool convention_require(const struct value *object, const char *name,
+ * do. */
+void convention_require(const struct value *object, const char *name,
     const char *or_else);

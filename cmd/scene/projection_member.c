@@ -392,11 +392,11 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 	struct projection *p = out;
 	struct found found;
 
-	if (value_is(v, JSON_ARRAY))
-		return value_refuse_type(v,
-		    "{\"type\": \"matrix\", \"matrix\": [...]}");
 	if (!value_is(v, JSON_OBJECT))
-		return value_refuse_type(v, "an object");
+		return value_refuse_type(v,
+		    value_is(v, JSON_ARRAY) ?
+			"{\"type\": \"matrix\", \"matrix\": [...]}" :
+			"an object");
 	bool is_right = read_type(v, p);
 
 	if (p->type == PROJECTION_NONE) {
@@ -417,51 +417,45 @@ static bool read_projection(const struct value *v, const struct member *row, voi
 
 /* Sets the image size of intrinsics to that of the viewport's full picture. Its scale
  * must be fill. */
-static bool set_image_size(const struct value *v, const struct viewport *viewport,
+static void set_image_size(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	const struct value *given = VALUE_NAMED(v, "intrinsics");
 	double full[2] = { 0 };
-	bool is_right = true;
+	/* a picture of another size that fills the same is enlarged to the full one */
+	const double *size = p->section.is_sized ? p->section.intrinsics_size : full;
 
 	if (viewport != NULL)
 		viewport_full(viewport, full);
 	if (viewport == NULL)
-		is_right = value_refuse(given,
-		    "needs a \"viewport\", in whose units it is",
+		value_refuse(given, "needs a \"viewport\", in whose units it is",
 		    "write {\"projection\": {...}, \"viewport\": {...}}");
 	else if (viewport->scale != SCALE_FILL)
-		is_right = value_refuse(given, "excludes the viewport's \"scale\"",
-		    "omit that");
-	/* a picture of another size that fills the same is enlarged to the full one */
-	p->section.width = p->section.is_sized ? p->section.intrinsics_size[0] :
-						 full[0];
-	p->section.height = p->section.is_sized ? p->section.intrinsics_size[1] :
-						  full[1];
-	return convention_require(v, "intrinsics", "") && is_right;
+		value_refuse(given, "excludes the viewport's \"scale\"", "omit that");
+	p->section.width = size[0];
+	p->section.height = size[1];
+	convention_require(v, "intrinsics", "");
 }
 
-bool projection_complete(const struct value *v, const struct viewport *viewport,
+void projection_complete(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	/* fit widens a parallel projection to the viewport's aspect */
 	const bool widened = v->source->task == TASK_FIT && viewport != NULL &&
 	    projection_family(p) == FAMILY_PARALLEL;
-	bool is_right = true;
 
 	if (v->unused || projection_is_none(p))
-		return true;
+		return;
 	if (projection_has_intrinsics(p))
-		is_right = set_image_size(v, viewport, p);
+		set_image_size(v, viewport, p);
 	if (p->aspect[0] != 0 || (p->aspect[1] == 0 && !widened))
-		return is_right;
+		return;
 	if (viewport == NULL)
-		is_right = value_refuse(VALUE_NAMED(v, "aspect"), "missing",
+		value_refuse(VALUE_NAMED(v, "aspect"), "missing",
 		    "give it, or a \"viewport\"");
 	p->aspect[0] = p->aspect[1] = 1;
 	if (viewport != NULL && viewport->scale != SCALE_UNIFORM)
 		viewport_full(viewport, p->aspect);
-	return is_right;
 }
 
 static void print_projection(struct printer *printer, const struct member *row,

@@ -17,7 +17,6 @@ extern const char *const projection_type_names[];
 
 /* Completes a projection that was read from the value: takes a missing aspect and, for
  * intrinsics, the size of the image from the viewport, which may be NULL. Refuses a
- * projection that lacks them, and returns whether it does not. Leaves a projection
- * whose type was refused as it is. */
-bool projection_complete(const struct value *, const struct viewport *,
+ * projection that lacks them. Leaves a projection whose type was refused as it is. */
+void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
