@@ -301,8 +301,8 @@ static const char *find_token(const char *s, const char *end, struct span token,
 		return NULL;
 	if (!members && token.s != NULL)
 		index = (size_t)strtol(token.s, NULL, 10);
-	for (s = json_skip_blanks(s + 1, end); s < end && *s != ']' && *s != '}';
-	     s = json_next_item(json_item_end(s, end), end)) {
+	s = json_skip_blanks(s + 1, end);
+	while (s < end && *s != ']' && *s != '}') {
 		const struct span name = { s, members ? json_string_end(s, end) : s };
 
 		if (members)
@@ -311,6 +311,9 @@ static const char *find_token(const char *s, const char *end, struct span token,
 			found = s;
 		if (found != NULL && !by_name)
 			break;
+		s = json_item_end(s, end);
+		if (s < end && *s == ',')
+			s = json_skip_blanks(s + 1, end);
 	}
 	return found;
 }

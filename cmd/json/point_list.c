@@ -17,15 +17,11 @@ static bool refuse_byte(const struct json_source *source, const char *s,
 /* Refuses the value at s, which is no `wanted`. */
 static bool refuse_type_at(const struct value *v, const char *s, const char *wanted)
 {
-	return value_refuse(v,
-	    *s == '"'     ? "is a string" :
-		*s == '[' ? "is an array" :
-		*s == '{' ? "is an object" :
-		*s == 'n' ? "is null" :
-		*s == 't' ? "is true" :
-		*s == 'f' ? "is false" :
-			    "is a number",
-	    text("%s is wanted", wanted));
+	static const char begins[] = "ftn-\"[{"; /* values of each type */
+	const char *const type = strchr(begins, *s);
+
+	return value_refuse_as(v,
+	    type != NULL ? (enum json_type)(type - begins) : JSON_NUMBER, wanted);
 }
 
 static const char *value_end(const char *s, const char *end)
@@ -104,8 +100,7 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 
 	/* of what is no number at all, how many there are is no fault of its own */
 	if (e.index < (size_t)coordinates && (wrong < e.index || e.index == 0))
-		value_refuse(v,
-		    text("has %zu element%s", e.index, e.index == 1 ? "" : "s"),
+		value_refuse_count(v, e.index,
 		    text("%d coordinates are wanted%s%s", coordinates,
 			*hint != '\0' ? "; " : "", hint));
 	return true;

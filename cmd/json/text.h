@@ -27,14 +27,6 @@ static inline const char *json_skip_blanks(const char *s, const char *end)
 	return s;
 }
 
-/* Returns the start of the item after the comma at s, blanks aside; or, if there is no
- * comma, the end of the blanks at s. */
-static inline const char *json_next_item(const char *s, const char *end)
-{
-	s = json_skip_blanks(s, end);
-	return s < end && *s == ',' ? json_skip_blanks(s + 1, end) : s;
-}
-
 /* Returns the end of the string that the quote at s opens; `end` if none closes it. */
 const char *json_string_end(const char *s, const char *end);
 

@@ -161,14 +161,24 @@ bool value_refuse(const struct value *v, const char *what, const char *remedy)
 	return refuse_at(faults, where, what, remedy, p.line, p.column);
 }
 
-bool value_refuse_type(const struct value *v, const char *wanted)
+bool value_refuse_as(const struct value *v, enum json_type type, const char *wanted)
 {
 	static const char *const names[] = { "false", "true", "null", "a number",
 		"a string", "an array", "an object" };
 
-	return value_refuse(v,
-	    text("is %s", names[__builtin_ctz((unsigned)v->item->type)]),
+	return value_refuse(v, text("is %s", names[type]),
 	    text("%s is wanted", wanted));
+}
+
+bool value_refuse_type(const struct value *v, const char *wanted)
+{
+	return value_refuse_as(v,
+	    (enum json_type)__builtin_ctz((unsigned)v->item->type), wanted);
+}
+
+bool value_refuse_count(const struct value *v, size_t n, const char *remedy)
+{
+	return value_refuse(v, text("has %zu element%s", n, n == 1 ? "" : "s"), remedy);
 }
 
 /* In radians, limits of 180 and 90 degrees become the doubles PI and PI / 2, which are
@@ -220,8 +230,7 @@ bool value_numbers(const struct value *v, const struct value_range *range, size_
 	if (!value_is(v, JSON_ARRAY))
 		return value_refuse_type(v, text("an array of %zu numbers", n));
 	if (count != n)
-		good = value_refuse(v,
-		    text("has %zu element%s", count, count == 1 ? "" : "s"),
+		good = value_refuse_count(v, count,
 		    text("an array of %zu numbers is wanted", n));
 	for (struct value e = value_child(v); e.item != NULL; value_next(&e))
 		good &= value_number(&e, range, e.index < n ? &out[e.index] : &beyond);

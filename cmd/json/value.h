@@ -112,6 +112,10 @@ bool value_refuse(const struct value *, const char *what, const char *remedy);
 
 /* Refuses a value of the wrong type: "is a string; a number is wanted". */
 bool value_refuse_type(const struct value *, const char *wanted);
+bool value_refuse_as(const struct value *, enum json_type, const char *wanted);
+
+/* Refuses an array of n elements: "has 2 elements". */
+bool value_refuse_count(const struct value *, size_t n, const char *remedy);
 
 /* Read a number, or an array of exactly n numbers. Refuse other types, and numbers out
  * of range. */

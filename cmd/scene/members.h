@@ -37,7 +37,6 @@ enum scene_member {
 	SCENE_BOUNDS = 1 << SCENE_ROW_BOUNDS,
 	SCENE_PICK = 1 << SCENE_ROW_PICK,
 	SCENE_MARGIN = 1 << SCENE_ROW_MARGIN,
-	SCENE_ALL = (1 << SCENE_ROWS) - 1,
 	/* members of a 3D scene, which map model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION | SCENE_VIEWPORT,
 };

@@ -124,10 +124,8 @@ static const struct member step_row = { .members = step_members, .rules = step_r
 static struct list {
 	struct step step[STEPS_MAX];
 	int n;
+	struct value given; /* the list as it is in the document, for printing */
 } lists[2], *reading;
-
-/* The lists as they are in the document, for printing. */
-static struct value given[2];
 
 /* Marks a step wrong of which a number is not known. An angle and a translation are
  * compared with nothing: those that are not known become 0. */
@@ -261,9 +259,9 @@ static bool read_steps(const struct value *v, const struct member *row, void *ou
 			lone->name));
 	if (!value_is(v, JSON_ARRAY) || !is_list(v))
 		return type_affine.read(v, row, steps->matrix);
-	given[is_world] = *v;
 	reading = &lists[is_world];
 	reading->n = 0;
+	reading->given = *v;
 	read_list(v);
 	*steps = (struct steps){ .step = reading->step,
 		.n = reading->n,
@@ -313,7 +311,7 @@ static void print_steps(struct printer *p, const struct member *row, const void 
 	const struct steps *steps = at;
 
 	if (steps->step != NULL)
-		put_step_value(p, &given[steps->step == lists[true].step],
+		put_step_value(p, &lists[steps->step == lists[true].step].given,
 		    step_members);
 	else
 		type_affine.print(p, row, steps->matrix);

@@ -55,13 +55,14 @@ const struct member_type type_far = { .name = "size or \"infinity\"",
 static bool read_flag(const struct value *v, const struct member *row, void *out)
 {
 	unsigned index = value_is(v, JSON_TRUE);
+	const bool good = row->words != NULL ?
+	    value_word(v, row->words, row->word_aliases, &index) :
+	    index == 1 || value_is(v, JSON_FALSE) ||
+		value_refuse_type(v, "true or false");
 
-	if (row->words != NULL ? !value_word(v, row->words, row->word_aliases, &index) :
-				 index == 0 && !value_is(v, JSON_FALSE) &&
-		    !value_refuse_type(v, "true or false"))
-		return false;
-	*(bool *)out = index == 1;
-	return true;
+	if (good)
+		*(bool *)out = index == 1;
+	return good;
 }
 
 static void print_flag(struct printer *p, const struct member *row, const void *at)
@@ -126,18 +127,18 @@ static const struct member matrix_row = { .members = matrix_members,
 /* What a matrix is for. Each use has the forms of those before it, and more. */
 enum matrix_use { ANY_MATRIX, AFFINE_MATRIX, MATRIX_OF_STEP, MATRIX_USES };
 
-/* The forms of a matrix: an array of rows or, with no rows, of all numbers. */
+/* The forms of a matrix: an array of rows, or a list of all numbers. */
 static const struct form {
 	size_t rows, columns;
 	/* the vectors that the rows are for, always or if "vectors" does not say */
-	enum { BY_DOCUMENT, FOR_ROWS, FOR_COLUMNS, MOSTLY_FOR_COLUMNS } vectors;
+	enum { LISTED, BY_DOCUMENT, FOR_ROWS, FOR_COLUMNS, MOSTLY_FOR_COLUMNS } vectors;
 	enum matrix_use first; /* of the uses that have the form */
 } forms[] = {
 	{ 4, 3, FOR_ROWS, AFFINE_MATRIX },
 	{ 4, 4, BY_DOCUMENT, ANY_MATRIX },
 	{ 3, 3, MOSTLY_FOR_COLUMNS, MATRIX_OF_STEP },
 	{ 3, 4, FOR_COLUMNS, AFFINE_MATRIX },
-	{ 0, 16, BY_DOCUMENT, ANY_MATRIX },
+	{ 4, 4, LISTED, ANY_MATRIX },
 };
 
 /* The forms of the uses, for messages. */
@@ -156,11 +157,11 @@ static const struct form *find_form(const struct value *v, enum matrix_use use)
 	for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
 		const struct form *f = &forms[i];
 
-		if (use >= f->first && n == (f->rows > 0 ? f->rows : f->columns) &&
+		if (use >= f->first && n == (f->vectors == LISTED ? 16 : f->rows) &&
 		    (f->columns != 3 || columns == 3))
 			return f;
 	}
-	value_refuse(v, text("has %zu element%s", n, n == 1 ? "" : "s"),
+	value_refuse_count(v, n,
 	    text("%s are wanted%s", form_names[use],
 		use != ANY_MATRIX ? "" :
 				    "; K and P are \"intrinsics\" of type \"persp\""));
@@ -236,14 +237,12 @@ static bool read_rows(const struct value *v, size_t rows, size_t columns, double
 static void set_matrix(const struct form *f, bool columns, const double e[16],
     double m[4][4])
 {
-	const size_t width = f->rows > 0 ? f->columns : 4,
-		     height = f->rows > 0 ? f->rows : 4;
-	const bool swap = columns && f->rows > 0;
+	const bool swap = columns && f->vectors != LISTED;
 
 	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)
-			m[swap ? j : i][swap ? i : j] = i < height && j < width ?
-			    e[i * width + j] :
+			m[swap ? j : i][swap ? i : j] = i < f->rows && j < f->columns ?
+			    e[i * f->columns + j] :
 			    i == j;
 }
 
@@ -255,34 +254,29 @@ bool matrix_read_member(const struct value *object, const struct value *v,
 	    row->type == &type_affine                         ? MATRIX_OF_STEP :
 								AFFINE_MATRIX;
 	const bool affine = use != ANY_MATRIX;
+	const struct value first = value_child(v);
 	double e[16] = { 0 };
 	bool columns;
 
 	if (!value_is(v, JSON_ARRAY))
 		return value_refuse_type(v, text("an array of %s", form_names[use]));
-	if (use == AFFINE_MATRIX && value_count(v) == 3) {
-		const struct value first = value_child(v);
-
-		if (value_count(&first) == 3)
-			return value_refuse(v, "is 3x3",
-			    "append t to its rows: [R|t]; R alone is \"rotation\" of "
-			    "a camera, with \"eye\" or \"translation\"");
-	}
+	if (use == AFFINE_MATRIX && value_count(v) == 3 && value_count(&first) == 3)
+		return value_refuse(v, "is 3x3",
+		    "append t to its rows: [R|t]; R alone is \"rotation\" of "
+		    "a camera, with \"eye\" or \"translation\"");
 	const struct form *f = find_form(v, use);
 
 	if (f == NULL)
 		return false;
-	const size_t height = f->rows > 0 ? f->rows : 4,
-		     width = f->rows > 0 ? f->columns : 4;
 	const bool known = read_vectors(object, f, &columns);
 
-	if (!read_rows(v, height, width, e) || !known)
+	if (!read_rows(v, f->rows, f->columns, e) || !known)
 		return false;
 	set_matrix(f, columns, e, m);
 	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
 	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
 		m[3][3] = 1;
-	if (!affine || f->rows == 0)
+	if (!affine || f->vectors == LISTED)
 		return true;
 	return !lacks_convention(object, f) && check_transposed(object, m, columns);
 }
@@ -323,9 +317,7 @@ static bool read_rotation(const struct value *v, const struct member *row, void 
 	if (!value_is(v, JSON_ARRAY))
 		return value_refuse_type(v, "an array of 3 rows of 3 numbers");
 	if (value_count(v) != 3 || !value_is(&first, JSON_ARRAY))
-		return value_refuse(v,
-		    text("has %zu element%s", value_count(v),
-			value_count(v) == 1 ? "" : "s"),
+		return value_refuse_count(v, value_count(v),
 		    "3 rows of 3 numbers are wanted");
 	if (value_count(&first) == 4)
 		return value_refuse(v, "is 3x4", "[R|t] is \"matrix\"");
@@ -357,7 +349,6 @@ static void write_axes(const enum camera_axis axes[3], char word[4])
 /* Reads one of the 48 words that have a letter each of rl, ud and fb. */
 static bool read_axes(const struct value *v, const struct member *row, void *out)
 {
-	static const int directions[] = { -3, -2, -1, 1, 2, 3 };
 	const char *s = value_string(v);
 	enum camera_axis *axes = out;
 	char word[4];
@@ -365,11 +356,11 @@ static bool read_axes(const struct value *v, const struct member *row, void *out
 	(void)row;
 	if (s == NULL)
 		return value_refuse_type(v, "a word such as \"flu\"");
-	for (int k = 0; k < 6 * 6 * 6; k++) {
+	for (int k = 0; k < 7 * 7 * 7; k++) {
 		unsigned lines = 0;
 
-		for (int i = 0, n = k; i < 3; i++, n /= 6) {
-			axes[i] = (enum camera_axis)directions[n % 6];
+		for (int i = 0, n = k; i < 3; i++, n /= 7) {
+			axes[i] = (enum camera_axis)(AXIS_BACK + n % 7);
 			lines |= 1u << abs(axes[i]);
 		}
 		write_axes(axes, word);
