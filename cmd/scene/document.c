@@ -91,43 +91,15 @@ static void read_members(struct document *d, const struct value m[SCENE_ROWS],
 	}
 }
 
-/* Returns whether an object has the member `name` of its table. */
-static bool has_member(const struct value *object, const struct member *table,
-    const char *name)
-{
-	struct value given;
-
-	return object->item != NULL &&
-	    object_member(object, member_named(table, 0, name), &given);
-}
-
 /* Returns whether an object of the scene has the member `name`. */
 static bool object_has(const struct value m[SCENE_ROWS], enum scene_row row,
     const char *name)
 {
-	return has_member(&m[row], scene_members[row].members, name);
-}
+	struct value given;
 
-/* Returns whether a "convention" gives a member, as each name of one does. */
-static bool convention_gives(const struct value *v, const char *name)
-{
-	return value_is(v, JSON_OBJECT) ? has_member(v, convention_members, name) :
-					  v->item != NULL;
-}
-
-/* Returns the first member that the camera has of those that need a convention, which
- * says where the axes of view space point, or NULL. A gaze and up mean the same in all
- * conventions. */
-static const char *needs_convention(const struct value *v)
-{
-	static const char *const names[] = { "orientation", "rvec", "rotation",
-		"translation", "pose", "matrix", NULL };
-	int i = 0;
-
-	while (names[i] != NULL &&
-	    !has_member(v, scene_members[SCENE_ROW_CAMERA].members, names[i]))
-		i++;
-	return names[i];
+	return m[row].item != NULL &&
+	    object_member(&m[row], member_named(scene_members[row].members, 0, name),
+		&given);
 }
 
 /* Returns whether a world, or a camera's matrix or steps, have a matrix of four rows of
@@ -135,11 +107,12 @@ static const char *needs_convention(const struct value *v)
  * are for. */
 static bool has_bare_rows(const struct value *v)
 {
-	struct value e = value_child(v);
+	struct value e = value_child(v), given;
 
 	if (value_is(v, JSON_ARRAY) && value_count(v) == 4 && value_count(&e) == 4)
 		return true;
-	if (value_is(v, JSON_OBJECT) && has_member(v, step_members, "vectors"))
+	if (value_is(v, JSON_OBJECT) &&
+	    object_member(v, member_named(step_members, 0, "vectors"), &given))
 		return false;
 	for (; e.item != NULL; value_next(&e))
 		if (!(e.name != NULL && *e.name == '_') && has_bare_rows(&e))
@@ -147,18 +120,24 @@ static bool has_bare_rows(const struct value *v)
 	return false;
 }
 
-/* Refuses a camera that needs a convention where none is named, unless axes stand in
- * for it. */
-static void check_camera(const struct value *v, const struct camera *c)
+/* Refuses a camera that needs a convention, which says where the axes of view space
+ * point, where none is named, unless axes stand in for it. A gaze and up mean the same
+ * in all conventions. */
+static void check_camera(const struct value m[SCENE_ROWS], const struct camera *c)
 {
-	const char *name = camera_is_by_gaze(c) ? NULL : needs_convention(v);
+	static const char *const names[] = { "orientation", "rvec", "rotation",
+		"translation", "pose", "matrix", NULL };
+	const struct value *v = &m[SCENE_ROW_CAMERA];
+	int i = 0;
 
-	if (name == NULL)
+	while (names[i] != NULL && !object_has(m, SCENE_ROW_CAMERA, names[i]))
+		i++;
+	if (camera_is_by_gaze(c) || names[i] == NULL)
 		return;
 	if (!c->has_axes)
-		convention_require(v, name, ", or give the camera \"axes\"");
+		convention_require(v, names[i], ", or give the camera \"axes\"");
 	else if (has_bare_rows(v))
-		convention_require(v, name,
+		convention_require(v, names[i],
 		    ", or write {\"matrix\": [...], \"vectors\": \"column\"} (or "
 		    "\"row\")");
 }
@@ -185,7 +164,8 @@ static void set_device_origin(struct scene *s, const struct document_wants *w,
 		return;
 	if (w->convention != NULL)
 		s->device.top_left = !w->convention->origin_bottom_left;
-	else if (convention_gives(&m[SCENE_ROW_CONVENTION], "origin"))
+	else if (value_string(&m[SCENE_ROW_CONVENTION]) != NULL || /* each name does */
+	    object_has(m, SCENE_ROW_CONVENTION, "origin"))
 		s->device.top_left = !s->convention.origin_bottom_left;
 	else if (window_has_y_down(&s->window))
 		s->device.top_left = true;
@@ -201,7 +181,6 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	static const struct viewport assumed = { .width = 1, .height = 1 };
 	const bool told = ((w->needed | d->present) & SCENE_VIEWPORT) != 0;
 	struct scene *s = &d->scene;
-	const struct value *camera = &m[SCENE_ROW_CAMERA];
 
 	s->camera.unit = (enum angle_unit)d->source.unit;
 	s->projection.without_camera = !s->has_camera;
@@ -214,8 +193,8 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	s->camera.has_default_up = s->has_camera &&
 	    !object_has(m, SCENE_ROW_CAMERA, "up");
 	/* also one without members, which is d3d's, is written */
-	if (s->has_camera && !d->written.convention && value_is(camera, JSON_OBJECT))
-		check_camera(camera, &s->camera);
+	if (s->has_camera && !d->written.convention)
+		check_camera(m, &s->camera);
 	if (s->has_viewport && s->viewport.distance)
 		check_distance(m);
 	if (seen & SCENE_PROJECTION)
@@ -260,16 +239,12 @@ static void cut_points(struct document *d, const struct value *v, struct span po
 {
 	if (!value_is(v, JSON_ARRAY)) {
 		value_refuse_type(v, "an array of points");
-		return;
-	}
-	if (points.s == NULL) {
+	} else if (points.s == NULL) {
 		value_refuse(v, "its name has an escape", "write \"points\"");
-		return;
+	} else if (points_cut(v, &points, coordinates) && coordinates > 0) {
+		d->points = points.s;
+		d->points_size = (size_t)(points.end - points.s);
 	}
-	if (!points_cut(v, &points, coordinates) || coordinates == 0)
-		return;
-	d->points = points.s;
-	d->points_size = (size_t)(points.end - points.s);
 }
 
 bool document_read(struct document *d, const char *name, char *begin, size_t size,
