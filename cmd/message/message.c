@@ -284,30 +284,21 @@ void output_write(const char *s, size_t size)
 		die_of_output();
 }
 
-/* The longest help, that of persp, has less than 6,000 bytes. */
-static struct {
-	char s[1 << 15];
-	size_t n;
-} printed;
-
 void output_printf(const char *format, ...)
 {
-	const size_t room = sizeof printed.s - printed.n;
+	char s[TEXT_ROOM];
 	va_list args;
 
 	va_start(args, format);
-	const size_t n = (size_t)vsnprintf(printed.s + printed.n, room, format, args);
-
+	vsnprintf(s, sizeof s, format, args);
 	va_end(args);
-	if (n >= room)
-		die(EXIT_SYSTEM, "the help is longer than its buffer", NULL);
-	printed.n += n;
+	output_gather();
+	output_write(s, strlen(s));
 }
 
 void output_close(void)
 {
 	output_flush();
-	if (!write_all(printed.s, printed.n) ||
-	    (close(STDOUT_FILENO) != 0 && errno != EINTR))
+	if (close(STDOUT_FILENO) != 0 && errno != EINTR)
 		die_of_output();
 }

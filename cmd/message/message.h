@@ -82,11 +82,10 @@ void output_write(const char *s, size_t size);
 void output_gather(void);
 void output_flush(void);
 
-/* Appends text of the help, formatted as by printf, to a buffer that output_close
- * writes. stdio is not used, because it loses text if a non-blocking pipe is full. */
+/* Gathers text of the help, formatted as by printf. stdio is not used, because it loses
+ * text if a non-blocking pipe is full. */
 void output_printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes the buffer of output_printf, and closes standard output. Exits with status 3
- * if an earlier write failed and the system reports it only when the output is
- * closed. */
+/* Writes what is gathered, and closes standard output. Exits with status 3 if an
+ * earlier write failed and the system reports it only when the output is closed. */
 void output_close(void);

@@ -42,7 +42,7 @@ size_t utf8_fit(const char *s, size_t most)
 {
 	size_t n = strnlen(s, most);
 
-	for (const bool is_cut = n == most; is_cut && n > 0 && (s[n] & 0xc0) == 0x80;)
+	while (n > 0 && (s[n] & 0xc0) == 0x80)
 		n--;
 	return n;
 }
