@@ -269,7 +269,7 @@ const char *look_for_wrong_number(const char *s, const char *end, struct span po
 			s++;
 		}
 	}
-	return NULL;
+	return end;
 }
 
 bool look_for_array(struct json_source *source, char *begin, size_t size,
@@ -337,26 +337,22 @@ struct place look_at_pointer(const struct json_source *source, const char *point
 	return p;
 }
 
-/* Returns where a value begins in the source's text. */
+/* Returns where a value, which is not missing, begins in the source's text. */
 static const char *find_value(const struct value *v)
 {
 	const struct json_source *source = v->source;
-	const char *s = NULL;
+	const struct span none = { NULL, NULL };
 
 	if (v->parent == NULL)
 		return json_skip_blanks(source->text, source->end);
-	s = find_value(v->parent);
-	return s == NULL ?
-	    NULL :
-	    find_token(s, source->end, (struct span){ NULL, NULL }, v->index);
+	return find_token(find_value(v->parent), source->end, none, v->index);
 }
 
 struct place look_at_value(const struct value *v)
 {
 	struct place p = { 0 };
-	const char *s = v->source->text != NULL ? find_value(v) : NULL;
 
-	if (s != NULL)
-		set_place(v->source, v->source->text, s, &p);
+	if (v->source->text != NULL)
+		set_place(v->source, v->source->text, find_value(v), &p);
 	return p;
 }

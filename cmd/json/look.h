@@ -43,7 +43,7 @@ bool look_refuse_end(const struct json_source *, const struct look *);
 const char *look_for_wrong(const char *begin, const char *at, const char *end);
 
 /* Returns the first number that cJSON reads though it is none of JSON, as 010 and 1.
- * are, or NULL. Those of points are read elsewhere. */
+ * are, or `end`. Those of points are read elsewhere. */
 const char *look_for_wrong_number(const char *s, const char *end, struct span points);
 
 /* Returns the place of the value to which a pointer leads or, if the value is missing,

@@ -358,14 +358,12 @@ static void refuse_unknown(struct reading *r, const struct value *v)
 		const bool is_meant = remark != NULL &&
 		    word_is_one_of(row->name, remark->names);
 
-		if (is_meant && !has_variant(row->variants, r->variant))
-			r->maybe = ALL_MEMBERS; /* the variant may be another */
-		if (!has_variant(row->variants, r->variant))
-			continue;
-		if (near != NULL && strcmp(row->name, near) == 0)
+		const bool has = has_variant(row->variants, r->variant);
+
+		if (is_meant) /* of which the variant may be another */
+			r->maybe |= has ? bit : ALL_MEMBERS;
+		if (has && near != NULL && strcmp(row->name, near) == 0)
 			r->meant |= bit;
-		if (is_meant)
-			r->maybe |= bit;
 	}
 }
 

@@ -66,10 +66,9 @@ bool value_parse_document(struct json_source *source, char *begin, size_t size,
 				json_skip_blanks(stop, end);
 	if (parsed == NULL && (stop == end || k.in_string))
 		return look_refuse_end(source, &k);
-	if (stop < end || parsed == NULL)
-		return look_refuse_no_json(source, stop, end);
-	stop = look_for_wrong_number(begin, end, k.points);
-	if (stop != NULL)
+	if (stop == end)
+		stop = look_for_wrong_number(begin, end, k.points);
+	if (stop < end)
 		return look_refuse_no_json(source, stop, end);
 	*root = (struct value){ .source = source, .item = parsed };
 	*points = k.points;

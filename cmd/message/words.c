@@ -412,12 +412,14 @@ const struct remark *word_remark(const char *word, enum word_place place,
 /* Room for a word of which the nearest is searched: longer ones have no near name. */
 enum { WORD_ROOM = 64 };
 
-/* Copies a word, cut, in lower case and without inner _ and -. Returns its length. */
-static size_t reduce(char out[WORD_ROOM], const char *word)
+/* Copies word[0..size), cut, in lower case and without inner _ and -. Returns the
+ * length of the copy. */
+static size_t reduce(char out[WORD_ROOM], const char *word, size_t size)
 {
+	const char *const end = word + size;
 	size_t n = 0;
 
-	for (; *word != '\0' && n < WORD_ROOM - 1; word = skip_inner(word + 1))
+	for (; word < end && n < WORD_ROOM - 1; word = skip_inner(word + 1))
 		out[n++] = (char)tolower((unsigned char)*word);
 	out[n] = '\0';
 	return n;
@@ -438,50 +440,43 @@ static bool edits_reach(const char *a, const char *b, int n)
 		(*a == b[1] && a[1] == *b && edits_reach(a + 2, b + 2, n - 1)));
 }
 
-/* Returns whether a word, reduced to `a`, is near to `name` by `edits`; or, if they are
- * negative, whether one begins with the other, by three letters or more. */
-static bool is_near(const char *a, const char *name, int edits)
+/* Returns whether a word, reduced to `a`, is near by `edits` to one of `names`, which
+ * have blanks between them; or, if `edits` is negative, whether one begins with the
+ * other, by three letters or more. No name of fewer than `shortest` letters is near. */
+static bool is_near(const char *a, const char *names, size_t shortest, int edits)
 {
 	char b[WORD_ROOM];
-	const size_t m = reduce(b, name), n = strlen(a), least = n < m ? n : m;
 
-	return edits < 0 ? least > 2 && strncmp(a, b, least) == 0 :
-			   edits_reach(a, b, edits);
-}
+	for (; names != NULL && *names != '\0'; names += *names == ' ') {
+		const size_t size = strcspn(names, " ");
+		const size_t m = reduce(b, names, size), n = strlen(a),
+			     least = n < m ? n : m;
 
-/* Does what is_near does for the aliases of a name; those of one or two letters are
- * near to too much. */
-static bool is_near_alias(const char *a, const char *aliases, int edits)
-{
-	char alias[WORD_ROOM];
-	bool is = false;
-
-	while (!is && aliases != NULL && *aliases != '\0') {
-		const size_t n = strcspn(aliases, " ");
-
-		snprintf(alias, sizeof alias, "%.*s", (int)n, aliases);
-		is = n > 2 && is_near(a, alias, edits);
-		aliases += n;
-		aliases += *aliases == ' ';
+		names += size;
+		if (size >= shortest &&
+		    (edits < 0 ? least > 2 && strncmp(a, b, least) == 0 :
+				 edits_reach(a, b, edits)))
+			return true;
 	}
-	return is;
+	return false;
 }
 
 const char *word_nearest(const char *word, const char *const *words,
     const char *const *aliases)
 {
+	enum { SHORTEST_ALIAS = 3 }; /* shorter ones are near to too much */
 	char a[WORD_ROOM];
-	const size_t n = reduce(a, word);
+	const size_t n = reduce(a, word, strlen(word));
 	const int most = n < 2 ? 0 : n < 6 ? 1 : n < 9 ? 2 : 3;
 
 	for (int edits = 0; edits <= most + 1; edits++) {
 		const int allowed = edits <= most ? edits : -1;
 
 		for (int i = 0; words[i] != NULL; i++)
-			if (is_near(a, words[i], allowed))
+			if (is_near(a, words[i], 1, allowed))
 				return words[i];
 		for (int i = 0; aliases != NULL && words[i] != NULL; i++)
-			if (is_near_alias(a, aliases[i], allowed))
+			if (is_near(a, aliases[i], SHORTEST_ALIAS, allowed))
 				return words[i];
 	}
 	return NULL;

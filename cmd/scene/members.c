@@ -213,15 +213,13 @@ static const struct member device_members[] = {
 	{ .name = NULL },
 };
 
-static const struct rule rectangle_rules[] = {
-	{ WAYS(
-	    WAY(MEMBER_BIT(RECTANGLE_ROW_WIDTH) | MEMBER_BIT(RECTANGLE_ROW_HEIGHT))) },
-	{ .n = 0 },
-};
+#define RECTANGLE_WAY \
+	WAY(MEMBER_BIT(RECTANGLE_ROW_WIDTH) | MEMBER_BIT(RECTANGLE_ROW_HEIGHT))
+
+static const struct rule device_rules[] = { { WAYS(RECTANGLE_WAY) }, { .n = 0 } };
 
 static const struct rule viewport_rules[] = {
-	{ WAYS(
-	    WAY(MEMBER_BIT(RECTANGLE_ROW_WIDTH) | MEMBER_BIT(RECTANGLE_ROW_HEIGHT))) },
+	{ WAYS(RECTANGLE_WAY) },
 	{ WAYS(WAY(0, .optional = MEMBER_BIT(VIEWPORT_ROW_SCALE)),
 	      WAY(0,
 		  .optional = MEMBER_BIT(VIEWPORT_ROW_FULL) |
@@ -395,7 +393,7 @@ const struct member scene_members[] = {
 	    .about = "rectangle of a 2D world that a device shows",
 	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
 	[SCENE_ROW_DEVICE] = SCENE_OBJECT("device", device, device_members,
-	    RECTANGLE_EXAMPLE, .rules = rectangle_rules,
+	    RECTANGLE_EXAMPLE, .rules = device_rules,
 	    .about = "rectangle on the screen that shows a 2D window",
 	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
 	[SCENE_ROW_POINTS] = ROW(document, "points", type_points, points,
