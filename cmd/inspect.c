@@ -45,15 +45,11 @@ static bool put_existing(struct printer *p, const char *name, bool exists)
 }
 
 /* Puts a member: an array of rows of n numbers each, or null if is_null is true. */
-static void put_rows(struct printer *p, const char *name, const double *v, int rows,
-    int n, bool is_null)
+static void put_known_rows(struct printer *p, const char *name, const double *v,
+    int rows, int n, bool is_null)
 {
-	if (!put_existing(p, name, !is_null))
-		return;
-	put_open(p, "[");
-	for (int i = 0; i < rows; i++)
-		put_numbers(p, v + i * n, n);
-	put_close(p, "]");
+	if (put_existing(p, name, !is_null))
+		put_rows(p, v, rows, n);
 }
 
 static const char *const sides[] = { "left", "right", "bottom", "top", "near", "far" };
@@ -77,7 +73,7 @@ static void put_camera(struct printer *p, const struct rigid *r)
 	put_numbers(put_name(p, "orientation"), r->orientation, 4);
 	put_numbers(put_name(p, "rvec"), r->rvec, 3);
 	put_numbers(put_name(p, "translation"), r->translation, 3);
-	put_rows(p, "rotation", r->rotation[0], 3, 3, false);
+	put_rows(put_name(p, "rotation"), r->rotation[0], 3, 3);
 	put_close(p, "}");
 }
 
@@ -89,7 +85,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_string(put_name(p, "projection"), taxon_names[t->taxon]);
 	put_string(put_name(p, "kind"), kind_names[t->kind]);
 	put_numbers(put_name(p, "foreshortening"), t->foreshortening, 3);
-	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
+	put_known_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
 	    t->taxon == TAXON_ORTHOGRAPHIC || t->taxon == TAXON_OBLIQUE);
 	put_number(put_name(p, "fovx"), t->fov[0]);
 	put_number(put_name(p, "fovy"), t->fov[1]);
@@ -103,9 +99,10 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_name(p, "reverse_z");
 	put_literal(p, no_near ? "null" : r->reverse_z ? "true" : "false");
 	put_object(p, "planes", sides, 4, r->near_edge, 0);
-	put_rows(p, "frustum", t->corner[0], 8, 3, false);
+	put_rows(put_name(p, "frustum"), t->corner[0], 8, 3);
 	put_object(p, "frustum_planes", sides, 6, r->frustum_plane[0], 4);
-	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3, isnan(r->intrinsics[0][0]));
+	put_known_rows(p, "intrinsics", r->intrinsics[0], 3, 3,
+	    isnan(r->intrinsics[0][0]));
 }
 
 /* Refuses a distance of --distances that is not between near and far. */
@@ -201,7 +198,8 @@ static bool put_window(struct printer *p, const struct document *d)
 		return false;
 	put_object(p, "window", sides, 4, w.edge, 0);
 	if (put_existing(p, "device", s->has_device))
-		put_device(p, &s->device);
+		object_print(p, &scene_members[SCENE_ROW_DEVICE], 0, ALL_MEMBERS,
+		    &s->device);
 	put_numbers(put_name(p, "scale"), w.scale, 2);
 	return put_bounds(p, d);
 }

@@ -105,13 +105,12 @@ static const char *find_owner(const struct value *v, const struct member *table)
 
 /* Returns whether an unknown member is not read: $schema and, in the outermost object,
  * a member that any document may have. */
-static bool is_ignored(const struct value *v, const struct member *table)
+static bool is_ignored(const struct value *v)
 {
 	const struct member *row = member_named(v->source->scene_members, 0, v->name);
 
 	return strcmp(v->name, "$schema") == 0 ||
-	    (row != NULL && row->in_any_document && v->parent->parent == NULL &&
-		table != v->source->scene_members);
+	    (row != NULL && row->in_any_document && v->parent->parent == NULL);
 }
 
 /* Reads the default of a row to a field; keeps it for the next object. */
@@ -219,7 +218,8 @@ static const char *hint_of(const struct rule *rule, const struct reading *r,
 	return out;
 }
 
-/* Refuses a member that is not of the way of which the object has the members `way`. */
+/* Refuses a given member that is not of the way of which the object has the members
+ * `way`. */
 static void refuse_rival(const struct reading *r, const struct rule *rule,
     enum task task, int member, uint64_t way)
 {
@@ -233,7 +233,7 @@ static void refuse_rival(const struct reading *r, const struct rule *rule,
 			others &= ~all_of(&rule->ways[i]);
 	list_names(r->table, r->variant, others != 0 ? others : way, names, NULL);
 	object_member(r->v, &r->table[member], &m);
-	value_refuse(m.item != NULL ? &m : VALUE_NAMED(r->v, r->table[member].name),
+	value_refuse(&m,
 	    text("does not go with %s", words_join(rivals, names, " and ", "\"")),
 	    rule->rivals != NULL ? rule->rivals : hint_of(rule, r, task, ways));
 }
@@ -377,27 +377,21 @@ static bool is_first(const struct value *object, const struct value *m)
 	return first.item == m->item;
 }
 
-/* Reads a member of an object whose variant is not known. It is wrong if it is for each
- * variant that has it. */
-static void read_of_any_variant(const struct reading *r, const struct value *m)
+/* Reads a member of an object whose variant is not known, of which `first` is the first
+ * row. It is wrong if it is for each variant that has it. */
+static void read_of_any_variant(const struct value *m, const struct member *first)
 {
 	struct refusals *const faults = m->source->faults;
 	const size_t n = faults->n;
-	const struct member *first = NULL;
 	double field[16]; /* of a matrix, the greatest of the members */
+	bool is_right = false;
 
-	for (const struct member *row = r->table; row->name != NULL; row++) {
-		if (member_named(row, ANY_VARIANT, m->name) != row)
-			continue;
-		if (first == NULL)
-			first = row;
-		const bool is_right = row->type->read(m, row, field);
-
+	for (const struct member *row = first; row != NULL && !is_right;
+	     row = member_named(row + 1, ANY_VARIANT, m->name)) {
+		is_right = row->type->read(m, row, field);
 		faults->n = n;
-		if (is_right)
-			return;
 	}
-	if (first != NULL)
+	if (!is_right)
 		first->type->read(m, first, field);
 }
 
@@ -409,7 +403,7 @@ static void read_each(struct reading *r, void *base)
 		if (*m.name == '_')
 			continue;
 		if (row == NULL) {
-			if (!is_ignored(&m, r->table))
+			if (!is_ignored(&m))
 				refuse_unknown(r, &m);
 			else if (!is_first(r->v, &m))
 				value_refuse(&m, "repeated", "give it once");
@@ -424,7 +418,7 @@ static void read_each(struct reading *r, void *base)
 				text("is \"%s\" again", row->name),
 			    "give it once");
 		else if (base != NULL && r->variant == ANY_VARIANT)
-			read_of_any_variant(r, &m);
+			read_of_any_variant(&m, row);
 		else if (base != NULL)
 			object_read_member(&m, row, base);
 		r->given |= bit;

@@ -83,3 +83,11 @@ void put_numbers(struct printer *p, const double *v, int n)
 	if (n > 0)
 		put_close(p, "]");
 }
+
+void put_rows(struct printer *p, const double *v, int rows, int n)
+{
+	put_open(p, "[");
+	for (int i = 0; i < rows; i++)
+		put_numbers(p, v + i * n, n);
+	put_close(p, "]");
+}

@@ -35,6 +35,9 @@ void put_literal(struct printer *, const char *word); /* such as null */
 void put_number(struct printer *, double v);          /* null if v is not finite */
 void put_distance(struct printer *, double v);        /* or "infinity" */
 
+/* Prints an array of `rows` arrays of n numbers. */
+void put_rows(struct printer *, const double *v, int rows, int n);
+
 /* Prints the number *v if n is 0, otherwise an array of n numbers;
  * null if *v is nan. */
 void put_numbers(struct printer *, const double *v, int n);

@@ -405,12 +405,6 @@ void put_scene(struct printer *p, const struct scene *s)
 	put_document(p, &d, SCENE_CONVENTION | SCENE_ANGLE_UNIT | SCENE_SPATIAL);
 }
 
-void put_device(struct printer *p, const struct device *d)
-{
-	scene_members[SCENE_ROW_DEVICE].type->print(p, &scene_members[SCENE_ROW_DEVICE],
-	    d);
-}
-
 void document_print(const struct document *d, bool compact)
 {
 	static char text[1 << 16];

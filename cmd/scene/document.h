@@ -94,7 +94,5 @@ void document_note(const struct document *, const char *pointer, const char *wha
  * the projection is no matrix, the output reads back as the same scene and pick. */
 void document_print(const struct document *, bool compact);
 
-/* put_scene prints an object with the convention and the members SCENE_SPATIAL of a
- * scene. put_device prints a device as an object. */
+/* Prints an object with the convention and the members SCENE_SPATIAL of a scene. */
 void put_scene(struct printer *, const struct scene *);
-void put_device(struct printer *, const struct device *);

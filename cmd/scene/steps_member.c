@@ -124,7 +124,7 @@ static const struct member step_row = { .members = step_members, .rules = step_r
 static struct list {
 	struct step step[STEPS_MAX];
 	int n;
-	struct value given; /* the list as it is in the document, for printing */
+	struct value given; /* as it is in the document, to print the world's */
 } lists[2], *reading;
 
 /* Marks a step wrong of which a number is not known. An angle and a translation are
@@ -311,8 +311,7 @@ static void print_steps(struct printer *p, const struct member *row, const void 
 	const struct steps *steps = at;
 
 	if (steps->step != NULL)
-		put_step_value(p, &lists[steps->step == lists[true].step].given,
-		    step_members);
+		put_step_value(p, &lists[true].given, step_members);
 	else
 		type_affine.print(p, row, steps->matrix);
 }

@@ -296,17 +296,12 @@ static bool read_matrix(const struct value *v, const struct member *row, void *o
 static void print_affine(struct printer *p, const struct member *row, const void *at)
 {
 	const double(*m)[4] = at;
+	double e[16];
 
 	(void)row;
-	put_open(p, "[");
-	for (int i = 0; i < 4; i++) {
-		double e[4];
-
-		for (int j = 0; j < 4; j++)
-			e[j] = p->column_vectors ? m[j][i] : m[i][j];
-		put_numbers(p, e, 4);
-	}
-	put_close(p, "]");
+	for (int i = 0; i < 16; i++)
+		e[i] = p->column_vectors ? m[i % 4][i / 4] : m[i / 4][i % 4];
+	put_rows(p, e, 4, 4);
 }
 
 static bool read_rotation(const struct value *v, const struct member *row, void *out)
@@ -324,34 +319,15 @@ static bool read_rotation(const struct value *v, const struct member *row, void 
 	return read_rows(v, 3, 3, out);
 }
 
-static void print_rotation(struct printer *p, const struct member *row, const void *at)
-{
-	const double(*m)[3] = at;
-
-	(void)row;
-	put_open(p, "[");
-	for (int i = 0; i < 3; i++)
-		put_numbers(p, m[i], 3);
-	put_close(p, "]");
-}
-
 /* The letters of the directions from AXIS_BACK on; 0 is none. */
 static const char axis_letters[] = "bdl ruf";
-
-/* Writes the word of three directions. */
-static void write_axes(const enum camera_axis axes[3], char word[4])
-{
-	for (int i = 0; i < 3; i++)
-		word[i] = axis_letters[axes[i] - AXIS_BACK];
-	word[3] = '\0';
-}
 
 /* Reads one of the 48 words that have a letter each of rl, ud and fb. */
 static bool read_axes(const struct value *v, const struct member *row, void *out)
 {
 	const char *s = value_string(v);
 	enum camera_axis *axes = out;
-	char word[4];
+	char word[4] = "";
 
 	(void)row;
 	if (s == NULL)
@@ -361,9 +337,9 @@ static bool read_axes(const struct value *v, const struct member *row, void *out
 
 		for (int i = 0, n = k; i < 3; i++, n /= 7) {
 			axes[i] = (enum camera_axis)(AXIS_BACK + n % 7);
+			word[i] = axis_letters[n % 7];
 			lines |= 1u << abs(axes[i]);
 		}
-		write_axes(axes, word);
 		if (lines == (1u << 1 | 1u << 2 | 1u << 3) && word_equals(s, word))
 			return true;
 	}
@@ -372,21 +348,10 @@ static bool read_axes(const struct value *v, const struct member *row, void *out
 	    "\"flu\" of ROS and Waymo, \"rub\" of GL, \"rdf\" of OpenCV");
 }
 
-static void print_axes(struct printer *p, const struct member *row, const void *at)
-{
-	char word[4];
-
-	(void)row;
-	write_axes(at, word);
-	put_string(p, word);
-}
-
-const struct member_type type_axes = { .name = "a word as flu",
-	.read = read_axes,
-	.print = print_axes };
-
-const struct member_type type_rotation = { "3 rows of 3 numbers", read_rotation,
-	print_rotation, .doubles = 9 };
+/* A camera is printed by its gaze: not with a rotation, nor with axes. */
+const struct member_type type_axes = { .name = "a word as flu", .read = read_axes };
+const struct member_type type_rotation = { "3 rows of 3 numbers", read_rotation, NULL,
+	.doubles = 9 };
 const struct member_type type_matrix = { "matrix", read_matrix, NULL, .doubles = 16 };
 const struct member_type type_affine = { "matrix", read_matrix, print_affine,
 	.doubles = 16 };
