@@ -29,19 +29,23 @@ struct json_source {
 	const char *text, *end;
 	/* the value of the text, if it is a document that is JSON */
 	const struct cJSON *root;
-	bool column_vectors;   /* matrices are for column, not row, vectors */
-	unsigned unit;         /* of angles: an enum angle_unit */
-	unsigned implied_type; /* type of a projection without "type"; or 0 */
-	enum task task;
-	bool flat;                    /* the document is of two dimensions */
-	bool has_convention;          /* the document or the call names one */
-	bool is_convention_wrong;     /* it was refused */
-	bool is_camera;               /* the camera is read, which needs a convention */
-	const char *two_numbers_hint; /* for points of two numbers; or NULL */
 	/* For messages: the rows of a scene, and the row of the document itself, which
 	 * is a scene or one object of it. */
 	const struct member *scene_members, *row;
 	struct refusals *faults;
+
+	/* What the call asks for. */
+	enum task task;
+	unsigned implied_type;        /* type of a projection without "type"; or 0 */
+	const char *two_numbers_hint; /* for points of two numbers; or NULL */
+
+	/* What the members that were read say of the others. */
+	unsigned unit;            /* of angles: an enum angle_unit */
+	bool column_vectors;      /* matrices are for column, not row, vectors */
+	bool has_convention;      /* the document or the call names one */
+	bool is_convention_wrong; /* it was refused */
+	bool flat;                /* the document is of two dimensions */
+	bool is_camera;           /* the camera is read, which needs a convention */
 };
 
 /* The types of values; cJSON writes a type as 1 << an enum json_type. */

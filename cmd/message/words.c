@@ -361,13 +361,12 @@ bool word_equals(const char *word, const char *name)
 
 bool word_is_one_of(const char *word, const char *words)
 {
-	while (words != NULL && *words != '\0') {
+	for (; words != NULL && *words != '\0'; words += *words == ' ') {
 		const size_t n = strcspn(words, " ");
 
 		if (equals_part(word, words, n))
 			return true;
 		words += n;
-		words += *words == ' ';
 	}
 	return false;
 }
