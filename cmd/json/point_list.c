@@ -106,16 +106,15 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 	return true;
 }
 
+/* Does for one or all points what check_point does. */
 static bool check_points(const struct value *v, const struct span *array, bool single,
     int coordinates)
 {
-	const size_t faults = v->source->faults->n;
 	struct value e = { v->source, .parent = v, .unused = v->unused };
 	const char *s = array->s, *const end = array->end;
 
 	if (single)
-		return check_point(v, &s, end, coordinates) &&
-		    v->source->faults->n == faults;
+		return check_point(v, &s, end, coordinates);
 	for (s = json_skip_blanks(s + 1, end); *s != ']' || e.index > 0; e.index++) {
 		if (!check_point(&e, &s, end, coordinates))
 			return false;
@@ -126,7 +125,7 @@ static bool check_points(const struct value *v, const struct span *array, bool s
 			return refuse_byte(v->source, s, "',' or ']'");
 		s = json_skip_blanks(s + 1, end);
 	}
-	return v->source->faults->n == faults;
+	return true;
 }
 
 /* Writes a line of the point at *s, without blanks, and moves *s to its end. */
@@ -152,9 +151,11 @@ bool points_cut(const struct value *v, struct span *array, int coordinates)
 {
 	const char *s = json_skip_blanks(array->s + 1, array->end);
 	const bool single = *s != '[' && *s != '{' && *s != ']';
+	const size_t faults = v->source->faults->n;
 	char *out = (char *)array->s;
 
-	if (!check_points(v, array, single, coordinates))
+	if (!check_points(v, array, single, coordinates) ||
+	    v->source->faults->n != faults)
 		return false;
 	if (single)
 		s = array->s;

@@ -169,17 +169,24 @@ static const struct form *find_form(const struct value *v, enum matrix_use use)
 }
 
 /* Sets *columns to whether the rows of a matrix of the form are for column vectors: by
- * the member "vectors" of v, else by the form or by the document. */
-static bool read_vectors(const struct value *v, const struct form *f, bool *columns)
+ * the member "vectors" of v, else by the form or by the document. Sets *unknown if they
+ * are those of a convention that was refused or that the camera needs and lacks, which
+ * is what is told. */
+static bool read_vectors(const struct value *v, const struct form *f, bool *columns,
+    bool *unknown)
 {
+	const struct json_source *s = v->source;
+	const bool by_document = f->vectors == BY_DOCUMENT;
 	struct value given;
 	unsigned index;
 
-	*columns = f->vectors == BY_DOCUMENT ? v->source->column_vectors :
-					       f->vectors != FOR_ROWS;
+	*columns = by_document ? s->column_vectors : f->vectors != FOR_ROWS;
+	*unknown = by_document &&
+	    (s->is_convention_wrong || (s->is_camera && !s->has_convention));
 	if (!value_is(v, JSON_OBJECT) ||
 	    !object_member(v, &matrix_members[MATRIX_ROW_VECTORS], &given))
 		return true;
+	*unknown = false;
 	if (!value_word(&given, vector_names, NULL, &index))
 		return false;
 	if ((f->vectors == FOR_ROWS || f->vectors == FOR_COLUMNS) &&
@@ -189,19 +196,6 @@ static bool read_vectors(const struct value *v, const struct form *f, bool *colu
 			vector_names[*columns]));
 	*columns = index == 1;
 	return true;
-}
-
-/* Returns whether the vectors of a matrix are not known: they are those of a convention
- * that was refused or that the camera needs and lacks, which is what is told. */
-static bool lacks_convention(const struct value *v, const struct form *f)
-{
-	const struct json_source *s = v->source;
-	struct value given;
-
-	return f->vectors == BY_DOCUMENT &&
-	    (s->is_convention_wrong || (s->is_camera && !s->has_convention)) &&
-	    !(value_is(v, JSON_OBJECT) &&
-		object_member(v, &matrix_members[MATRIX_ROW_VECTORS], &given));
 }
 
 /* `columns` says which vectors the rows of the matrix were read for. */
@@ -256,7 +250,7 @@ bool matrix_read_member(const struct value *object, const struct value *v,
 	const bool affine = use != ANY_MATRIX;
 	const struct value first = value_child(v);
 	double e[16] = { 0 };
-	bool columns;
+	bool columns, unknown;
 
 	if (!value_is(v, JSON_ARRAY))
 		return value_refuse_type(v, text("an array of %s", form_names[use]));
@@ -268,9 +262,9 @@ bool matrix_read_member(const struct value *object, const struct value *v,
 
 	if (f == NULL)
 		return false;
-	const bool known = read_vectors(object, f, &columns);
+	const bool good = read_vectors(object, f, &columns, &unknown);
 
-	if (!read_rows(v, f->rows, f->columns, e) || !known)
+	if (!read_rows(v, f->rows, f->columns, e) || !good)
 		return false;
 	set_matrix(f, columns, e, m);
 	/* an inverse computed in doubles may end in 1 - 2^-53 instead of 1 */
@@ -278,7 +272,7 @@ bool matrix_read_member(const struct value *object, const struct value *v,
 		m[3][3] = 1;
 	if (!affine || f->vectors == LISTED)
 		return true;
-	return !lacks_convention(object, f) && check_transposed(object, m, columns);
+	return !unknown && check_transposed(object, m, columns);
 }
 
 static bool read_matrix(const struct value *v, const struct member *row, void *out)
