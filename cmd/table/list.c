@@ -15,8 +15,7 @@ struct cutter {
 	struct list_lines *to;
 	const char *s;  /* the block */
 	size_t at, end; /* the place, and the end, in the block */
-	/* the stops of the block from `at` or before it on, and a last one beyond the
-	 * block; NULL: the processor has no vector code */
+	/* the stops of the block from `at` or before it on, and a last one beyond it */
 	const uint16_t *stop;
 	struct refusal *fault;
 };
@@ -31,6 +30,24 @@ static struct byte_set list_stops(void)
 	for (const char *s = bytes; *s != '\0'; s++)
 		byte_set_add(&set, &bits, (uint8_t)*s);
 	return set;
+}
+
+/* Does what number_loops.find does, on any processor. */
+static size_t find_stops(const struct byte_set *set, const char *s, size_t n,
+    uint16_t *at)
+{
+	const struct number_loops *loops = number_loops_chosen();
+	size_t found = 0;
+
+	if (loops != NULL)
+		return loops->find(set, s, n, at);
+	for (size_t i = 0; i < n; i++) {
+		const uint8_t b = (uint8_t)s[i];
+
+		if ((set->low[b & 15] & set->high[b >> 4]) != 0)
+			at[found++] = (uint16_t)i;
+	}
+	return found;
 }
 
 static struct list_place place_of(const struct cutter *c, size_t at)
@@ -55,21 +72,6 @@ static void begin_line(struct cutter *c, size_t at)
 	c->list->begin = c->list->done + at;
 }
 
-/* Returns the place of the next byte from c->at on that changes the state. */
-static inline size_t next_stop(struct cutter *c)
-{
-	size_t at = c->at;
-
-	if (c->stop == NULL) {
-		while (at < c->end && strchr("[]{}\"\\\n", c->s[at]) == NULL)
-			at++;
-		return at;
-	}
-	while (*c->stop < at)
-		c->stop++;
-	return *c->stop < c->end ? *c->stop : c->end;
-}
-
 static void put(struct cutter *c, const char *s, size_t n)
 {
 	memcpy(c->to->text + c->to->size, s, n);
@@ -80,10 +82,10 @@ static void end_element(struct cutter *c)
 {
 	struct list_lines *to = c->to;
 
-	to->text[to->size++] = '\n';
-	to->whole_size = to->size;
-	to->place[to->n++] = c->list->from;
 	c->list->state = LIST_AFTER;
+	to->place[to->n++] = c->list->from;
+	to->text[to->size] = '\n';
+	to->whole_size = ++to->size;
 }
 
 /* Makes one blank of a line end, which was passed, and the blanks before it; those
@@ -132,27 +134,29 @@ static bool take_stop(struct cutter *c, char b)
  * stay in registers: most of the time of a list is spent here. */
 static inline bool pass_to_end(struct cutter *c)
 {
-	const char *s = c->s;
+	const char *const s = c->s;
 	const size_t end = c->end;
+	const uint16_t *stop = c->stop;
 	int level = c->list->level;
 	bool quoted = c->list->quoted, ended = false;
-	size_t stop = next_stop(c);
 
-	while (stop < end && s[stop] != '\n' && s[stop] != '\\') {
-		const char b = s[stop++];
+	while (*stop < c->at)
+		stop++;
+	while (!ended && *stop < end) {
+		const char b = s[*stop];
 
-		/* of the brackets ] and } have a bit that [ and { have not */
-		quoted ^= b == '"';
-		if (!quoted && b != '"')
-			level += (b & 4) == 0 ? 1 : -1;
-		c->at = stop;
-		ended = level == 0;
-		if (ended)
+		if (b == '\n' || b == '\\')
 			break;
-		stop = next_stop(c);
+		stop++;
+		quoted ^= b == '"';
+		if (b == '"' || quoted)
+			continue;
+		/* of the brackets ] and } have a bit that [ and { have not */
+		level += (b & 4) == 0 ? 1 : -1;
+		ended = level == 0;
 	}
-	if (!ended)
-		c->at = stop;
+	c->at = ended ? stop[-1] + 1u : *stop < end ? *stop : end;
+	c->stop = stop;
 	c->list->level = level;
 	c->list->quoted = quoted;
 	return ended;
@@ -163,28 +167,24 @@ static bool cut_element(struct cutter *c)
 {
 	struct list *l = c->list;
 
-	while (c->at < c->end && l->state == LIST_ELEMENT) {
-		if (l->escaped) {
-			l->escaped = false;
-			put(c, &c->s[c->at++], 1);
-			continue;
-		}
-		while (l->skips && c->at < c->end && json_is_blank(c->s[c->at]))
-			if (c->s[c->at++] == '\n')
-				begin_line(c, c->at);
-		l->skips &= c->at == c->end;
-		const size_t from = c->at;
-		const bool ended = pass_to_end(c);
-
-		copy_run(c->to->text + c->to->size, c->s + from, c->at - from,
-		    c->end - c->at);
-		c->to->size += c->at - from;
-		if (ended)
-			end_element(c);
-		else if (c->at < c->end && !take_stop(c, c->s[c->at++]))
-			return false;
+	if (l->escaped) {
+		l->escaped = false;
+		put(c, &c->s[c->at++], 1);
 	}
-	return true;
+	while (l->skips && c->at < c->end && json_is_blank(c->s[c->at]))
+		if (c->s[c->at++] == '\n')
+			begin_line(c, c->at);
+	l->skips &= c->at == c->end;
+
+	const size_t from = c->at;
+	const bool ended = pass_to_end(c);
+	const size_t n = c->at - from, size = c->to->size;
+
+	c->to->size = size + n;
+	copy_run(c->to->text + size, c->s + from, n, c->end - c->at);
+	if (ended)
+		end_element(c);
+	return ended || c->at == c->end || take_stop(c, c->s[c->at++]);
 }
 
 /* Ends a value that is no point, which plan.c refuses; it has to be JSON, without which
@@ -224,148 +224,60 @@ static bool cut_scalar(struct cutter *c)
 	return true;
 }
 
-static void begin_element(struct cutter *c, char b)
+/* Passes what is between elements, up to the next one or the end of the block. */
+static bool cut_between(struct cutter *c)
 {
-	struct list *l = c->list;
-
-	l->from = place_of(c, c->at);
-	l->level = 0;
-	l->quoted = l->escaped = l->skips = false;
-	l->state = b == '[' || b == '{' ? LIST_ELEMENT : LIST_SCALAR;
-}
-
-/* Takes the byte b between elements. */
-static bool cut_between(struct cutter *c, char b)
-{
-	struct list *l = c->list;
-
-	if (json_is_blank(b)) {
-		if (b == '\n')
-			begin_line(c, c->at + 1);
-	} else if (l->state == LIST_BEGIN) {
-		l->state = LIST_FIRST;
-	} else if (l->state == LIST_END) {
-		return refuse_list(c, place_of(c, c->at),
-		    "more follows the end of the list");
-	} else if (b == ']' && l->state != LIST_NEXT) {
-		l->state = LIST_END;
-	} else if (l->state == LIST_AFTER) {
-		if (b != ',')
-			return refuse_list(c, place_of(c, c->at),
-			    "a comma or ] is wanted after an element");
-		l->state = LIST_NEXT;
-	} else if (b == ',' || b == ']') {
-		return refuse_list(c, place_of(c, c->at),
-		    "an element of the list is missing");
-	} else {
-		begin_element(c, b);
-		return true;
-	}
-	c->at++;
-	return true;
-}
-
-/* Returns the end of the array or object whose bracket is the next stop, if it ends in
- * the line and before `end`, without a backslash; else 0. */
-static inline size_t usual_end(const char *s, size_t end, const uint16_t **stop)
-{
-	const uint16_t *at = *stop;
-	int level = 0;
-
-	do {
-		char b = *at < end ? s[*at] : '\n';
-
-		if (b == '"')
-			do {
-				b = *++at < end ? s[*at] : '\n';
-				if (b == '\n' || b == '\\')
-					return 0;
-			} while (b != '"');
-		else if (b == '\n' || b == '\\')
-			return 0;
-		else
-			level += (b & 4) == 0 ? 1 : -1;
-		at++;
-	} while (level > 0);
-	*stop = at;
-	return at[-1] + 1u;
-}
-
-/* Cuts elements that end in their line, as most do, and in the block. What it leaves,
- * the other functions cut; they give the same lines, as cmd/test/lines_test.t compares
- * for the processors, of which the baseline has no stops. */
-static void cut_usual(struct cutter *c)
-{
-	struct list *l = c->list;
-	struct list_lines to = *c->to;
 	const char *const s = c->s;
-	const uint16_t *stop = c->stop;
+	const size_t end = c->end;
+	struct list *l = c->list;
+	enum list_state state = l->state;
 	size_t at = c->at;
 
-	while (stop != NULL) {
-		bool comma = l->state != LIST_AFTER;
-		size_t begin = l->begin;
-		long long line = l->line;
-
-		for (;
-		     at < c->end && (json_is_blank(s[at]) || (s[at] == ',' && !comma));
-		     at++) {
-			line += s[at] == '\n';
-			begin = s[at] == '\n' ? l->done + at + 1 : begin;
-			comma |= s[at] == ',';
-		}
-		if (at == c->end || !comma || (s[at] != '[' && s[at] != '{'))
+	for (; at < end; at++) {
+		if (state == LIST_AFTER && s[at] == ',')
+			state = LIST_NEXT;
+		else if (s[at] == '\n')
+			begin_line(c, at + 1);
+		else if (json_is_blank(s[at]))
+			continue;
+		else if (state == LIST_BEGIN)
+			state = LIST_FIRST;
+		else if (s[at] == ']' && (state == LIST_FIRST || state == LIST_AFTER))
+			state = LIST_END;
+		else
 			break;
-		while (*stop < at)
-			stop++;
-		const size_t end = usual_end(s, c->end, &stop);
-
-		if (end == 0)
-			break;
-		copy_run(to.text + to.size, s + at, end - at, c->end - end);
-		to.size += end - at;
-		to.text[to.size++] = '\n';
-		to.place[to.n++] = (struct list_place){ line, l->done + at - begin + 1,
-			false };
-		to.whole_size = to.size;
-		c->at = at = end;
-		c->stop = stop;
-		l->line = line;
-		l->begin = begin;
-		l->state = LIST_AFTER;
 	}
-	*c->to = to;
-}
-
-static bool is_between(enum list_state state)
-{
-	return state == LIST_FIRST || state == LIST_AFTER || state == LIST_NEXT;
+	c->at = at;
+	l->state = state;
+	if (at == end)
+		return true;
+	l->from = place_of(c, at);
+	if (state == LIST_END)
+		return refuse_list(c, l->from, "more follows the end of the list");
+	if (state == LIST_AFTER)
+		return refuse_list(c, l->from,
+		    "a comma or ] is wanted after an element");
+	if (s[at] == ',' || s[at] == ']')
+		return refuse_list(c, l->from, "an element of the list is missing");
+	l->state = s[at] == '[' || s[at] == '{' ? LIST_ELEMENT : LIST_SCALAR;
+	return true;
 }
 
 static bool cut_block(struct cutter *c)
 {
 	const struct list *l = c->list;
-	bool tried = false;
+	bool ok = true;
 
-	while (c->at < c->end) {
-		if (!tried && is_between(l->state)) {
-			tried = true;
-			cut_usual(c);
-			continue;
-		}
-		tried = tried && is_between(l->state);
-		if (!(l->state == LIST_SCALAR        ? cut_scalar(c) :
-			    l->state == LIST_ELEMENT ? cut_element(c) :
-						       cut_between(c, c->s[c->at])))
-			return false;
-	}
-	return true;
+	while (ok && c->at < c->end)
+		ok = l->state == LIST_ELEMENT ? cut_element(c) :
+		    l->state == LIST_SCALAR   ? cut_scalar(c) :
+						cut_between(c);
+	return ok;
 }
 
 bool list_cut(struct list *l, const char *s, size_t n, struct list_lines *to,
     struct refusal *fault)
 {
-	const struct number_loops *loops = number_loops_chosen();
 	const struct byte_set stops = list_stops();
 	struct cutter c = { .list = l, .to = to, .fault = fault };
 	uint16_t stop[LIST_BLOCK + 128];
@@ -377,10 +289,8 @@ bool list_cut(struct list *l, const char *s, size_t n, struct list_lines *to,
 		c.s = s + done;
 		c.at = 0;
 		c.end = n - done < LIST_BLOCK ? n - done : LIST_BLOCK;
-		if (loops != NULL) {
-			stop[loops->find(&stops, c.s, c.end, stop)] = UINT16_MAX;
-			c.stop = stop;
-		}
+		stop[find_stops(&stops, c.s, c.end, stop)] = UINT16_MAX;
+		c.stop = stop;
 		if (!cut_block(&c))
 			return false;
 		l->done += c.end;
