@@ -269,17 +269,26 @@ static bool is_sniffed_tsv(const struct layout *l)
 	return l->plan.sniffed && same_dialect(l->in, dialect_of(FORMAT_TSV, ','));
 }
 
-/* Returns whether the first line is a header. If that is not certain, refuses it. */
-static bool is_header(const struct layout *l, struct span line, bool *refused,
+/* Returns whether the first line is a header. If that is not certain, or one that has
+ * to be a header can't be cut, refuses it. */
+static bool is_header(const struct layout *l, struct span text, struct line *line,
     struct refusal *r)
 {
-	struct cursor c = line_cursor(l->in, line);
+	const bool certain = layout_has_names(l) || l->header != HEADER_MAYBE;
 	const int first = l->columns.n > 0 ? l->columns.field[0] : 0;
 	bool empty = false, numbers = false, name = false;
 	struct field f;
 
-	if (layout_has_names(l) || l->header != HEADER_MAYBE)
-		return l->header != HEADER_NONE;
+	if (!format_of(l->in)->header || l->header == HEADER_NONE)
+		return false;
+	if (!line_check(l->in, text, r)) {
+		line->kind = certain ? LINE_REFUSED : line->kind;
+		return certain;
+	}
+	if (certain)
+		return true;
+	struct cursor c = line_cursor(l->in, text);
+
 	for (int k = 0; cursor_next(&c, &f); k++) {
 		empty |= k == 0 && f.value.s == f.value.end;
 		name |= k == first && is_name(l->in, f.value);
@@ -287,7 +296,8 @@ static bool is_header(const struct layout *l, struct span line, bool *refused,
 	}
 	if (!empty || !format_of(l->in)->table)
 		return name;
-	*refused = numbers;
+	if (numbers)
+		line->kind = LINE_REFUSED;
 	if (numbers && is_sniffed_tsv(l))
 		refusal_set(r, NULL, "begins with an empty field, if tabs part fields",
 		    "say -i text or -i tsv, and of tsv --header or --no-header");
@@ -981,7 +991,6 @@ static void read_line(struct layout *l, struct span text, enum next_part *first,
     struct line *line, double v[4], struct refusal *r)
 {
 	const bool first_line = *first == FIRST_LINE;
-	bool refused = false;
 
 	if (is_binary(text, first_line, r))
 		return;
@@ -1004,11 +1013,8 @@ static void read_line(struct layout *l, struct span text, enum next_part *first,
 	}
 	if (line_is_other(l->in, text))
 		return;
-	if (first_line && format_of(l->in)->header && line_check(l->in, text, r) &&
-	    is_header(l, text, &refused, r)) {
-		if (refused)
-			line->kind = LINE_REFUSED;
-		else
+	if (first_line && is_header(l, text, line, r)) {
+		if (line->kind != LINE_REFUSED)
 			read_header(l, text, line, r);
 		*first = FIRST_ROW;
 		return;
