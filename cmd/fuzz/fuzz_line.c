@@ -52,7 +52,8 @@ static void check_back(const struct layout *l, const double v[], struct span tex
 	back.in = l->out;
 	back.header = HEADER_NONE;
 	back.output = (struct output){ 0 };
-	back.plan.fields = back.plan.header_fields = 0;
+	back.plan.has_header = false;
+	back.plan.fields = 0;
 	back.reads = l->writes > 4 ? 3 : l->writes;
 	if (!same_dialect(l->in, l->out) || !layout_has_names(l))
 		back.columns.n = 0;

@@ -5,12 +5,10 @@
 
 #include <stdbool.h>
 
-#include "../json/value.h"
-
-/* A line that is checked, from s to end - 1: the caller owns it. */
+/* A line that is checked up to `end`: the caller owns it. */
 struct json_check {
-	const char *s, *end;
-	const char *at;     /* the next character; after an error, the wrong one */
+	const char *at; /* the next character; after an error, the wrong one */
+	const char *end;
 	const char *wanted; /* after an error: what is wanted at `at` */
 	int level;          /* the number of open brackets */
 };

@@ -49,10 +49,9 @@ static size_t token_size(const char *s, const char *end)
 static bool json_line_check(struct dialect d, struct span line, struct refusal *r)
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	struct json_check c = { .s = line.s, .end = line.end };
+	struct json_check c = { .at = s, .end = line.end };
 	char shown[ESCAPED_MAX];
 
-	c.at = s;
 	if (!is_utf8(line)) {
 		refusal_set(r, NULL, "is not UTF-8",
 		    "iconv -f LATIN1 -t UTF-8 makes it so, if it is Latin-1");

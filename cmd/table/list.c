@@ -193,7 +193,7 @@ static bool end_scalar(struct cutter *c)
 {
 	const struct list_lines *to = c->to;
 	const char *s = to->text + to->whole_size, *end = to->text + to->size;
-	struct json_check check = { .s = s, .end = end };
+	struct json_check check = { .at = s, .end = end };
 	char shown[ESCAPED_MAX];
 
 	if (json_check(&check)) {

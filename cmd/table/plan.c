@@ -15,19 +15,25 @@
 /* The fields that are sought in a line: the first of each coordinate, and how many. */
 struct sought {
 	struct field field[4];
+	int index[4]; /* of the field, from 0 */
 	int times[4];
-	size_t n;          /* fields of the line */
-	bool ends_empty;   /* the last field is empty */
-	const char *clash; /* a name that the output adds, but the line has; or NULL */
-	const char *clash_at;
-	bool undivided;   /* the clash is with S_w, which tells that S_x is x times w */
-	const char *late; /* S_x of an object behind a row without names; or NULL */
+	size_t n;        /* fields of the line */
+	bool ends_empty; /* the last field is empty */
 };
 
 /* Sets the column of what is wrong, which is at s. A byte order mark does not count. */
 static void set_column(struct refusal *r, const struct line *line, const char *s)
 {
 	r->column = (size_t)(s - line->s) - (line->has_bom ? 3 : 0) + 1;
+}
+
+/* Refuses the line for what is at `at`. Returns false. */
+static bool refuse_place(struct refusal *r, const struct line *line, const char *at,
+    const char *what, const char *remedy)
+{
+	refusal_set(r, NULL, what, remedy);
+	set_column(r, line, at);
+	return false;
 }
 
 void plan_begin(struct layout *l)
@@ -54,58 +60,67 @@ static struct span header_name(struct span f)
 	return f;
 }
 
+static bool equals_text(struct span f, const char *s)
+{
+	return span_size(f) == strlen(s) && memcmp(f.s, s, strlen(s)) == 0;
+}
+
 /* Law 3: the coordinates. */
 
-/* Returns whether a header or object has this name: any letter of `word` in either case
- * if `either_case` is set. Names of members have quotes, and may have escapes. */
-static bool is_named(const struct cursor *c, const struct field *f, const char *word,
-    bool either_case)
-{
-	const size_t n = strlen(word);
-	char upper[2 * NAME_ROOM];
-
-	if (!c->members) {
-		const struct span name = header_name(f->value);
-
-		return span_size(name) == n &&
-		    (either_case ? strncasecmp : strncmp)(name.s, word, n) == 0;
-	}
-	if (json_is_name(f->name, (struct span){ word, word + n }, false))
-		return true;
-	if (!either_case || n >= sizeof upper)
-		return false;
-	for (size_t i = 0; i < n; i++)
-		upper[i] = (char)toupper((unsigned char)word[i]);
-	return json_is_name(f->name, (struct span){ upper, upper + n }, false);
-}
-
-/* The names by which a source is searched, and whether their case counts. */
+/* The names by which the coordinates are sought; NULL: one is sought by its number. */
 struct names {
-	char name[4][2 * NAME_ROOM];
-	const char *given[4]; /* by --columns; NULL: use name[] */
-	bool either_case;
+	const char *name[4];
+	bool either_case; /* they are x, y, z and w, in either case */
+	char in_space[4][2 * NAME_ROOM];
 };
 
-static const char *name_of(const struct names *n, int i)
+/* Returns whether a field of a header or object has this name. Names of members have
+ * quotes, and may have escapes. */
+static bool is_named(const struct cursor *c, const struct field *f, const char *name)
 {
-	return n->given[i] != NULL ? n->given[i] : n->name[i];
+	const struct span word = { name, name + strlen(name) };
+
+	return c->members ? json_is_name(f->name, word, false) :
+			    equals_text(header_name(f->value), name);
 }
 
-/* Counts the fields of each name, and keeps the first and its index. */
-static void find_names(struct cursor c, const struct names *n, int reads,
-    struct sought *found, int index[4])
+static const char *name_place(const struct cursor *c, const struct field *f)
 {
+	return c->members ? f->name.s : f->value.s;
+}
+
+/* Returns whether field k of a line is coordinate i. */
+static bool is_coordinate(const struct layout *l, const struct cursor *c,
+    const struct field *f, const struct names *n, int i, size_t k)
+{
+	if (n == NULL || n->name[i] == NULL)
+		return (size_t)l->plan.field[i] == k;
+	const char upper[] = { (char)toupper((unsigned char)*n->name[i]), '\0' };
+
+	return is_named(c, f, n->name[i]) || (n->either_case && is_named(c, f, upper));
+}
+
+/* Finds the coordinates of a line by their names or, if `names` is NULL, numbers. */
+static void find_fields(const struct layout *l, struct cursor c,
+    const struct names *names, struct sought *found)
+{
+	/* of text without a header nothing after the last coordinate counts */
+	const bool whole = names != NULL || l->plan.fields > 0 ||
+	    !format_of(l->in)->blanks;
+	int left = l->reads;
 	struct field f;
 
 	*found = (struct sought){ 0 };
-	for (int k = 0; cursor_next(&c, &f); k++, found->n++) {
-		for (int i = 0; i < reads; i++)
-			if (*name_of(n, i) != '\0' &&
-			    is_named(&c, &f, name_of(n, i), n->either_case) &&
-			    found->times[i]++ == 0) {
-				found->field[i] = f;
-				index[i] = k;
-			}
+	for (; (whole || left > 0) && cursor_next(&c, &f); found->n++) {
+		for (int i = 0; i < l->reads; i++) {
+			if (!is_coordinate(l, &c, &f, names, i, found->n))
+				continue;
+			left--;
+			if (found->times[i]++ > 0)
+				continue;
+			found->field[i] = f;
+			found->index[i] = (int)found->n;
+		}
 		found->ends_empty = f.value.s == f.value.end;
 	}
 }
@@ -118,49 +133,41 @@ static bool finds_all(const struct sought *found, int reads)
 	return true;
 }
 
-/* Writes S_x and so on, of the space that is read. */
-static void name_in_space(const struct layout *l, int i, char name[2 * NAME_ROOM])
+/* Finds the coordinates by the names that --columns gives; else by those of the space
+ * that is read, S_x and so on, if the line has all of them; else by x, y, z and w in
+ * either case. */
+static void find_by_names(const struct layout *l, struct cursor c, struct names *names,
+    struct sought *found)
 {
-	snprintf(name, 2 * NAME_ROOM, "%s_%s", l->from, coordinate_name(i));
+	const bool given = l->columns.n > 0;
+
+	names->either_case = false;
+	for (int i = 0; i < l->reads; i++) {
+		snprintf(names->in_space[i], 2 * NAME_ROOM, "%s_%s",
+		    l->from != NULL ? l->from : "", coordinate_name(i));
+		names->name[i] = given ? l->columns.name[i] : names->in_space[i];
+	}
+	if (given || l->from != NULL)
+		find_fields(l, c, names, found);
+	if (given || (l->from != NULL && finds_all(found, l->reads)))
+		return;
+	names->either_case = true;
+	for (int i = 0; i < l->reads; i++)
+		names->name[i] = coordinate_name(i);
+	find_fields(l, c, names, found);
 }
 
 /* Returns which of the coordinates that were found have names of the space that is
  * read. */
 static unsigned find_in_space(const struct layout *l, struct cursor c,
-    const struct sought *found)
+    const struct names *names, const struct sought *found)
 {
-	char name[2 * NAME_ROOM];
 	unsigned in_space = 0;
 
-	for (int i = 0; i < l->reads && l->from != NULL; i++) {
-		name_in_space(l, i, name);
-		if (is_named(&c, &found->field[i], name, false))
-			in_space |= 1u << i;
-	}
-	return in_space;
-}
-
-/* Sets the names that --columns gives; else those of the space that is read if the line
- * has all of them; else x, y, z and w in either case. */
-static void choose_names(const struct layout *l, struct cursor c, struct names *n)
-{
-	struct sought found;
-	int index[4];
-
-	*n = (struct names){ .either_case = l->columns.n == 0 };
-	for (int i = 0; i < l->columns.n; i++)
-		n->given[i] = l->columns.name[i];
-	if (l->columns.n > 0)
-		return;
-	n->either_case = false;
 	for (int i = 0; i < l->reads && l->from != NULL; i++)
-		name_in_space(l, i, n->name[i]);
-	find_names(c, n, l->reads, &found, index);
-	if (finds_all(&found, l->reads))
-		return;
-	n->either_case = true;
-	for (int i = 0; i < l->reads; i++)
-		strcpy(n->name[i], coordinate_name(i));
+		if (is_named(&c, &found->field[i], names->in_space[i]))
+			in_space |= 1u << i;
+	return in_space;
 }
 
 void plan_name(const struct layout *l, int k, char name[2 * NAME_ROOM])
@@ -188,9 +195,31 @@ static bool is_renamed(const struct layout *l, const struct sought *found,
 	return false;
 }
 
-/* Finds a name that the output adds, or changes a name to, and that a field of the line
- * has, too. Names that change are not there. */
-static void find_clash(const struct layout *l, struct cursor c, struct sought *found)
+/* Refuses S_w beside the coordinates S_x ... of a space that has no w: -H wrote them,
+ * not divided by w, unless --columns says otherwise. */
+static bool is_undivided(const struct layout *l, const struct line *line,
+    struct cursor c, struct refusal *r)
+{
+	char name[2 * NAME_ROOM];
+	struct field f;
+
+	if (l->plan.in_space == 0 || l->columns.n > 0 || strcmp(l->from, "clip") == 0)
+		return false;
+	snprintf(name, sizeof name, "%s_w", l->from);
+	while (cursor_next(&c, &f))
+		if (is_named(&c, &f, name))
+			return !refuse_place(r, line, name_place(&c, &f),
+			    text("%shas '%s': -H wrote numbers that are not divided by "
+				 "w",
+				c.members ? "" : "the header ", name),
+			    "leave -H out there, or say --columns");
+	return false;
+}
+
+/* Refuses a name that the output adds, or changes a name to, and that a field of the
+ * line has, too. Names that change are not there. */
+static bool has_clash(const struct layout *l, const struct line *line, struct cursor c,
+    const struct sought *found, struct refusal *r)
 {
 	const struct output *o = &l->output;
 	char name[2 * NAME_ROOM];
@@ -199,8 +228,8 @@ static void find_clash(const struct layout *l, struct cursor c, struct sought *f
 	/* trace, pick, draw and --lines print no names of images */
 	if (!o->copies || o->space == NULL ||
 	    (!o->append && !o->flags && l->writes <= l->reads && l->plan.in_space == 0))
-		return;
-	while (found->clash == NULL && cursor_next(&c, &f)) {
+		return false;
+	while (cursor_next(&c, &f)) {
 		if (is_renamed(l, found, &f))
 			continue;
 		for (int k = 0; k <= COORDINATES_MAX; k++) {
@@ -208,32 +237,14 @@ static void find_clash(const struct layout *l, struct cursor c, struct sought *f
 			    !(l->plan.in_space >> k & 1);
 
 			plan_name(l, k, name);
-			if (stays || *name == '\0' || !is_named(&c, &f, name, false))
-				continue;
-			found->clash = text("%s", name);
-			found->clash_at = c.members ? f.name.s : f.value.s;
-			break;
+			if (!stays && *name != '\0' && is_named(&c, &f, name))
+				return !refuse_place(r, line, name_place(&c, &f),
+				    text("%shas '%s', which the output adds",
+					c.members ? "" : "the header ", name),
+				    "rename it, or leave it out");
 		}
 	}
-}
-
-/* Finds S_w beside the coordinates S_x ... of a space that has no w: -H wrote them, not
- * divided by w, unless --columns says otherwise. */
-static void find_undivided(const struct layout *l, struct cursor c,
-    struct sought *found)
-{
-	char name[2 * NAME_ROOM];
-	struct field f;
-
-	if (l->plan.in_space == 0 || l->columns.n > 0 || strcmp(l->from, "clip") == 0)
-		return;
-	snprintf(name, sizeof name, "%s_w", l->from);
-	while (found->clash == NULL && cursor_next(&c, &f))
-		if (is_named(&c, &f, name, false)) {
-			found->clash = text("%s", name);
-			found->clash_at = c.members ? f.name.s : f.value.s;
-			found->undivided = true;
-		}
+	return false;
 }
 
 /* Law 4: the header. */
@@ -311,19 +322,16 @@ static bool is_header(const struct layout *l, struct span text, struct line *lin
  * character may part fields; or NULL. */
 static const char *other_separator(const struct layout *l, struct span f)
 {
-	static const char *const rows[][2] = { { ";", "--separator ';'" },
-		{ "|", "--separator '|'" }, { "\t", "-i tsv" }, { ",", "-i csv" },
-		{ " ", "-i text" } };
+	static const char *const rows[][3] = { { ";", "';'", "--separator ';'" },
+		{ "|", "'|'", "--separator '|'" }, { "\t", "a tab", "-i tsv" },
+		{ ",", "','", "-i csv" }, { " ", "a blank", "-i text" } };
 
 	for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
 		if (memchr(f.s, *rows[k][0], span_size(f)) != NULL &&
 		    !(format_of(l->in)->blanks && is_blank(*rows[k][0])) &&
 		    !(format_of(l->in)->table && l->in.separator == *rows[k][0]))
-			return text("if %s parts its fields, say %s",
-			    *rows[k][0] == '\t'    ? "a tab" :
-				*rows[k][0] == ' ' ? "a blank" :
-						     text("'%s'", rows[k][0]),
-			    rows[k][1]);
+			return text("if %s parts its fields, say %s", rows[k][1],
+			    rows[k][2]);
 	return NULL;
 }
 
@@ -346,11 +354,6 @@ static void list_fields(struct cursor c, char all[512])
 	}
 	if (c.s != NULL)
 		strcpy(all + n, ", ...");
-}
-
-static bool equals_text(struct span f, const char *s)
-{
-	return span_size(f) == strlen(s) && memcmp(f.s, s, strlen(s)) == 0;
 }
 
 /* Returns whether a line of text is one of OBJ: v and a number, or mtllib. */
@@ -382,7 +385,7 @@ static void refuse_name(const struct layout *l, const struct line *line,
     struct refusal *r)
 {
 	const struct field *first = &found->field[i];
-	const char *name = name_of(names, i);
+	const char *name = names->name[i];
 	const char *subject = c.members ? "has" : "the header has";
 	const char *what = c.members ? "member" : "column";
 	const char *remedy = "--columns chooses the coordinates";
@@ -396,11 +399,11 @@ static void refuse_name(const struct layout *l, const struct line *line,
 
 	name = shown((struct span){ name, name + strlen(name) });
 	if (found->times[i] > 1) {
-		refusal_set(r, NULL, text("%s two %ss '%s'", subject, what, name),
+		refuse_place(r, line, name_place(&c, first),
+		    text("%s two %ss '%s'", subject, what, name),
 		    c.members            ? NULL :
 			l->columns.n > 0 ? "say --columns by number" :
 					   remedy);
-		set_column(r, line, c.members ? first->name.s : first->value.s);
 		return;
 	}
 	if (l->columns.n > 0 && l->header == HEADER_MAYBE && has_numbers(l, c)) {
@@ -465,21 +468,6 @@ static enum line_kind join_own_header(struct layout *l, struct span header,
 	return header.s != NULL ? LINE_HEADER : LINE_POINT;
 }
 
-static void refuse_clash(const struct line *line, const struct sought *found,
-    const char *subject, struct refusal *r)
-{
-	if (found->undivided)
-		refusal_set(r, NULL,
-		    text("%shas '%s': -H wrote numbers that are not divided by w",
-			subject, found->clash),
-		    "leave -H out there, or say --columns");
-	else
-		refusal_set(r, NULL,
-		    text("%shas '%s', which the output adds", subject, found->clash),
-		    "rename it, or leave it out");
-	set_column(r, line, found->clash_at);
-}
-
 /* Returns whether the coordinates are different columns of the n; if not, says so. */
 static bool columns_are_apart(const struct layout *l, size_t n, struct refusal *r)
 {
@@ -516,12 +504,11 @@ static bool has_whole_names(const struct layout *l, struct line *line, struct cu
 
 		if (*name.s != '"' || (span_size(name) > 1 && name.end[-1] == '"'))
 			continue;
-		refusal_set(r, NULL, text("the header's %s is not closed", shown(name)),
+		return refuse_place(r, line, name.s,
+		    text("the header's %s is not closed", shown(name)),
 		    remedy != NULL ?
 			remedy :
 			"blanks part the names of text: rename it, or write csv");
-		set_column(r, line, name.s);
-		return false;
 	}
 	return true;
 }
@@ -532,38 +519,29 @@ static void read_header(struct layout *l, struct span text, struct line *line,
 {
 	const struct cursor c = line_cursor(l->in, text);
 	struct plan *p = &l->plan;
-	struct cursor at = c;
 	struct names names;
 	struct sought found;
-	struct field f;
 
 	line->kind = LINE_REFUSED;
-	choose_names(l, c, &names);
-	find_names(c, &names, l->reads, &found, p->field);
+	find_by_names(l, c, &names, &found);
 	for (int i = 0; i < l->reads; i++) {
-		const bool by_number = l->columns.n > 0 && l->columns.name[i] == NULL;
-
-		if (!by_number && found.times[i] != 1) {
+		if (names.name[i] == NULL)
+			continue;
+		if (found.times[i] != 1) {
 			refuse_name(l, line, c, &names, &found, i, r);
 			return;
 		}
+		p->field[i] = found.index[i];
 	}
 	if (!has_whole_names(l, line, c, r) || !columns_are_apart(l, found.n, r))
 		return;
-	for (int k = 0; cursor_next(&at, &f); k++)
-		for (int i = 0; i < l->reads; i++)
-			if (p->field[i] == k) {
-				line->at[i] = line_part(line, f.value);
-				found.field[i] = f;
-			}
-	p->in_space = find_in_space(l, c, &found);
-	find_undivided(l, c, &found);
-	find_clash(l, c, &found);
-	if (found.clash != NULL) {
-		refuse_clash(line, &found, "the header ", r);
+	for (int i = 0; i < l->reads; i++)
+		line->at[i] = line_part(line, found.field[i].value);
+	p->in_space = find_in_space(l, c, &names, &found);
+	if (is_undivided(l, line, c, r) || has_clash(l, line, c, &found, r))
 		return;
-	}
-	p->header_fields = p->fields = found.n;
+	p->has_header = true;
+	p->fields = found.n;
 	line->kind = join_own_header(l, text, r);
 }
 
@@ -590,76 +568,42 @@ static bool has_its_fields(const struct layout *l, const struct line *line,
 
 	if (p->fields == 0 || found->n == p->fields || one_more)
 		return true;
-	const bool row_names = p->header_fields > 0 && found->n == p->fields + 1;
+	const bool row_names = p->has_header && found->n == p->fields + 1;
 	const bool parted = format_of(l->in)->table && found->n > p->fields;
 
-	refusal_set(r, NULL,
+	for (size_t k = 0; k <= p->fields && cursor_next(&c, &f); k++)
+		at = k == p->fields ? f.value.s : at;
+	return refuse_place(r, line, at,
 	    text("has %zu field%s and the %s %zu", found->n, found->n == 1 ? "" : "s",
-		p->header_fields > 0 ? "header" : "first row", p->fields),
+		p->has_header ? "header" : "first row", p->fields),
 	    text("%s%s%s", parted ? "quote a field that has the separator in it" : "",
 		parted && row_names ? "; " : "",
 		row_names ? "row names want a name in the header" : ""));
-	for (size_t k = 0; k <= p->fields && cursor_next(&c, &f); k++)
-		at = k == p->fields ? f.value.s : at;
-	set_column(r, line, at);
-	return false;
-}
-
-/* Finds the coordinates of a row that is no object. */
-static void find_fields(const struct layout *l, struct cursor c, struct sought *found)
-{
-	/* of text without a header nothing after the last coordinate counts */
-	const bool whole = l->plan.fields > 0 || !format_of(l->in)->blanks;
-	int left = l->reads;
-	struct field f;
-
-	*found = (struct sought){ 0 };
-	for (; (whole || left > 0) && cursor_next(&c, &f); found->n++) {
-		for (int i = 0; i < l->reads; i++)
-			if ((size_t)l->plan.field[i] == found->n) {
-				found->field[i] = f;
-				found->times[i] = 1;
-				left--;
-			}
-		found->ends_empty = f.value.s == f.value.end;
-	}
 }
 
 /* Finds the coordinates of an object. The first row decides their names; if it is an
- * array or has not all of them, each object does, but not by names of the space, which
- * the output would change. */
-static void find_object_fields(struct layout *l, struct cursor c, bool first,
-    struct sought *found, struct names *names)
+ * array or has not all of them, each object does. */
+static void find_members(struct layout *l, struct cursor c, bool first,
+    struct names *names, struct sought *found)
 {
 	struct plan *p = &l->plan;
-	int index[4];
 
-	if (first || !p->has_members) {
-		choose_names(l, c, names);
-	} else {
-		*names = (struct names){ 0 };
-		for (int i = 0; i < l->reads; i++) {
-			names->given[i] = l->columns.name[i];
-			strcpy(names->name[i], p->member[i]);
-		}
+	if (!first && *p->member[0] != '\0') {
+		names->either_case = false;
+		for (int i = 0; i < l->reads; i++)
+			names->name[i] = p->member[i];
+		find_fields(l, c, names, found);
+		return;
 	}
-	find_names(c, names, l->reads, found, index);
-	if (!first && !p->has_members && l->columns.n == 0 && !names->either_case)
-		found->late = names->name[0];
-	if (first && finds_all(found, l->reads)) {
-		p->has_members = true;
-		p->in_space = find_in_space(l, c, found);
-		for (int i = 0; i < l->reads && l->columns.n == 0; i++) {
-			const char *name = names->name[i];
-			const struct span lower = { name, name + strlen(name) };
-
-			strcpy(p->member[i], name);
-			if (!json_is_name(found->field[i].name, lower, false))
-				*p->member[i] = (char)toupper((unsigned char)*name);
-		}
+	find_by_names(l, c, names, found);
+	if (!first || !finds_all(found, l->reads))
+		return;
+	p->in_space = find_in_space(l, c, names, found);
+	for (int i = 0; i < l->reads && l->columns.n == 0; i++) {
+		strcpy(p->member[i], names->name[i]);
+		if (!is_named(&c, &found->field[i], p->member[i]))
+			*p->member[i] = (char)toupper((unsigned char)*p->member[i]);
 	}
-	find_undivided(l, c, found);
-	find_clash(l, c, found);
 }
 
 bool plan_in_range(const struct layout *l, int i, double v, struct refusal *r)
@@ -788,9 +732,10 @@ static void read_comment(struct layout *l, const char *s, const char *end)
 		if (w.n == n || (at > 0 && !plain))
 			continue;
 		at = w.n - n;
-		for (int i = 0; i < n; i++)
-			snprintf(p->comment[i], WORD_ROOM, "%.*s",
-			    (int)span_size(w.last[3 - n + i]), w.last[3 - n + i].s);
+		*p->comment = '\0';
+		for (int i = 3 - n; i < 3; i++)
+			sprintf(p->comment + strlen(p->comment), " %.*s",
+			    (int)span_size(w.last[i]), w.last[i].s);
 	}
 	if (at > 0)
 		p->comment_field = at;
@@ -815,7 +760,6 @@ static bool comment_differs(const struct layout *l, const struct line *line,
     struct cursor c, struct refusal *r)
 {
 	const int n = l->reads == 2 ? 2 : 3, from = l->plan.comment_field;
-	const char(*word)[WORD_ROOM] = l->plan.comment;
 	const char *at = NULL;
 	int numbers = 0;
 	struct field f;
@@ -828,35 +772,34 @@ static bool comment_differs(const struct layout *l, const struct line *line,
 	}
 	if (numbers < n)
 		return false;
-	refusal_set(r, NULL,
-	    text("the comment above has '%s %s%s%s' in other columns", word[0], word[1],
-		n > 2 ? " " : "", n > 2 ? word[2] : ""),
+	return !refuse_place(r, line, at,
+	    text("the comment above has '%s' in other columns", l->plan.comment + 1),
 	    "say by --columns where the coordinates are");
-	set_column(r, line, at);
-	return true;
 }
 
-static void refuse_late(const struct line *line, const struct sought *found,
-    struct refusal *r)
+/* Refuses an object that is not the first row, and has names of the space although that
+ * has told none: the output would change them. */
+static bool is_late(const struct layout *l, const struct line *line,
+    const struct names *names, const struct sought *found, struct refusal *r)
 {
-	refusal_set(r, NULL, text("has '%s', and the first row no names", found->late),
+	if (*l->plan.member[0] != '\0' || l->columns.n > 0 || names->either_case)
+		return false;
+	return !refuse_place(r, line, found->field[0].name.s,
+	    text("has '%s', and the first row no names", names->name[0]),
 	    "put an object first, which tells the names");
-	set_column(r, line, found->field[0].name.s);
 }
 
 /* Reads a row, the first of the source or a later one. */
 static bool read_row(struct layout *l, struct span text, bool first, struct line *line,
     double v[4], struct refusal *r)
 {
-	const bool json = l->in.format == FORMAT_JSON;
 	struct plan *p = &l->plan;
 	struct names names;
 	struct sought found;
 
 	line->kind = LINE_LOST;
-	line->object = json && *skip_blanks(l->in, text.s, text.end) == '{';
-	for (int i = 0; i < l->reads && first && json && l->columns.n == 0; i++)
-		strcpy(p->member[i], coordinate_name(i));
+	line->object = l->in.format == FORMAT_JSON &&
+	    *skip_blanks(l->in, text.s, text.end) == '{';
 	if (!line_check(l->in, text, r)) {
 		/* What is not JSON ends a list. Of its elements, those that are neither
 		 * arrays nor objects have been found to be JSON. */
@@ -876,29 +819,27 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 		return false;
 	}
 	if (c.members)
-		find_object_fields(l, c, first, &found, &names);
+		find_members(l, c, first, &names, &found);
 	else
-		find_fields(l, c, &found);
+		find_fields(l, c, NULL, &found);
 	if (first && p->fields == 0 && format_of(l->in)->table)
 		p->fields = found.n;
 	line->kind = LINE_BAD;
 	for (int i = 0; i < l->reads; i++) {
-		if (found.times[i] != 1)
-			line->kind = l->output.append ? LINE_BAD : LINE_LOST;
-		else
+		if (found.times[i] == 1) {
 			line->at[i] = line_part(line, found.field[i].value);
-		if (c.members && found.times[i] != 1) {
+			continue;
+		}
+		line->kind = l->output.append ? LINE_BAD : LINE_LOST;
+		if (c.members) {
 			refuse_name(l, line, c, &names, &found, i, r);
-			line->kind = l->output.append ? LINE_BAD : LINE_LOST;
 			return false;
 		}
 	}
-	if (c.members && found.late != NULL) {
-		refuse_late(line, &found, r);
+	if (c.members && is_late(l, line, &names, &found, r))
 		return false;
-	}
-	if (c.members && found.clash != NULL) {
-		refuse_clash(line, &found, "", r);
+	if (c.members &&
+	    (is_undivided(l, line, c, r) || has_clash(l, line, c, &found, r))) {
 		line->kind = LINE_LOST; /* a name would be there twice */
 		return false;
 	}
@@ -911,7 +852,7 @@ static const char *empty_coordinate(const struct layout *l, struct span text)
 {
 	struct sought found;
 
-	find_fields(l, line_cursor(l->in, text), &found);
+	find_fields(l, line_cursor(l->in, text), NULL, &found);
 	for (int i = 0; i < l->reads; i++)
 		if (found.times[i] > 0 &&
 		    found.field[i].value.s == found.field[i].value.end)
@@ -923,13 +864,13 @@ static const char *empty_coordinate(const struct layout *l, struct span text)
 static void read_first_row(struct layout *l, struct span text, struct line *line,
     double v[4], struct refusal *r)
 {
-	const bool has_header = l->plan.header_fields > 0;
+	const bool has_header = l->plan.has_header;
 	const char *empty = is_sniffed_tsv(l) ? empty_coordinate(l, text) : NULL;
 
 	if (empty != NULL) {
-		refusal_set(r, NULL, "has an empty coordinate, if tabs part its fields",
+		refuse_place(r, line, empty,
+		    "has an empty coordinate, if tabs part its fields",
 		    "say -i text or -i tsv");
-		set_column(r, line, empty);
 		line->kind = LINE_REFUSED;
 		return;
 	}
@@ -998,9 +939,8 @@ static void read_line(struct layout *l, struct span text, enum next_part *first,
 
 	if (cr != NULL &&
 	    (l->in.format != FORMAT_JSON || !line_check(l->in, text, r))) {
-		refusal_set(r, NULL, "has carriage returns alone for line ends",
+		refuse_place(r, line, cr, "has carriage returns alone for line ends",
 		    "make them newlines: tr '\\r' '\\n'");
-		set_column(r, line, cr);
 		return;
 	}
 	const char *s = skip_blanks(l->in, text.s, text.end);
@@ -1046,15 +986,15 @@ void plan_line(struct layout *l, struct span text, enum next_part *first,
 /* Sets the names of members that the walk passes. */
 static void plan_members(const struct layout *l, struct walk *w)
 {
+	const bool given = layout_has_names(l);
 	size_t n = 0;
 
-	w->arrays = l->columns.n == 0 || !layout_has_names(l);
-	if (l->columns.n == 0 && !l->plan.has_members)
-		return; /* each object has its own */
-	if (l->plan.in_space != 0 || (l->columns.n > 0 && !layout_has_names(l)))
-		return; /* the names change, or are no names */
+	w->arrays = !given;
+	/* else each object has its own, or the names change */
+	if ((!given && *l->plan.member[0] == '\0') || l->plan.in_space != 0)
+		return;
 	for (int i = 0; i < l->reads; i++) {
-		w->name[i] = l->columns.n > 0 ? l->columns.name[i] : l->plan.member[i];
+		w->name[i] = given ? l->columns.name[i] : l->plan.member[i];
 		w->size[i] = strlen(w->name[i]);
 	}
 	for (int k = 0; k <= COORDINATES_MAX; k++)

@@ -12,7 +12,7 @@ enum {
 	/* bytes after a line that may be read and, behind the last point of a document,
 	 * written: its newline */
 	LINE_MARGIN = 16,
-	WORD_ROOM = 32, /* bytes for a word of a comment */
+	WORD_ROOM = 32, /* bytes for a word of a comment and a blank */
 };
 
 /* The fields that hold the coordinates, from --columns; by default those of law 3. */
@@ -39,21 +39,20 @@ struct output {
 
 /* What a source has told. */
 struct plan {
-	bool has_none;        /* the source has no lines but comments: no format */
-	bool sniffed;         /* the first line told the format */
-	bool is_list;         /* the lines are elements of a list of JSON */
-	bool drops_bom;       /* another source comes before */
-	int field[4];         /* the index, from 0, of each coordinate's field */
-	unsigned in_space;    /* coordinates named S_x, S_y ..., as bits 1 << i */
-	size_t header_fields; /* fields of the header; 0: no header */
-	size_t fields;        /* that each row has; 0: any number */
-	/* The names of the coordinates in an object, if the first row tells them. */
-	bool has_members;
-	char member[4][NAME_ROOM];
-	/* Words of a comment that are x, y and z of the row's fields from comment_field
-	 * on; 0: there are none. */
+	bool has_none;     /* the source has no lines but comments: no format */
+	bool sniffed;      /* the first line told the format */
+	bool is_list;      /* the lines are elements of a list of JSON */
+	bool drops_bom;    /* another source comes before */
+	bool has_header;   /* the first line named the fields */
+	int field[4];      /* the index, from 0, of each coordinate's field */
+	unsigned in_space; /* coordinates named S_x, S_y ..., as bits 1 << i */
+	size_t fields;     /* that each row has; 0: any number */
+	/* The names of the coordinates in objects; "": the first row tells none. */
+	char member[4][2 * NAME_ROOM];
+	/* Words of a comment, each after a blank, that are x, y and z of the row's fields
+	 * from comment_field on; 0: there are none. */
 	int comment_field;
-	char comment[3][WORD_ROOM];
+	char comment[3 * WORD_ROOM + 1];
 };
 
 /* The header that the sources of a scene have in common. */

@@ -270,7 +270,7 @@ static void test_lines(void **state)
 	(void)state;
 	for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
 		const char *s = lines[i].text, *end = s + strlen(s);
-		struct json_check c = { .s = s, .end = end };
+		struct json_check c = { .at = s, .end = end };
 
 		assert_text(json_check(&c) ? NULL : c.at, lines[i].rest, s);
 	}

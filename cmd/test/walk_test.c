@@ -252,7 +252,6 @@ static void numbers_are_found(void **state)
 	l.plan = order;
 	for (int i = 0; i < 3; i++)
 		strcpy(l.plan.member[i], coordinate_name(i));
-	l.plan.has_members = true;
 	check_examples(&l, arrays, "[11,12,13]");
 	strcpy(l.output.name[COORDINATES_MAX], "flags");
 	check_examples(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
