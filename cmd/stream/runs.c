@@ -53,19 +53,6 @@ static struct span bare_piece(struct dialect in, struct span piece, bool behind,
 	return trimmed(in, piece);
 }
 
-/* Copies the places of the coordinates in the order of the line. */
-static void sort_coordinates(const struct job *j, const struct line *line,
-    struct part sorted[4])
-{
-	for (int n = 0; n < j->layout.reads; n++) {
-		int k = n;
-
-		for (; k > 0 && sorted[k - 1].from > line->at[n].from; k--)
-			sorted[k] = sorted[k - 1];
-		sorted[k] = line->at[n];
-	}
-}
-
 /* Adds the name of a point, as struct run describes it. */
 static void add_name(const struct job *j, const struct line *line, char *names,
     struct block_head *head, struct run_point *p)
@@ -76,16 +63,16 @@ static void add_name(const struct job *j, const struct line *line, char *names,
 	const bool begins = in.format != FORMAT_JSON && in.format != FORMAT_OBJ;
 	char *const name = names + head->names, *at = name;
 	const char *from = skip_bom(text.s, text.end);
-	struct part part[4];
+	int order[4];
 
-	sort_coordinates(j, line, part);
+	line_order(line, n, order);
 	for (int k = 0; k <= n; k++) {
-		const struct span piece = bare_piece(in,
-		    (struct span){ from, k < n ? text.s + part[k].from : text.end },
+		const struct span at_k = k < n ? line_field(line, order[k]) :
+						 (struct span){ text.end, text.end };
+		const struct span piece = bare_piece(in, (struct span){ from, at_k.s },
 		    k > 0, k < n);
 
-		if (k < n)
-			from = text.s + part[k].to;
+		from = at_k.end;
 		if (piece.s == piece.end || (k < n && !begins))
 			continue;
 		if (at > name)

@@ -104,10 +104,7 @@ static void next_of_csv(struct cursor *c, struct field *f)
 		f->whole.end--;
 	f->value = trimmed(c->in, f->whole);
 	c->previous_end = f->value.end;
-	if (f->value.end - f->value.s >= 2 && *f->value.s == '"' &&
-	    f->value.end[-1] == '"')
-		f->value = trimmed(c->in,
-		    (struct span){ f->value.s + 1, f->value.end - 1 });
+	f->value = trimmed(c->in, unquoted(f->value));
 }
 
 static void next_of_json(struct cursor *c, struct field *f)

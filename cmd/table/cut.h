@@ -52,6 +52,18 @@ static inline struct part line_part(const struct line *line, struct span f)
 	return (struct part){ (uint32_t)(f.s - line->s), (uint32_t)(f.end - line->s) };
 }
 
+/* Sorts order[], a list of the coordinates 0 to n - 1, by their places on the line. */
+static inline void line_order(const struct line *line, int n, int order[4])
+{
+	for (int i = 0; i < n; i++) {
+		int k = i;
+
+		for (; k > 0 && line->at[order[k - 1]].from > line->at[i].from; k--)
+			order[k] = order[k - 1];
+		order[k] = i;
+	}
+}
+
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
 	struct span value;        /* without name, quotes of csv and outer blanks */

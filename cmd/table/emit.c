@@ -276,14 +276,6 @@ static char *put_point(const struct layout *l, struct image_numbers n,
 	return out + (*to->close != '\0');
 }
 
-/* Writes an object that can't be read, with the names of the output. */
-static void put_lost_object(struct splice *w)
-{
-	*w->out++ = '{';
-	put_values(w, 0);
-	*w->out++ = '}';
-}
-
 /* Writes any line: a point; a bad line, with numbers that are nan; a header, if n.v is
  * NULL; a comment. */
 static char *emit_line(const struct emit *e, const struct line *line,
@@ -308,7 +300,9 @@ static char *emit_line(const struct emit *e, const struct line *line,
 	if (copy) {
 		copy_to(&w, text.end);
 	} else if (line->kind == LINE_LOST && w.members) {
-		put_lost_object(&w);
+		*w.out++ = '{';
+		put_values(&w, 0);
+		*w.out++ = '}';
 	} else if (!e->same || line->kind == LINE_LOST) {
 		w.out = put_point(l, n, l->output.flags ? flags : NULL, w.out);
 	} else {
@@ -344,18 +338,6 @@ static inline bool is_in_order(const struct line *line, int n)
 		if (line->at[k].from < line->at[k - 1].from)
 			return false;
 	return true;
-}
-
-/* Sorts order[], a list of the coordinates 0 to n - 1, by their places on the line. */
-static void find_order(const struct line *line, int n, int order[4])
-{
-	for (int i = 0; i < n; i++) {
-		int k = i;
-
-		for (; k > 0 && line->at[order[k - 1]].from > line->at[i].from; k--)
-			order[k] = order[k - 1];
-		order[k] = i;
-	}
 }
 
 /* Returns whether values can follow the last coordinate: without names and a quote
@@ -456,7 +438,7 @@ static inline char *emit_point(const struct emit *e, const struct line *line,
 		return write_in_place(l, line, true, NULL, n, flags, out);
 	if (in_order)
 		return write_in_place(l, line, false, NULL, n, flags, out);
-	find_order(line, l->reads, order);
+	line_order(line, l->reads, order);
 	return write_in_place(l, line, false, order, n, flags, out);
 }
 

@@ -15,18 +15,16 @@
 #define LINES .open = "", .close = "", .nan_text = "nan"
 
 const struct format_row format_rows[] = {
-	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true, .header = true },
-	[FORMAT_CSV] = { FORMAT_CSV, LINES, .ends = "csv", .table = true,
-	    .header = true },
-	[FORMAT_TSV] = { FORMAT_CSV, '\t', LINES, .ends = "tsv", .table = true,
-	    .header = true },
-	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
-	    .nan_text = "null", .ends = "json jsonl ndjson" },
-	[FORMAT_OBJ] = { FORMAT_OBJ, ' ', .open = "v ", .close = "", .nan_text = "nan",
+	[FORMAT_TEXT] = { ' ', LINES, .blanks = true, .header = true },
+	[FORMAT_CSV] = { 0, LINES, .ends = "csv", .table = true, .header = true },
+	[FORMAT_TSV] = { '\t', LINES, .ends = "tsv", .table = true, .header = true },
+	[FORMAT_JSON] = { ',', .open = "[", .close = "]", .nan_text = "null",
+	    .ends = "json jsonl ndjson" },
+	[FORMAT_OBJ] = { ' ', .open = "v ", .close = "", .nan_text = "nan",
 	    .ends = "obj", .blanks = true },
-	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
-	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
-	[FORMAT_SNIFF] = { FORMAT_SNIFF, ',', LINES },
+	[FORMAT_F64] = { ',', LINES, .size = sizeof(double) },
+	[FORMAT_F32] = { ',', LINES, .size = sizeof(float) },
+	[FORMAT_SNIFF] = { ',', LINES },
 };
 
 const char *const format_names[] = {
@@ -42,10 +40,10 @@ const char *const format_names[] = {
 
 struct dialect dialect_of(enum format f, char separator)
 {
-	const struct format_row *row = &format_rows[f];
+	const char own = format_rows[f].separator;
 
-	return (struct dialect){ row->base,
-		row->separator != 0 ? row->separator : separator };
+	return (struct dialect){ f == FORMAT_TSV ? FORMAT_CSV : f,
+		own != 0 ? own : separator };
 }
 
 enum format format_of_name(const char *name)
@@ -135,13 +133,13 @@ static bool is_missing(struct dialect d, struct span f)
 		"null" };
 
 	if (d.format == FORMAT_JSON)
-		return f.end - f.s == 4 && memcmp(f.s, "null", 4) == 0;
+		return span_is(f, "null");
 	/* csv's quotes are no part of the field */
-	if (format_of(d)->blanks && f.end - f.s > 1 && *f.s == '"' && f.end[-1] == '"')
-		f = (struct span){ f.s + 1, f.end - 1 };
+	if (format_of(d)->blanks)
+		f = unquoted(f);
 	for (size_t i = 0; i < sizeof words / sizeof *words; i++)
-		if (strlen(words[i]) == (size_t)(f.end - f.s) &&
-		    strncasecmp(words[i], f.s, (size_t)(f.end - f.s)) == 0)
+		if (strlen(words[i]) == span_size(f) &&
+		    strncasecmp(words[i], f.s, span_size(f)) == 0)
 			return true;
 	return false;
 }

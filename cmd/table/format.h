@@ -27,7 +27,6 @@ struct dialect {
 };
 
 struct format_row {
-	enum format base;         /* FORMAT_CSV for tsv, else the format */
 	char separator;           /* 0: the user chooses it by --separator */
 	size_t size;              /* bytes of a number; 0: a format of lines */
 	const char *open, *close; /* what begins and ends a line of numbers, or "" */
@@ -109,6 +108,19 @@ static inline const char *skip_blanks(struct dialect d, const char *s, const cha
 static inline size_t span_size(struct span f)
 {
 	return (size_t)(f.end - f.s);
+}
+
+static inline bool span_is(struct span f, const char *s)
+{
+	return span_size(f) == strlen(s) && memcmp(f.s, s, strlen(s)) == 0;
+}
+
+/* Returns the field without the double quotes that it may have. */
+static inline struct span unquoted(struct span f)
+{
+	if (span_size(f) > 1 && *f.s == '"' && f.end[-1] == '"')
+		f = (struct span){ f.s + 1, f.end - 1 };
+	return f;
 }
 
 static inline struct span trimmed(struct dialect d, struct span f)

@@ -52,19 +52,6 @@ static const char *shown(struct span f)
 	return text("%s", escape_short(escaped, f.s, span_size(f)));
 }
 
-/* Returns a name of a header without the double quotes that it may have. */
-static struct span header_name(struct span f)
-{
-	if (span_size(f) > 1 && *f.s == '"' && f.end[-1] == '"')
-		f = (struct span){ f.s + 1, f.end - 1 };
-	return f;
-}
-
-static bool equals_text(struct span f, const char *s)
-{
-	return span_size(f) == strlen(s) && memcmp(f.s, s, strlen(s)) == 0;
-}
-
 /* Law 3: the coordinates. */
 
 /* The names by which the coordinates are sought; NULL: one is sought by its number. */
@@ -81,7 +68,7 @@ static bool is_named(const struct cursor *c, const struct field *f, const char *
 	const struct span word = { name, name + strlen(name) };
 
 	return c->members ? json_is_name(f->name, word, false) :
-			    equals_text(header_name(f->value), name);
+			    span_is(unquoted(f->value), name);
 }
 
 static const char *name_place(const struct cursor *c, const struct field *f)
@@ -269,7 +256,7 @@ static bool is_name(struct dialect d, struct span f)
 {
 	double v;
 
-	f = header_name(f);
+	f = unquoted(f);
 	return format_read(d, f.s, f.end, &v) != f.end && !begins_like_number(f);
 }
 
@@ -346,7 +333,7 @@ static void list_fields(struct cursor c, char all[512])
 	while (n < 512 - 2 * ESCAPED_MAX && cursor_next(&c, &f)) {
 		const struct span name = c.members ?
 		    (struct span){ f.name.s + 1, f.name.end - 1 } :
-		    header_name(f.value);
+		    unquoted(f.value);
 
 		if (name.s < name.end)
 			n += (size_t)sprintf(all + n, "%s%s", n > 0 ? ", " : "",
@@ -363,9 +350,8 @@ static bool is_obj(const struct layout *l, struct cursor c)
 
 	if (!format_of(l->in)->blanks || !cursor_next(&c, &f))
 		return false;
-	return equals_text(f.value, "mtllib") ||
-	    (equals_text(f.value, "v") && cursor_next(&c, &f) &&
-		is_number(l->in, f.value));
+	return span_is(f.value, "mtllib") ||
+	    (span_is(f.value, "v") && cursor_next(&c, &f) && is_number(l->in, f.value));
 }
 
 /* Returns whether a line has numbers alone. */

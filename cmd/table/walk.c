@@ -328,10 +328,8 @@ enum { NO_COORDINATE = -1, NOT_USUAL = -2, LAST_FIELD = -3, MORE_FIELDS = -4 };
 
 static bool is_taken(const char *const *taken, struct span name)
 {
-	const size_t n = (size_t)(name.end - name.s);
-
 	for (; *taken != NULL; taken++)
-		if (strlen(*taken) == n && memcmp(*taken, name.s, n) == 0)
+		if (span_is(name, *taken))
 			return true;
 	return false;
 }
@@ -341,7 +339,7 @@ static bool is_taken(const char *const *taken, struct span name)
 INLINE int coordinate_named(const struct walk *w, int n, struct span name,
     unsigned *passed)
 {
-	const size_t size = (size_t)(name.end - name.s);
+	const size_t size = span_size(name);
 
 	for (int i = 0; i < n; i++) {
 		if (w->size[i] != size || *w->name[i] != *name.s ||
