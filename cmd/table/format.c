@@ -244,8 +244,7 @@ const char *format_number_remedy(struct dialect d, struct span f)
 		return comma_remedy(d, f);
 	memcpy(number, f.s, size);
 	number[size] = '\0';
-	if (strchr("xX", number[strspn(number, "+-") + 1]) == NULL ||
-	    number[strspn(number, "+-")] != '0')
+	if (strncasecmp(number + strspn(number, "+-"), "0x", 2) != 0)
 		return "";
 	const double v = strtod(number, &end);
 

@@ -409,21 +409,13 @@ static void refuse_name(const struct layout *l, const struct line *line,
 	refusal_set(r, NULL, text("%s no %s '%s'", subject, what, name), remedy);
 }
 
-/* Returns the header without a carriage return at its end, as headers of sources are
- * compared. */
-static struct span header_text(struct span line)
-{
-	if (line.end > line.s && line.end[-1] == '\r')
-		line.end--;
-	return line;
-}
-
 enum line_kind plan_join_header(struct layout *l, struct span header, struct refusal *r)
 {
 	struct common_header *common = &l->common;
 	const bool before = common->known, has = header.s != NULL;
 
-	header = header_text(header);
+	if (header.end > header.s && header.end[-1] == '\r')
+		header.end--; /* as line ends may differ */
 	common->known = true;
 	if (!before && has) {
 		common->size = span_size(header);
@@ -776,7 +768,7 @@ static bool is_late(const struct layout *l, const struct line *line,
 }
 
 /* Reads a row, the first of the source or a later one. */
-static bool read_row(struct layout *l, struct span text, bool first, struct line *line,
+static void read_row(struct layout *l, struct span text, bool first, struct line *line,
     double v[4], struct refusal *r)
 {
 	struct plan *p = &l->plan;
@@ -794,7 +786,7 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 		else if (p->is_list)
 			refusal_set(r, NULL, "is neither a JSON array nor an object",
 			    NULL);
-		return false;
+		return;
 	}
 	const struct cursor c = line_cursor(l->in, text);
 
@@ -802,7 +794,7 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 		refusal_set(r, NULL, c.members ? "is an object" : "is an array",
 		    c.members ? "--columns is to name its members: x,y,z" :
 				"--columns is to number its elements: 2,3,4");
-		return false;
+		return;
 	}
 	if (c.members)
 		find_members(l, c, first, &names, &found);
@@ -819,18 +811,19 @@ static bool read_row(struct layout *l, struct span text, bool first, struct line
 		line->kind = l->output.append ? LINE_BAD : LINE_LOST;
 		if (c.members) {
 			refuse_name(l, line, c, &names, &found, i, r);
-			return false;
+			return;
 		}
 	}
 	if (c.members && is_late(l, line, &names, &found, r))
-		return false;
+		return;
 	if (c.members &&
 	    (is_undivided(l, line, c, r) || has_clash(l, line, c, &found, r))) {
 		line->kind = LINE_LOST; /* a name would be there twice */
-		return false;
+		return;
 	}
-	return has_its_fields(l, line, c, &found, r) &&
-	    read_coordinates(l, line, &found, v, r);
+	if (has_its_fields(l, line, c, &found, r) &&
+	    read_coordinates(l, line, &found, v, r))
+		line->kind = LINE_POINT;
 }
 
 /* Law 1: returns where an empty field is in place of a coordinate, or NULL. */
@@ -865,8 +858,7 @@ static void read_first_row(struct layout *l, struct span text, struct line *line
 		line->kind = LINE_REFUSED;
 		return;
 	}
-	if (read_row(l, text, true, line, v, r))
-		line->kind = LINE_POINT;
+	read_row(l, text, true, line, v, r);
 	if (line->kind != LINE_REFUSED && !has_header && line->kind != LINE_LOST &&
 	    comment_differs(l, line, line_cursor(l->in, text), r))
 		line->kind = LINE_BAD;
@@ -933,8 +925,8 @@ static void read_line(struct layout *l, struct span text, enum next_part *first,
 
 	line->kind = LINE_COPY;
 	if (s == text.end || *s == '#') {
-		if (first_line && s < text.end)
-			read_comment(l, s, text.end);
+		if (first_line)
+			plan_comments(l, text);
 		return;
 	}
 	if (line_is_other(l->in, text))
@@ -949,8 +941,8 @@ static void read_line(struct layout *l, struct span text, enum next_part *first,
 		read_first_row(l, text, line, v, r);
 		/* one that can't be cut tells nothing of the next */
 		*first = line->kind == LINE_LOST ? FIRST_ROW : FIRST_NONE;
-	} else if (read_row(l, text, false, line, v, r)) {
-		line->kind = LINE_POINT;
+	} else {
+		read_row(l, text, false, line, v, r);
 	}
 }
 

@@ -49,8 +49,8 @@ struct plan {
 	size_t fields;     /* that each row has; 0: any number */
 	/* The names of the coordinates in objects; "": the first row tells none. */
 	char member[4][2 * NAME_ROOM];
-	/* Words of a comment, each after a blank, that are x, y and z of the row's fields
-	 * from comment_field on; 0: there are none. */
+	/* Words of a comment, each after a blank, that are x, y and z of the row's
+	 * fields from comment_field on; 0: there are none. */
 	int comment_field;
 	char comment[3 * WORD_ROOM + 1];
 };
