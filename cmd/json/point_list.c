@@ -74,7 +74,7 @@ static bool check_point(const struct value *v, const char **s, const char *end,
 			return refuse_byte(v->source, p, "a point");
 		if (*p == '{')
 			value_refuse(v, "is an object",
-			    "here a point is an array; objects are read from a file or -");
+			    "here a point is an array; a file may have objects");
 		else
 			refuse_type_at(v, p, "an array of coordinates");
 		return true;

@@ -178,8 +178,8 @@ static const struct remark remarks[] = {
 	    "of view to world, w first, it is {\"convention\": \"opencv\", \"camera\": "
 	    "{\"pose\": [{\"quaternion_wxyz\": [1,0,0,0]}, {\"translate\": "
 	    "[0,0,-5]}]}}" },
-	{ WORD_MEMBER,
-	    "r t rotationmatrix", "convention opencv camera rotation translation",
+	{ WORD_MEMBER, "r t rotationmatrix",
+	    "convention opencv camera rotation translation",
 	    "of world to view it is as in {\"convention\": \"opencv\", \"camera\": "
 	    "{\"rotation\": [[1,0,0],[0,1,0],[0,0,1]], \"translation\": [0,0,5]}}" },
 	{ WORD_MEMBER,
@@ -281,8 +281,7 @@ static const struct remark remarks[] = {
 	{ WORD_MEMBER, "size", "viewport width height projection",
 	    "a picture's is {\"viewport\": {\"width\": 640, \"height\": 480}}, an "
 	    "ortho's \"width\" and \"height\" of \"projection\"" },
-	{ WORD_MEMBER,
-	    "imagesize resolution imageresolution windowsize screen image",
+	{ WORD_MEMBER, "imagesize resolution imageresolution windowsize screen image",
 	    "viewport width height",
 	    "the picture's size is {\"viewport\": {\"width\": 640, \"height\": 480}}" },
 	{ WORD_MEMBER, "w h imagewidth imageheight pixelwidth pixelheight",

@@ -305,6 +305,10 @@ static bool read_rotation(const struct value *v, const struct member *row, void 
 	(void)row;
 	if (!value_is(v, JSON_ARRAY))
 		return value_refuse_type(v, "an array of 3 rows of 3 numbers");
+	if (value_count(v) == 4 && !value_is(&first, JSON_ARRAY))
+		return value_refuse_count(v, 4,
+		    "3 rows of 3 numbers are wanted; x, y, z, w of view to world are "
+		    "\"orientation\"");
 	if (value_count(v) != 3 || !value_is(&first, JSON_ARRAY))
 		return value_refuse_count(v, value_count(v),
 		    "3 rows of 3 numbers are wanted");

@@ -36,8 +36,8 @@ static inline void assert_largest(const char *what, const struct largest *l,
 /* Asserts what truth_compare found in many maps. Every element is the nearest double
  * and the nearest float, but for at most 1 % that TRUTH_TOLERANCE excuses. The pair of
  * doubles of an element is within EX_ROUND_BOUND 2^-106 of the sum. Every sum is within
- * its own bound of the error. The largest such bound, in units of TRUTH_TOLERANCE times the
- * size of the element, is at most bound. An element is 0 where the truth is 0. */
+ * its own bound of the error. The largest such bound, in units of TRUTH_TOLERANCE times
+ * the size of the element, is at most bound. An element is 0 where the truth is 0. */
 static inline void assert_errors(const char *what, const struct worst *w, double bound)
 {
 	const int *n = w->verdicts;
