@@ -331,6 +331,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	kernels_choose(data[3] & 32 ? "baseline" : NULL);
 	bool whole_source = do_at_once(&j, (const char *)data + HEADER, size - HEADER);
 
+	free(j.layout.common.text);
 	flush(&j);
 	struct bytes whole = printed, messages = said;
 
@@ -351,6 +352,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	if (!source_begin(&source, &j.layout, &r))
 		abort();
 	stream_points(&j, source);
+	free(j.layout.common.text);
 	flush(&j);
 	compare(&printed, &whole);
 	compare(&said, &messages);

@@ -30,6 +30,7 @@ static inline struct layout layout_of(const uint8_t *b)
 		.output.flags = b[1] / 6 & 1,
 		.from = "a",
 		.output.space = "b",
+		.output.copies = true,
 	};
 	static const char *const written[] = { "x", "y", "z", "w", "v", "u" };
 	enum format in = l.in.format;
