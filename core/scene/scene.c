@@ -172,7 +172,7 @@ bool scene_refuse_too_wide(const struct scene *s, bool flat, struct refusals *fa
 	const char *pointer = product_pointer(s, flat, &of_steps);
 
 	return of_steps ?
-	    steps_refuse_too_wide(pointer, faults) :
+	    refuse(faults, pointer, STEPS_TOO_WIDE, STEPS_TOO_WIDE_REMEDY) :
 	    refuse(faults, pointer, SCENE_TOO_WIDE, SCENE_TOO_WIDE_REMEDY);
 }
 

@@ -92,7 +92,7 @@ static bool append_scale(struct product *p, const double s[3], bool inverse)
  * the inverse are cross products of the rows, over the determinant. */
 static bool append_matrix(struct product *p, const double m[4][4], bool inverse)
 {
-	struct sum row[4][3], cross[3][3];
+	struct sum row[4][3], cross[3][3], det = sum_one;
 
 	if (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0 || m[3][3] != 1)
 		return refuse_step(p, STEPS_NOT_AFFINE, STEPS_NOT_AFFINE_REMEDY);
@@ -100,18 +100,16 @@ static bool append_matrix(struct product *p, const double m[4][4], bool inverse)
 		sum_set(&row[i / 3][i % 3], m[i / 3][i % 3]);
 	for (int i = 0; i < 3 && (inverse || p->regular); i++)
 		vec3_cross(row[(i + 1) % 3], row[(i + 2) % 3], cross[i]);
-	if (inverse || p->regular) {
-		struct sum det = vec3_dot(row[0], cross[0]);
-
-		if (sum_sign(det) == 0)
-			return refuse_step(p, "singular", "it can't be inverted");
-		if (inverse) {
-			translate(m[3], true, p->r);
-			append(p->r, 3, cross[0], 1, 3, det);
-			return true;
-		}
+	if (inverse || p->regular)
+		det = vec3_dot(row[0], cross[0]);
+	if (sum_sign(det) == 0)
+		return refuse_step(p, "singular", "it can't be inverted");
+	if (inverse) {
+		translate(m[3], true, p->r);
+		append(p->r, 3, cross[0], 1, 3, det);
+	} else {
+		append(p->r, 4, row[0], 3, 1, sum_one);
 	}
-	append(p->r, 4, row[0], 3, 1, sum_of_double(1));
 	return true;
 }
 
@@ -217,11 +215,6 @@ static bool append_all(struct product *p, const struct step *s, const struct ste
 	return (inverse || append_all(p, next, end, inverse)) && is_right;
 }
 
-bool steps_refuse_too_wide(const char *pointer, struct refusals *faults)
-{
-	return refuse(faults, pointer, STEPS_TOO_WIDE, STEPS_TOO_WIDE_REMEDY);
-}
-
 bool steps_map(const struct steps *s, const char *pointer, bool inverse, bool regular,
     struct map *r, struct refusals *faults)
 {
@@ -239,7 +232,7 @@ bool steps_map(const struct steps *s, const char *pointer, bool inverse, bool re
 				append_all(&p, s->step, s->step + s->n, inverse)))
 		return false;
 	if (s->step != NULL && ex_has_overflowed())
-		return steps_refuse_too_wide(pointer, faults);
+		return refuse(faults, pointer, STEPS_TOO_WIDE, STEPS_TOO_WIDE_REMEDY);
 	map_set_origin(r, s->step == NULL && inverse ? s->matrix[3] : NULL);
 	return true;
 }

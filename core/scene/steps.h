@@ -74,6 +74,3 @@ bool steps_map(const struct steps *, const char *pointer, bool inverse, bool reg
 	"without a loss"
 #define STEPS_TOO_WIDE_REMEDY \
 	"give fewer steps, or numbers nearer to one another or of fewer digits"
-
-/* Refuses the steps of a member, as their product has lost digits. Returns false. */
-bool steps_refuse_too_wide(const char *pointer, struct refusals *faults);
