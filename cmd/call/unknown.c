@@ -56,8 +56,9 @@ static const char *find_option(const struct command *c, const char *name)
 	for (unsigned i = 0; i < KINDS; i++)
 		if (r->kinds >> i & 1)
 			takers[n++] = kinds[i];
-	return text("--%s is an option of %s", r->name,
-	    words_join(list, takers, " and ", ""));
+	return text("--%s is an option of %s%s", r->name,
+	    words_join(list, takers, " and ", ""),
+	    strcmp(r->name, "output") == 0 ? "; > writes a file" : "");
 }
 
 /* Returns where `name`, which is no option, belongs as a member of a scene; or NULL. */
