@@ -82,8 +82,8 @@ void output_write(const char *s, size_t size);
 void output_gather(void);
 void output_flush(void);
 
-/* Gathers text of the help, formatted as by printf. stdio is not used, because it loses
- * text if a non-blocking pipe is full. */
+/* Gathers text of the help, formatted as by printf, and cut at TEXT_ROOM bytes. stdio
+ * is not used, because it loses text if a non-blocking pipe is full. */
 void output_printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 /* Writes what is gathered, and closes standard output. Exits with status 3 if an

@@ -306,6 +306,7 @@ static void put_step_value(struct printer *p, const struct value *v,
 	put_close(p, array ? "]" : "}");
 }
 
+/* The list is the world's, as a camera is printed by its gaze. */
 static void print_steps(struct printer *p, const struct member *row, const void *at)
 {
 	const struct steps *steps = at;

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-/* A line that is checked up to `end`: the caller owns it. */
+/* A line that is checked from `at` up to `end`: the caller owns it. */
 struct json_check {
 	const char *at; /* the next character; after an error, the wrong one */
 	const char *end;

@@ -162,7 +162,8 @@ static inline bool pass_to_end(struct cutter *c)
 	return ended;
 }
 
-/* Cuts the part of an array or object up to its end or that of the block. */
+/* Cuts the part of an array or object up to its end, or to where it pauses: a line end,
+ * a backslash, the end of the block. */
 static bool cut_element(struct cutter *c)
 {
 	struct list *l = c->list;

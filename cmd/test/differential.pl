@@ -469,7 +469,7 @@ sub line {
 
 sub header {
 	my ($style) = @_;
-	my @titles = pick(@titles)->@[0 .. $style->{size} - 1];
+	my @titles = grep { defined } pick(@titles)->@[0 .. $style->{size} - 1];
 	@titles = map { "\"$_\"" } @titles if $style->{quotes} && below(2);
 	@titles = shuffled(@titles) if one_in(8);
 	return join $style->{separator}, (map { "id$_" } 1 .. $style->{before}),
