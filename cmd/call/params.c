@@ -111,7 +111,6 @@ static bool next_scene(void)
 {
 	params.begin = params.end;
 	params.level = 0;
-	params.quoted = params.escaped = false;
 	message_state.scene = (struct scene_place){ params.number, (long)params.line };
 	while (!params_find_end())
 		if (!params_more()) {

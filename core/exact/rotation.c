@@ -123,8 +123,7 @@ enum rotation_result rotation_nearest(const struct sum matrix[4][4], struct sum 
 		m[i / 3][i % 3].error = 0;
 		s = sum_add(s, sum_mul(m[i / 3][i % 3], m[i / 3][i % 3]));
 	}
-	if (error > 0)
-		det = map_minor(3, m, 8, 8);
+	det = map_minor(3, m, 8, 8);
 	/* gap > least x / 24 then makes 9 e / gap less than 2^-256 */
 	double least = fmax(0x1p-398, ldexp(1, error - EX_RANGE + 265));
 
