@@ -262,18 +262,19 @@ static void cut_vertex(const struct clipper *c, const struct crossing *x,
 }
 
 /* Returns the sign of how much farther from p the segment is cut by x than by y: at
- * |a| / (|a| + |b|) of the way, of the functions a at p and b at q. */
+ * |a| / (|a| + |b|) of the way, of the functions a at p and b at q. Of doubles that are
+ * within 2^-52 the products are within 2^-50 if they are normal. */
 static int compare_crossings(const struct clipper *c, struct clip_vertex *p,
     struct clip_vertex *q, struct crossing *x, struct crossing *y)
 {
 	if (!x->exact && !y->exact) {
 		const double far_x = fabs(x->near[0] * y->near[1]);
 		const double far_y = fabs(y->near[0] * x->near[1]);
+		const double least = fmin(far_x, far_y), most = fmax(far_x, far_y);
 
-		if (far_x < (1 - 0x1p-40) * far_y)
-			return -1;
-		if (far_y < (1 - 0x1p-40) * far_x)
-			return 1;
+		if (least > 0x1p-1000 && most < HUGE_VAL &&
+		    least < (1 - 0x1p-40) * most)
+			return far_x < far_y ? -1 : 1;
 	}
 	make_exact(c, p, q, x);
 	make_exact(c, p, q, y);
